@@ -9,10 +9,11 @@ from app.colours import curve_colour
 from app.document.words import number
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.curve_view import CurveView, Polyline
+from curvecore.arrays import FloatArray
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
@@ -47,8 +48,8 @@ class CurveLayer(Layer):
         self._made_for: tuple[object, ...] = ()
         self._pen_now = QPen()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
-        self._ghost_drawn: tuple[Floats | None, PixelMap | None] = (None, None)
-        self._ghost: Floats | None = None
+        self._ghost_drawn: tuple[FloatArray | None, PixelMap | None] = (None, None)
+        self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
         self._fade.valueChanged.connect(lambda _value: self.update())
@@ -59,7 +60,7 @@ class CurveLayer(Layer):
         self._view = view
         self.update()
 
-    def show_ghost(self, points: Floats) -> None:
+    def show_ghost(self, points: FloatArray) -> None:
         """Let a curve, as a polyline of the plane, stand behind the present one and fade."""
         self._ghost = points
         self._fade.stop()
@@ -73,7 +74,7 @@ class CurveLayer(Layer):
         fading = self._fade.state() == QAbstractAnimation.State.Running
         return float(self._fade.currentValue()) if fading and self._ghost is not None else 0.0
 
-    def hold_ghost(self, points: Floats) -> None:
+    def hold_ghost(self, points: FloatArray) -> None:
         """Let a curve stand behind the present one until the ghost is released."""
         self._fade.stop()
         self._ghost, self._ghost_held = points, True
@@ -154,7 +155,7 @@ class CurveLayer(Layer):
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         return pen
 
-    def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: Floats) -> None:
+    def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: FloatArray) -> None:
         if self._ghost_drawn[0] is not points or self._ghost_drawn[1] is not shown:
             self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
             self._ghost_drawn = (points, shown)

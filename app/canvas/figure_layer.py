@@ -12,7 +12,7 @@ from PySide6.QtGui import QFont, QFontMetricsF, QPainter
 
 from app.canvas.curve_layer import TOLERANCE
 from app.plotting.area import AreaFill
-from app.plotting.drawing import MARGIN, Floats, Segments, cut_segments
+from app.plotting.drawing import MARGIN, Segments, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line, draw_mark, pen_of
 from app.plotting.pixel_map import PixelMap
@@ -20,6 +20,7 @@ from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.line_styles import Mark
+from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -99,7 +100,7 @@ class FigureLayer(Layer):
             case Shape.MARKS:
                 _draw_marks(painter, pixels, shown, figure.style.mark, _MARK * self.scale)
 
-    def _paint_area(self, painter: QPainter, shown: PixelMap, pixels: Floats) -> None:
+    def _paint_area(self, painter: QPainter, shown: PixelMap, pixels: FloatArray) -> None:
         """Fill polygons as one area, so that a translucent one has no seams."""
         is_corner = ~np.isnan(pixels[:, 0])
         corners = np.clip(pixels[is_corner], -_FAR, _FAR)
@@ -131,19 +132,19 @@ class FigureLayer(Layer):
         write_on_plate(painter, plate, figure.label, self.theme.paper, self.theme.ink)
 
 
-def _pixels(points: Floats, shown: PixelMap) -> Floats:
+def _pixels(points: FloatArray, shown: PixelMap) -> FloatArray:
     """Return pixels that can be reckoned with: NaN where there is nothing to draw, endless ones limited."""
     with np.errstate(over="ignore", invalid="ignore"):
         return np.clip(shown.points(points), -_FARTHEST, _FARTHEST)
 
 
-def _draw(painter: QPainter, segments: Floats) -> None:
+def _draw(painter: QPainter, segments: FloatArray) -> None:
     drawn = Segments()
     drawn.fill(segments)
     drawn.draw(painter)
 
 
-def _draw_arrows(painter: QPainter, pixels: Floats, shown: PixelMap) -> None:
+def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None:
     """Draw segments with heads; short arrows have small heads, so that the shaft is seen."""
     ends = pixels.reshape(-1, 2, 2)
     along, length = _directions(ends)
@@ -154,7 +155,7 @@ def _draw_arrows(painter: QPainter, pixels: Floats, shown: PixelMap) -> None:
     _draw(painter, cut_segments(np.vstack([ends.reshape(-1, 4), *barbs]), shown.width, shown.height))
 
 
-def _draw_ticks(painter: QPainter, pixels: Floats, shown: PixelMap, half: float) -> None:
+def _draw_ticks(painter: QPainter, pixels: FloatArray, shown: PixelMap, half: float) -> None:
     ends = pixels.reshape(-1, 2, 2)
     along, _ = _directions(ends)
     reach = half * along
@@ -162,14 +163,14 @@ def _draw_ticks(painter: QPainter, pixels: Floats, shown: PixelMap, half: float)
     _draw(painter, cut_segments(ticks, shown.width, shown.height))
 
 
-def _directions(ends: Floats) -> tuple[Floats, Floats]:
+def _directions(ends: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return unit vectors from the first to the second ends, zero for zero, and their lengths."""
     along = ends[:, 1] - ends[:, 0]
     length = np.hypot(along[:, 0], along[:, 1])
     return along / np.where(length > 0, length, 1.0)[:, None], length
 
 
-def _draw_marks(painter: QPainter, pixels: Floats, shown: PixelMap, mark: Mark, size: float) -> None:
+def _draw_marks(painter: QPainter, pixels: FloatArray, shown: PixelMap, mark: Mark, size: float) -> None:
     near = np.all((pixels >= -MARGIN) & (pixels <= (shown.width + MARGIN, shown.height + MARGIN)), axis=1)
     for x, y in pixels[near].tolist():
         draw_mark(painter, mark, x, y, size)

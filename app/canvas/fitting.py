@@ -9,8 +9,9 @@ import numpy as np
 from PySide6.QtCore import QPointF
 
 from app.plotting.camera import Camera
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
     from app.canvas.scene import CanvasScene
@@ -21,14 +22,14 @@ _REVEAL_MARGIN = 40.0
 """Pixels between the edge and a point that the view was moved to show."""
 
 
-class Box(NamedTuple):
+class PlaneBox(NamedTuple):
     """Lower left and upper right corner, (2,) each, in the plane."""
 
-    low: Floats
-    high: Floats
+    low: FloatArray
+    high: FloatArray
 
 
-def box_of(views: Sequence[CurveView]) -> Box | None:
+def box_of(views: Sequence[CurveView]) -> PlaneBox | None:
     """Return the box that shows all these curves with a margin; None where there is no point."""
     boxes, size = _limited(views)
     if not len(boxes):
@@ -37,16 +38,16 @@ def box_of(views: Sequence[CurveView]) -> Box | None:
     own = _FIT_MARGIN * size[:, None]
     # A small curve at the edge of a large drawing has the margin of the drawing.
     margin = _FIT_MARGIN * float((high.max(axis=0) - low.min(axis=0)).max())
-    return Box(
+    return PlaneBox(
         np.minimum((low - own).min(axis=0), low.min(axis=0) - margin),
         np.maximum((high + own).max(axis=0), high.max(axis=0) + margin),
     )
 
 
-def with_margin(box: Box) -> Box:
+def with_margin(box: PlaneBox) -> PlaneBox:
     """Return a box with the margin that is left around what is shown."""
     margin = _FIT_MARGIN * float((box.high - box.low).max())
-    return Box(box.low - margin, box.high + margin)
+    return PlaneBox(box.low - margin, box.high + margin)
 
 
 def are_in_sight(views: Sequence[CurveView], shown: PixelMap) -> bool:
@@ -54,7 +55,7 @@ def are_in_sight(views: Sequence[CurveView], shown: PixelMap) -> bool:
     return all_inside(shown, _boxes(views).reshape(-1, 2))
 
 
-def all_inside(shown: PixelMap, points: Floats) -> bool:
+def all_inside(shown: PixelMap, points: FloatArray) -> bool:
     """Whether points (n, 2) of the plane lie in sight."""
     pixels = shown.points(points)
     return bool(((pixels >= 0) & (pixels <= (shown.width, shown.height))).all())
@@ -107,7 +108,7 @@ class Framing:
         else:
             self._show_below(*box, self.covered_top())
 
-    def _show_below(self, low: Floats, high: Floats, covered: float) -> None:
+    def _show_below(self, low: FloatArray, high: FloatArray, covered: float) -> None:
         """Show a box below `covered` pixels at the top, on which a message lies."""
         shown = self._camera.pixel_map
         room = max(shown.height - covered, 0.5 * shown.height)
@@ -135,12 +136,12 @@ class Framing:
             self._camera.pan(dx, dy)
 
 
-def _boxes(views: Sequence[CurveView]) -> Floats:
+def _boxes(views: Sequence[CurveView]) -> FloatArray:
     """Return the boxes to show, (k, 2, 2): of the curves, at most three times as large as their points."""
     return _limited(views)[0]
 
 
-def _limited(views: Sequence[CurveView]) -> tuple[Floats, Floats]:
+def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     """Return the boxes, and of each how large what it shows counts, (k,).
 
     One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).

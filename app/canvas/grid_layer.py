@@ -13,8 +13,9 @@ from PySide6.QtGui import QPainter
 from app.document.words import number
 from app.plotting.drawing import Bars
 from app.plotting.layers import Layer
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
+from curvecore.arrays import FloatArray
 
 _LEAST_GAP = 8.0
 """Pixels between two lines of a grid of fixed spacing, at least."""
@@ -130,11 +131,11 @@ def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[s
     return [number(value, digits) for value in exact]
 
 
-def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:
+def _values(levels: list[tuple[float, list[float]]], level: int) -> FloatArray:
     return np.array(levels[level][1] if level < len(levels) else [], dtype=float)
 
 
-def _lines(x: Floats, y: Floats, shown: PixelMap) -> Floats:
+def _lines(x: FloatArray, y: FloatArray, shown: PixelMap) -> FloatArray:
     """Return vertical lines at `x` and horizontal lines at `y`, on whole pixels so that they stay crisp."""
     x, y = np.round(x), np.round(y)
     vertical = np.column_stack([x, np.zeros_like(x), np.ones_like(x), np.full_like(x, shown.height)])

@@ -9,8 +9,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 
 from app.document.model import Vector
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside
+from curvecore.arrays import FloatArray
 
 _CORNERS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
 """Right and below first; of corners that are as good as each other the first is taken, so that words rest."""
@@ -25,14 +26,14 @@ _COVERED_WORDS, _CUT_OFF = 200.0, 1000.0
 class Surroundings(msgspec.Struct, frozen=True, eq=False):
     """Surroundings to keep free, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other words."""
 
-    segments: Floats
+    segments: FloatArray
     words: Sequence[QRectF] = ()
 
 
 NOTHING = Surroundings(np.empty((0, 4)))
 
 
-def segments_near(points: Floats, pixel: Vector, shown: PixelMap) -> Floats:
+def segments_near(points: FloatArray, pixel: Vector, shown: PixelMap) -> FloatArray:
     """Return the segments (k, 4) in pixels of a polyline of the plane that come near a pixel."""
     (x, y), reach = shown.plane(*pixel), (_NEAR / shown.sx, _NEAR / shown.sy)
     here = np.array([x, y])
@@ -77,7 +78,7 @@ def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: in
     return box
 
 
-def covered_lengths(segments: Floats, boxes: Sequence[QRectF]) -> Floats:
+def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF]) -> FloatArray:
     """Return how many pixels of segments (k, 4) each of the boxes covers, (len(boxes),)."""
     low = np.array([(box.left(), box.top()) for box in boxes])[:, None]
     high = np.array([(box.right(), box.bottom()) for box in boxes])[:, None]
@@ -87,5 +88,5 @@ def covered_lengths(segments: Floats, boxes: Sequence[QRectF]) -> Floats:
     to_low, to_high = (low - start) / slope, (high - start) / slope
     enter = np.minimum(to_low, to_high).max(axis=2).clip(0.0, 1.0)
     leave = np.maximum(to_low, to_high).min(axis=2).clip(0.0, 1.0)
-    lengths: Floats = np.maximum(leave - enter, 0.0) @ np.hypot(way[:, 0], way[:, 1])
+    lengths: FloatArray = np.maximum(leave - enter, 0.0) @ np.hypot(way[:, 0], way[:, 1])
     return lengths

@@ -17,9 +17,9 @@ from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.theme import mix
 from app.view_model.arrow import arrow_segments
-from app.view_model.curve_view import Floats
 from app.view_model.line_styles import DASHED
 from app.view_model.motion_picture import COLOURS, NAMES, RADII, TRAIL, Dot, Role, colour_of
+from curvecore.arrays import FloatArray
 
 _TRAIL_DOT = 3.0
 _FAR = 1e5
@@ -36,11 +36,11 @@ class MotionLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self.dots: Sequence[Dot] = ()
-        self.lines: Sequence[tuple[Role, Floats]] = ()
+        self.lines: Sequence[tuple[Role, FloatArray]] = ()
         self._font = QFont(plot.font())
         self._written: list[QRectF] = []
 
-    def render(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]]) -> None:
+    def render(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, FloatArray]]) -> None:
         """Draw `dots`, and the curves that some of them run along, from the next paint on."""
         self.dots, self.lines = dots, lines
         self.update()
@@ -61,7 +61,7 @@ class MotionLayer(Layer):
     def _colour(self, role: Role) -> QColor:
         return curve_colour(COLOURS[role], self.theme) if role in COLOURS else QColor(self.theme.accent)
 
-    def _paint_line(self, painter: QPainter, shown: PixelMap, role: Role, line: Floats) -> None:
+    def _paint_line(self, painter: QPainter, shown: PixelMap, role: Role, line: FloatArray) -> None:
         painter.setPen(QPen(mix(self._colour(role), self.theme.paper, 0.6), self.scale))
         draw_line(painter, shown.points(line), DASHED, shown)
 

@@ -11,16 +11,17 @@ from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from app.canvas.curve_layer import CASING, FAINT_WIDTH, TOLERANCE
-from app.canvas.hit_test import CURVE_REACH, Segments
+from app.canvas.hit_test import CURVE_REACH, PixelOutline
 from app.colours import curve_colour
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
@@ -181,7 +182,7 @@ class _Outline:
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
         self.shown = shown
         polylines = [pixels_of(view, shown) for _, view in views]
-        self._segments = Segments(polylines)
+        self._segments = PixelOutline(polylines)
         self._places = np.repeat([place for place, _ in views], [len(each) - 1 for each in polylines])
 
     def hit(self, pixel: Vector) -> Hit | None:
@@ -192,7 +193,7 @@ class _Outline:
         return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
 
 
-def pixels_of(view: CurveView, shown: PixelMap) -> Floats:
+def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:
     """Return the curve as a polyline in pixels."""
     return shown.points(view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box).points)
 

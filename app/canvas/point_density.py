@@ -8,8 +8,7 @@ from collections.abc import Collection
 import msgspec
 import numpy as np
 
-from app.plotting.pixel_map import Floats
-from app.view_model.curve_view import Integers
+from curvecore.arrays import FloatArray, IntArray
 
 RADIUS = 4.5
 """Radius of a disc in pixels, where there is room."""
@@ -45,7 +44,7 @@ class Discs(msgspec.Struct, frozen=True):
     crowded: bool = False
 
 
-def discs_for(pixels: Floats, visible: Integers, scale: float) -> Discs:
+def discs_for(pixels: FloatArray, visible: IntArray, scale: float) -> Discs:
     """Return how large discs are so that about half of the curve between them stays free.
 
     Parameters
@@ -68,7 +67,7 @@ def discs_for(pixels: Floats, visible: Integers, scale: float) -> Discs:
     return Discs(radius, _RIM * scale if radius >= RADIUS * scale else 0.0)
 
 
-def _gaps(pixels: Floats, visible: Integers) -> Floats:
+def _gaps(pixels: FloatArray, visible: IntArray) -> FloatArray:
     """Return how far it is from points to whatever other point is nearest, ascending; of many, of some."""
     here = pixels[visible]
     wanted = min(max(_MOST_PAIRS // len(visible), _LEAST_SAMPLED), _MOST_SAMPLED)
@@ -76,11 +75,11 @@ def _gaps(pixels: Floats, visible: Integers) -> Floats:
     squares = (here[sample, :1] - here[:, 0]) ** 2
     squares += (here[sample, 1:] - here[:, 1]) ** 2
     squares[np.arange(len(sample)), sample] = np.inf
-    gaps: Floats = np.sqrt(np.sort(squares.min(axis=1)))
+    gaps: FloatArray = np.sqrt(np.sort(squares.min(axis=1)))
     return gaps
 
 
-def with_neighbours(chosen: Collection[int], among: Integers) -> Integers:
+def with_neighbours(chosen: Collection[int], among: IntArray) -> IntArray:
     """Return those `among` some points that lie within two places of a chosen one."""
     if len(chosen) > _MOST_WITH_NEIGHBOURS:
         # They are many themselves.

@@ -11,15 +11,15 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.document.words import with_decimals
 from app.plotting.colours import colours_of
-from app.plotting.drawing import Flags
 from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
-from app.view_model.curve_view import CurveView, Integers
+from app.view_model.curve_view import CurveView
 from app.view_model.handles import Handle, handles_of
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
@@ -49,7 +49,7 @@ class PointLayer(Layer):
         self.shows_new_handle = False
         # Over a picture, what is thin and grey needs paper around it to be seen.
         self.over_picture = False
-        self.weights: Floats | None = None
+        self.weights: FloatArray | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
         self._handles: list[Handle] = []
@@ -59,16 +59,16 @@ class PointLayer(Layer):
         self._discs_asked: tuple[object, ...] = ()
         # Where numbers were written last, in pixels, and how many characters they have.
         self.numbers: list[tuple[QPointF, int]] = []
-        self._measured: Floats | None = None
+        self._measured: FloatArray | None = None
         # Paints once more when a drag has ended, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
         self._soon.timeout.connect(self.refresh)
-        self._pixels_of: tuple[Floats | None, PixelMap | None] = (None, None)
-        self._pixels: Floats = np.empty((0, 2))
-        self._visible: Integers = np.empty(0, dtype=np.intp)
+        self._pixels_of: tuple[FloatArray | None, PixelMap | None] = (None, None)
+        self._pixels: FloatArray = np.empty((0, 2))
+        self._visible: IntArray = np.empty(0, dtype=np.intp)
         self._made_for: tuple[object, ...] = ()
         self._apart_of = self._visible
-        self._apart: tuple[Integers, list[int], list[int]] = (self._visible, [], [])
+        self._apart: tuple[IntArray, list[int], list[int]] = (self._visible, [], [])
 
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
@@ -109,7 +109,7 @@ class PointLayer(Layer):
         if self.scrub is not None:
             self._paint_scrub_dot(painter, shown)
 
-    def _locate(self, points: Floats, shown: PixelMap) -> None:
+    def _locate(self, points: FloatArray, shown: PixelMap) -> None:
         """Find the pixels of all points, and which of them are on screen."""
         if self._pixels_of[0] is points and self._pixels_of[1] is shown:
             return
@@ -122,7 +122,7 @@ class PointLayer(Layer):
     # Points
 
     def _paint_points(
-        self, painter: QPainter, pixels: Floats, visible: Integers, colours: Sequence[QColor]
+        self, painter: QPainter, pixels: FloatArray, visible: IntArray, colours: Sequence[QColor]
     ) -> None:
         discs = self._discs_of(pixels, visible)
         calm, hovered, chosen = self._told_apart(len(pixels), visible, crowded=discs.crowded)
@@ -136,8 +136,8 @@ class PointLayer(Layer):
             self._paint_note(painter, shown=painter.clipBoundingRect())
 
     def _told_apart(
-        self, count: int, visible: Integers, *, crowded: bool
-    ) -> tuple[Integers, list[int], list[int]]:
+        self, count: int, visible: IntArray, *, crowded: bool
+    ) -> tuple[IntArray, list[int], list[int]]:
         """Return which visible points are drawn like any other, which as hovered, and which as selected."""
         asked = (count, crowded, self.selection, self.hovered)
         if asked != self._made_for or visible is not self._apart_of:
@@ -152,7 +152,7 @@ class PointLayer(Layer):
             self._apart = (calm, hovered, visible[~is_calm[visible]].tolist())
         return self._apart
 
-    def _discs_of(self, pixels: Floats, visible: Integers) -> Discs:
+    def _discs_of(self, pixels: FloatArray, visible: IntArray) -> Discs:
         """Return how discs are drawn; under a drag that hardly changes, and is not asked every frame."""
         asked = (self._pixels_of[1], len(pixels), len(visible), self.scale)
         if asked == self._discs_asked and self._soon.isActive():
@@ -180,7 +180,7 @@ class PointLayer(Layer):
     def _paint_discs(
         self,
         painter: QPainter,
-        pixels: Floats,
+        pixels: FloatArray,
         indices: Sequence[int],
         colours: Sequence[QColor],
         radius: float,
@@ -204,7 +204,7 @@ class PointLayer(Layer):
 
     # Numbers
 
-    def _paint_numbers(self, painter: QPainter, pixels: Floats, visible: Integers) -> None:
+    def _paint_numbers(self, painter: QPainter, pixels: FloatArray, visible: IntArray) -> None:
         self.numbers = []
         chosen = self._numbered(pixels, visible)
         if not chosen:
@@ -228,7 +228,7 @@ class PointLayer(Layer):
             painter.setPen(colour)
             painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), text)
 
-    def _numbered(self, pixels: Floats, visible: Integers) -> list[int]:
+    def _numbered(self, pixels: FloatArray, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
         if len(pixels) <= _LABELLED_UP_TO:
             every: list[int] = visible.tolist()
@@ -248,7 +248,7 @@ class PointLayer(Layer):
         painter.setBrush(paper)
         painter.drawRoundedRect(plate, 3, 3)
 
-    def _has_weight_text(self, count: int) -> Flags:
+    def _has_weight_text(self, count: int) -> BoolArray:
         """Tell beside which points their weight is written."""
         if self.weights is None or len(self.weights) != count or count > _WEIGHED_UP_TO:
             return np.zeros(count, dtype=bool)
@@ -300,8 +300,8 @@ class PointLayer(Layer):
     def _paint_weights(
         self,
         painter: QPainter,
-        pixels: Floats,
-        visible: Integers,
+        pixels: FloatArray,
+        visible: IntArray,
         colours: Sequence[QColor],
     ) -> None:
         assert self.weights is not None
@@ -349,20 +349,20 @@ def _disc(painter: QPainter, radius: float) -> None:
     painter.drawEllipse(QPointF(0, 0), radius, radius)
 
 
-def _is_near(pixels: Floats, shown: PixelMap) -> Flags:
+def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:
     """Tell which points are close enough to the visible area to be drawn."""
     margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]
     return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
 
 
-def _holds(ascending: Integers, index: int) -> bool:
+def _holds(ascending: IntArray, index: int) -> bool:
     """Whether `index` is one of ascending ones."""
     place = int(ascending.searchsorted(index))
     return place < len(ascending) and int(ascending[place]) == index
 
 
-def _number_place(pixels: Floats, index: int, distance: float, beyond: float) -> QPointF:
+def _number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
     """Put the number on the outer side of the bend, where the curve is not, and a long one further away."""
     last = len(pixels) - 1
     around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()

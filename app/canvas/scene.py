@@ -30,7 +30,8 @@ from app.tools.marks import GestureMarks
 from app.tools.pointer import Hit, Pointer
 from app.tools.tool import Tool
 from app.view_model.basis_view import weights_at
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
     from app.canvas.motion_layer import MotionLayer
@@ -150,7 +151,7 @@ class CanvasScene:
         layer.weights = None if self.dots else weights_at(view, t)
         layer.scrub = (t, float(x), float(y))
 
-    def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]] = ()) -> None:
+    def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, FloatArray]] = ()) -> None:
         """Show dots that run, and the curves that some of them run along."""
         if self._motion is None:
             # Made when something runs: nobody waits for it at the start.

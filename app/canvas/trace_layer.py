@@ -8,12 +8,13 @@ import msgspec
 import numpy as np
 from PySide6.QtGui import QPainter
 
-from app.plotting.drawing import Floats, Segments, Stroke
+from app.plotting.drawing import Segments, Stroke
 from app.plotting.layers import Layer
 from app.plotting.pens import line_in_pixels, pen_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.line_styles import LineStyle
+from curvecore.arrays import FloatArray
 
 _FADED = 0.3
 
@@ -21,7 +22,7 @@ _FADED = 0.3
 class Trace(msgspec.Struct, frozen=True, eq=False):
     """A curve as polylines (k, 2), in the plane, with its style and its name."""
 
-    pieces: Sequence[Floats]
+    pieces: Sequence[FloatArray]
     style: LineStyle
     label: str
 
@@ -67,6 +68,6 @@ class TraceLayer(Layer):
             painter.setPen(pen_of(style, self.theme, self.scale, _FADED if faded else 1.0))
             line.draw(painter)
 
-    def _line(self, points: Floats, style: LineStyle, shown: PixelMap) -> Stroke | Segments:
+    def _line(self, points: FloatArray, style: LineStyle, shown: PixelMap) -> Stroke | Segments:
         with np.errstate(over="ignore"):
             return line_in_pixels(shown.points(points), style.dashes, style.width * self.scale, shown)

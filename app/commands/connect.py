@@ -105,7 +105,7 @@ class Commands:
         laboratory, wiggle = self[LaboratoryCommands], self[WiggleCommands]
         self.drops = Drops(context, self[ExchangeCommands].import_files, images.add)
         self._teaching = TeachingCommands(context, laboratory.open, wiggle.explain_widest)
-        self.context_menus = ContextMenus(context, self._sets.values(), self.attempt)
+        self.context_menus = ContextMenus(context, self._sets, self.attempt)
         self._had_scrub = False
         for each in self._sets.values():
             context.actions.bind(each, self._run)

@@ -302,7 +302,7 @@ class ExchangeCommands:
 
             options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
             png = png_file(document, options).data
-            return png, svg_of(document, unit=unit, report=part(report, 0.5, 1.0)).encode()
+            return png, svg_of(document, Options(unit=unit, report=part(report, 0.5, 1.0))).data
 
         self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
 
@@ -325,7 +325,7 @@ class ExchangeCommands:
         def work(report: Report) -> Written:
             from app.exchange.formats.formulas import svg_path_data  # noqa: PLC0415
 
-            return svg_path_data(document, report=report)
+            return svg_path_data(document, Options(report=report))
 
         def done(written: Written) -> None:
             QGuiApplication.clipboard().setText(written.text)

@@ -11,7 +11,7 @@ from app.overrides import Guarded
 from app.panels.motion_bar import MotionBar
 from app.player import Player
 from app.theme import theme_of
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
 from app.view_model.motion import Course
 from app.view_model.motion_picture import (
     RIVALS,
@@ -22,6 +22,7 @@ from app.view_model.motion_picture import (
     rivals_of,
     scales_of,
 )
+from curvecore.arrays import FloatArray
 
 
 class MotionStage(Guarded, QObject):
@@ -119,7 +120,7 @@ class MotionStage(Guarded, QObject):
                 self._courses[role] = Course(rival.curve, settings.pace)
         return self._courses if self._rivals else {}
 
-    def _lines(self) -> list[tuple[Role, Floats]]:
+    def _lines(self) -> list[tuple[Role, FloatArray]]:
         """Return the curves that are compared, but for the one that is drawn anyway."""
         family = self._context.session.active_view.source.family
         return [(role, view.polyline) for role, view in self._rivals.items() if RIVALS[role] != family]

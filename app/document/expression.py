@@ -141,7 +141,7 @@ _OPERATORS: dict[str, tuple[int, Callable[[float, float], float]]] = {
     "^": (4, _power),
     "**": (4, _power),
 }
-"""How tightly each binds, and what it computes."""
+"""Tightness of binding and function of each."""
 
 _SIGN, _POWER = 3, 4
 """A sign binds less than a power, and more than the rest: −2^2 is −4."""

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
+from curvecore.arrays import FloatArray
 
 PIECES_OF_A_TURN = 8
 """Pieces of a whole turn, if no tolerance is given: within 4.3e-6 of the radius."""
@@ -27,11 +27,13 @@ MOST_PIECES = 1000
 class Arc:
     """An arc as cubic pieces (k, 4, 2), and how far they are from it at most."""
 
-    pieces: Floats
+    pieces: FloatArray
     deviation: float
 
 
-def arc(centre: Floats, axes: Floats, start: float, sweep: float, tolerance: float | None = None) -> Arc:
+def arc(
+    centre: FloatArray, axes: FloatArray, start: float, sweep: float, tolerance: float | None = None
+) -> Arc:
     """Return the arc centre + cos(a) axes[0] + sin(a) axes[1], a from `start` over `sweep`, in radians.
 
     Parameters
@@ -58,8 +60,8 @@ def arc(centre: Floats, axes: Floats, start: float, sweep: float, tolerance: flo
 
 
 def arc_between(
-    start: Floats,
-    end: Floats,
+    start: FloatArray,
+    end: FloatArray,
     radii: tuple[float, float],
     rotation: float,
     large: bool,

@@ -30,7 +30,7 @@ SECONDS = 5.0
 
 SMALL = 2**20
 SECONDS_PER_MB = 5.0
-"""What every further 2**20 bytes may take: a file that makes a parser work for hours can be small, and an
+"""Seconds for every further 2**20 bytes: a file that makes a parser work for hours can be small, and an
 honest large one takes its time. Whoever waits can cancel.
 """
 
@@ -49,7 +49,7 @@ _START = "import sys; sys.path[:] = sys.argv[2:]; from app.exchange.child import
 
 
 class _Request(msgspec.Struct):
-    """What the child shall do."""
+    """Message to the child: a reader and a file."""
 
     module: str
     reader: str
@@ -58,7 +58,7 @@ class _Request(msgspec.Struct):
 
 
 class _Answer(msgspec.Struct):
-    """What came of it: one or the other."""
+    """Message of the child: a result or a problem."""
 
     result: Imported | None = None
     problem: str = ""

@@ -1,4 +1,4 @@
-"""What a person chose for an export: remembered as JSON, and turned into what the writers take."""
+"""A person's choice of format and options for an export: as JSON, and as options of the writers."""
 
 from __future__ import annotations
 

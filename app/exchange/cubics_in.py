@@ -26,10 +26,10 @@ from app.document.model import (
     ParametrizationKind,
     Vector,
 )
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.families import HERMITE
 from app.storage.format import FormatError, validate
+from curvecore.arrays import FloatArray
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""
@@ -49,7 +49,7 @@ _INFLUENCE = 4.0 / 9.0
 
 @dataclass(frozen=True)
 class Imported:
-    """What a file held.
+    """Content of a file that was read.
 
     Attributes
     ----------
@@ -121,7 +121,7 @@ class ImportedPath:
 
     name: str
     colour: str
-    pieces: Floats
+    pieces: FloatArray
     closed: bool
     deviation: float = 0.0
     groups: tuple[str, ...] = ()
@@ -178,7 +178,7 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
     return Imported(document, deviation, remarks, tuple(groups) if any(groups) else ())
 
 
-def lines(points: Floats) -> Floats:
+def lines(points: FloatArray) -> FloatArray:
     """Return the polyline through points (n, 2) as cubic pieces (n - 1, 4, 2)."""
     start, end = points[:-1], points[1:]
     third = (end - start) / 3
@@ -199,11 +199,11 @@ def _check_numbers(path: ImportedPath) -> None:
         raise ExchangeError(f"“{path.name}” has {len(path.pieces)} pieces; {MAX_PIECES} can be read.")
 
 
-def _without_points(pieces: Floats) -> Floats:
+def _without_points(pieces: FloatArray) -> FloatArray:
     return np.asarray(pieces[(pieces != pieces[:, :1]).any(axis=(1, 2))])
 
 
-def _curve(path: ImportedPath, pieces: Floats) -> tuple[Curve, float]:
+def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     """Return a path as a curve, and how far the points of smooth joints moved it."""
     if path.closed and len(pieces) == 1:
         pieces = _halves(pieces[0])
@@ -221,7 +221,7 @@ def _curve(path: ImportedPath, pieces: Floats) -> tuple[Curve, float]:
     return curve, _INFLUENCE * joints.moved
 
 
-def _halves(piece: Floats) -> Floats:
+def _halves(piece: FloatArray) -> FloatArray:
     """Return a cubic piece (4, 2) as two (de Casteljau)."""
     a, b, c, d = piece
     ab, bc, cd = (a + b) / 2, (b + c) / 2, (c + d) / 2
@@ -230,12 +230,12 @@ def _halves(piece: Floats) -> Floats:
     return np.array([[a, ab, abc, middle], [middle, bcd, cd, d]])
 
 
-def _lengths(pieces: Floats) -> Floats:
+def _lengths(pieces: FloatArray) -> FloatArray:
     return np.asarray(np.hypot(*np.moveaxis(np.diff(pieces, axis=1), 2, 0)).sum(axis=1))
 
 
 class _Joints:
-    """Which joints are smooth, and how long the segments are in t, up to a common factor.
+    """Smoothness of joints, and lengths of segments in t up to a common factor.
 
     Attributes
     ----------
@@ -248,7 +248,7 @@ class _Joints:
     """
 
     def __init__(
-        self, leaving: Floats, arriving: Floats, lengths: Floats, tolerance: float, closed: bool
+        self, leaving: FloatArray, arriving: FloatArray, lengths: FloatArray, tolerance: float, closed: bool
     ) -> None:
         count = len(lengths)
         self._tolerance = tolerance
@@ -276,7 +276,7 @@ class _Joints:
                 self.steps[following] = step
 
     @staticmethod
-    def _apart(arriving: Floats, leaving: Floats) -> Floats:
+    def _apart(arriving: FloatArray, leaving: FloatArray) -> FloatArray:
         """Return how far the next control point is from the line of the one before; inf if it turns back."""
         a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
         with np.errstate(all="ignore"):
@@ -285,21 +285,28 @@ class _Joints:
         both_rest = (a == 0) & (b == 0)
         return np.where(both_rest, 0.0, np.where((a > 0) & (b > 0) & (dot > 0), cross, np.inf))
 
-    def _fitting_step(self, arriving: Floats, leaving: Floats, here: int, length: float) -> float | None:
+    def _fitting_step(
+        self, arriving: FloatArray, leaving: FloatArray, here: int, length: float
+    ) -> float | None:
         speed, wanted = float(np.hypot(*arriving)), float(np.hypot(*leaving))
         if speed == 0:
             return float(length)
         step = float(self.steps[here]) * wanted / speed
         return step if 1 / _FASTEST < step / length < _FASTEST else None
 
-    def _agrees(self, step: float, following: int, leaving: Floats) -> bool:
+    def _agrees(self, step: float, following: int, leaving: FloatArray) -> bool:
         """Whether the round trip of a closed path gives its first segment the length that it has."""
         change = abs(step / float(self.steps[following]) - 1) * float(np.hypot(*leaving)) / 3
         return change <= self._tolerance
 
 
 def _nodes(
-    pieces: Floats, leaving: Floats, arriving: Floats, t: Floats, smooth: list[bool], closed: bool
+    pieces: FloatArray,
+    leaving: FloatArray,
+    arriving: FloatArray,
+    t: FloatArray,
+    smooth: list[bool],
+    closed: bool,
 ) -> tuple[Node, ...]:
     start, end = _pairs(leaving), _pairs(arriving)
     points, at = _pairs(pieces[:, 0]), t.tolist()
@@ -317,5 +324,5 @@ def _nodes(
     return tuple(nodes)
 
 
-def _pairs(values: Floats) -> list[Vector]:
+def _pairs(values: FloatArray) -> list[Vector]:
     return [(x, y) for x, y in values.tolist()]

@@ -13,13 +13,14 @@ import numpy as np
 
 from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
 from app.exchange.cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, Floats
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.errors import ExchangeError
 from app.exchange.parts import (
     bezier_values,
     one_line,
 )
 from curvecore import LagrangeCurve, chebyshev, cubic_path
+from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -111,7 +112,7 @@ class _Reader:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What was left out."""
+        """Sentences on what was left out."""
         lost = [f"{what} is not read ({count})." for what, count in sorted(self._lost.items())]
         if self._through:
             lost.append(
@@ -171,7 +172,7 @@ class _Reader:
         layer = str(entity.dxf.layer)
         return layer if layer != "0" else f"{entity.dxftype().capitalize()} {len(self.paths) + 1}"
 
-    def _add(self, entity: DXFGraphic, pieces: Floats, closed: bool, deviation: float = 0.0) -> None:
+    def _add(self, entity: DXFGraphic, pieces: FloatArray, closed: bool, deviation: float = 0.0) -> None:
         if not np.isfinite(pieces).all():
             raise ExchangeError(f"The {entity.dxftype()} on layer “{entity.dxf.layer}” is not finite.")
         if pieces.shape[1] > 4:
@@ -187,7 +188,7 @@ class _Reader:
             )
         )
 
-    def _as_cubics(self, pieces: Floats) -> tuple[Floats, float]:
+    def _as_cubics(self, pieces: FloatArray) -> tuple[FloatArray, float]:
         size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
         tolerance = self._tolerance or RELATIVE_TOLERANCE * max(size, 1e-300)
         s = chebyshev(pieces.shape[1])
@@ -254,7 +255,7 @@ def ezdxf_module() -> ModuleType:
     return ezdxf
 
 
-def _is_clamped(knots: Floats, degree: int, count: int) -> bool:
+def _is_clamped(knots: FloatArray, degree: int, count: int) -> bool:
     """Whether knots are as many as they must be, do not decrease, and begin and end at the points."""
     if count <= degree or len(knots) != count + degree + 1 or not np.isfinite(knots).all():
         return False
@@ -264,7 +265,7 @@ def _is_clamped(knots: Floats, degree: int, count: int) -> bool:
     return bool((steps >= 0).all() and not any(ends) and knots[-1] > knots[0] and inner.max() <= degree)
 
 
-def _beziers(points: Floats, knots: Floats, degree: int) -> Floats:
+def _beziers(points: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
     """Return the Bézier pieces (k, degree + 1, 2) of a clamped B-spline."""
     if len(knots) > 2 and (np.unique(knots[1:-1], return_counts=True)[1] == degree).all():
         starts = np.arange(0, len(points) - 1, degree)
@@ -278,7 +279,7 @@ def _beziers(points: Floats, knots: Floats, degree: int) -> Floats:
     return _welded(np.array(found, dtype=float).reshape(-1, degree + 1, 2))
 
 
-def _welded(pieces: Floats) -> Floats:
+def _welded(pieces: FloatArray) -> FloatArray:
     """Return pieces of which each begins exactly where the one before ends, a closed one's first too."""
     pieces[1:, 0] = pieces[:-1, -1]
     size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
@@ -287,7 +288,7 @@ def _welded(pieces: Floats) -> Floats:
     return pieces
 
 
-def _raised(pieces: Floats) -> Floats:
+def _raised(pieces: FloatArray) -> FloatArray:
     """Return pieces of degree 1, 2 or 3 as cubics."""
     degree = pieces.shape[1] - 1
     if degree == 1:

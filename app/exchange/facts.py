@@ -1,4 +1,4 @@
-"""What there is to know about each curve of a document, in numbers."""
+"""Facts about each curve of a document, in numbers."""
 
 from __future__ import annotations
 

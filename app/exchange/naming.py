@@ -6,7 +6,7 @@ from typing import Protocol
 
 
 class Taken(Protocol):
-    """What knows which names are taken."""
+    """Collection of names that are taken."""
 
     def __contains__(self, name: str, /) -> bool:
         """Return whether a name is taken."""

@@ -186,11 +186,11 @@ TOLERANCE = Tolerance(
     default=None,
 )
 PICTURE = (TRUE_SIZE, DARK_PAPER, TRANSPARENT, POINTS, HANDLES, GRID, BASIS)
-"""What all pictures have."""
+"""Options of all pictures."""
 
 
 class Extras(msgspec.Struct, frozen=True):
-    """What else to draw.
+    """Annotations to draw beside the curves.
 
     Attributes
     ----------
@@ -210,7 +210,7 @@ class Extras(msgspec.Struct, frozen=True):
 
 
 class Options(msgspec.Struct, frozen=True, kw_only=True):
-    """How to write; each format takes what concerns it.
+    """Options of exports; each format takes what concerns it.
 
     Attributes
     ----------
@@ -273,6 +273,10 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
 
     def _on_paper(self, style: Style) -> Style:
         return replace(style, paper=None) if self.transparent else style
+
+
+DEFAULT = Options()
+"""As nobody asked for anything."""
 
 
 def all_options(each: Iterable[Iterable[Option[Any]]]) -> tuple[Option[Any], ...]:

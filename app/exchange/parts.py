@@ -1,4 +1,4 @@
-"""What every writer of data starts from: the curves of a document, and the pieces they are made of."""
+"""The curves of a document and the pieces they are made of: the source of every writer of data."""
 
 from __future__ import annotations
 
@@ -14,13 +14,14 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Curve, Document
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, Floats, sort_out
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, sort_out
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import Names
 from app.tasks.progress import Report, silent, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError, HermiteCurve, bezier_segments, cubic_path
+from curvecore.arrays import FloatArray
 
 HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
@@ -100,8 +101,8 @@ class Beziers:
         Largest distance from the curve; zero where the pieces are the curve itself but for rounding.
     """
 
-    control_points: Floats
-    parameters: Floats
+    control_points: FloatArray
+    parameters: FloatArray
     deviation: float
 
     @property
@@ -175,14 +176,14 @@ def cell_of_name(name: str, separator: str) -> str:
     return f'"{quoted}"' if separator in name or '"' in name or "#" in name else quoted
 
 
-def samples_of(piece: CoreCurve) -> Floats:
+def samples_of(piece: CoreCurve) -> FloatArray:
     """Return parameters all along a piece, those of the points among them."""
     t = piece.parameters
     steps = np.diff(t)[:, None] * np.linspace(0, 1, _SAMPLES)[1:-1]
     return np.union1d(t, (t[:-1, None] + steps).ravel())
 
 
-def measured(piece: CoreCurve, copy: Callable[[Floats], Floats]) -> float:
+def measured(piece: CoreCurve, copy: Callable[[FloatArray], FloatArray]) -> float:
     """Return the largest distance of `copy`, a function of t, from a piece at many parameters."""
     t = samples_of(piece)
     with np.errstate(all="ignore"):
@@ -231,7 +232,7 @@ def cubics_of(piece: CoreCurve, tolerance: float) -> Beziers:
     return Beziers(path.control_points, path.parameters, float(path.deviation))
 
 
-def bezier_values(controls: Floats, parameters: Floats, t: Floats) -> Floats:
+def bezier_values(controls: FloatArray, parameters: FloatArray, t: FloatArray) -> FloatArray:
     """Return the points (m, 2) of Bézier pieces at t, by de Casteljau's scheme."""
     index = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(controls) - 1)
     start, end = parameters[index], parameters[index + 1]
@@ -242,7 +243,7 @@ def bezier_values(controls: Floats, parameters: Floats, t: Floats) -> Floats:
     return np.asarray(level[:, 0])
 
 
-def monomials_of(controls_at: Floats, s: list[Fraction]) -> list[list[Fraction]]:
+def monomials_of(controls_at: FloatArray, s: list[Fraction]) -> list[list[Fraction]]:
     """Return the exact coefficients, lowest power first, of the polynomials through values (n, 2) at s."""
     result = []
     for column in controls_at.T:
@@ -260,13 +261,13 @@ def monomials_of(controls_at: Floats, s: list[Fraction]) -> list[list[Fraction]]
     return result
 
 
-def local_fractions(parameters: Floats) -> list[Fraction]:
+def local_fractions(parameters: FloatArray) -> list[Fraction]:
     """Return the parameters mapped to [0, 1], exactly."""
     exact = [Fraction(value) for value in parameters.tolist()]
     return [(value - exact[0]) / (exact[-1] - exact[0]) for value in exact]
 
 
-def _lagrange_controls(piece: CoreCurve) -> Floats:
+def _lagrange_controls(piece: CoreCurve) -> FloatArray:
     """Return the control points (1, degree + 1, 2), each rounded once from its exact value."""
     degree = len(piece.points) - 1
     columns = []

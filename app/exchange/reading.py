@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ImportOptions:
-    """How to read; each format takes what concerns it.
+    """Options of imports; each format takes what concerns it.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, rep
 
 def _table(path: Path, ending: str, data: bytes, options: ImportOptions, report: Report) -> Imported:
     from app.exchange.table.columns import mapping_of, words_on  # noqa: PLC0415
-    from app.exchange.table.curves import Missing, document_of_table  # noqa: PLC0415
+    from app.exchange.table.curves import Missing, TableOptions, document_of_table  # noqa: PLC0415
     from app.exchange.table.layout import MissingNumber  # noqa: PLC0415
     from app.exchange.table.source import TableSource  # noqa: PLC0415
     from app.exchange.table.thinning import Thinning  # noqa: PLC0415
@@ -116,11 +116,13 @@ def _table(path: Path, ending: str, data: bytes, options: ImportOptions, report:
         made = document_of_table(
             table,
             mapping,
-            name=path.name[: -len(ending)] or "Table",
-            thin=options.thin,
-            thinning=Thinning.POLYLINE if options.corners else Thinning.CURVE,
-            family=options.family,
-            missing=missing,
+            TableOptions(
+                name=path.name[: -len(ending)] or TableOptions.name,
+                thin=options.thin,
+                thinning=Thinning.POLYLINE if options.corners else Thinning.CURVE,
+                family=options.family,
+                missing=missing,
+            ),
             report=part(report, 0.5, 1.0),
         )
     except MissingNumber as problem:

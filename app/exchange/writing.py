@@ -9,12 +9,12 @@ from msgspec.structs import replace
 from app.document.model import Document
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, Written, format_of
-from app.exchange.options import Options
+from app.exchange.options import DEFAULT, Options
 from app.storage.files import write
 from app.tasks.progress import FINAL
 
 
-def export(document: Document, path: str | os.PathLike[str], options: Options | None = None) -> Written:
+def export(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> Written:
     """Write a document with at least one curve that can be drawn.
 
     Raises
@@ -24,7 +24,7 @@ def export(document: Document, path: str | os.PathLike[str], options: Options | 
     StorageError
         If the file cannot be written; an old one stays as it was.
     """
-    options = replace(options or Options(), path=os.fspath(path))
+    options = replace(options, path=os.fspath(path))
     if options.width is not None and options.width < 1:
         raise ExchangeError("The width must be at least 1.")
     form = format_of(path, FORMATS.written)

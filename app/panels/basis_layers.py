@@ -12,18 +12,18 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.document.words import number
 from app.panels.crest_names import CrestNames
-from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
+from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.colours import colours_of
 from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
 from app.plotting.pens import with_dashes
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.theme import mix
 from app.view_model.basis_view import BasisView
-from app.view_model.curve_view import Integers
 from app.view_model.line_styles import KIND_DASHES
+from curvecore.arrays import FloatArray, IntArray
 
 _RAIL_HEIGHT = 34.0
 
@@ -74,7 +74,7 @@ class FunctionLayer(Layer):
         if self._lines is None or not self._lines.are_of(self._basis, shown):
             self._lines = FunctionLines(self._basis, shown, self._lines)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        if way_to_draw(self._basis) is Drawing.EACH:
+        if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.shown_of(self.kinds)
             self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
@@ -101,7 +101,7 @@ class FunctionLayer(Layer):
             outline = QColor(self.theme.ink)
             outline.setAlphaF(_OUTLINE)
             pen = QPen(outline, self.scale)
-            if way_to_draw(basis) is Drawing.SPANS:
+            if way_to_draw(basis) is FunctionDrawing.SPANS:
                 painter.setPen(pen)
                 self._lines.spans(kind).draw(painter)
                 continue
@@ -175,7 +175,7 @@ class RailLayer(Layer):
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
-        self._parameters: Floats = np.empty(0)
+        self._parameters: FloatArray = np.empty(0)
         self._stamps = Stamps(_tick)
         self._owners: Sequence[int] = ()
         self._count = 0
@@ -218,8 +218,8 @@ class RailLayer(Layer):
                 numbers_right_of = place + 16 * self.scale if not chosen else numbers_right_of
 
     def _stamp_ticks(
-        self, painter: QPainter, x: Floats, visible: Integers, count: int, top: float
-    ) -> Integers:
+        self, painter: QPainter, x: FloatArray, visible: IntArray, count: int, top: float
+    ) -> IntArray:
         """Draw as many ticks as there is room for, and return the chosen ones, which are drawn after all."""
         least = _LEAST_TICK_GAP * self.scale
         ticks, gap = spread_out(x, visible, least)
@@ -267,7 +267,7 @@ class RailLayer(Layer):
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
 
 
-def spread_out(x: Floats, ticks: Integers, least: float) -> tuple[Integers, float]:
+def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:
     """Return ticks that lie at least so far apart, from the left, and the usual gap between them.
 
     Parameters

@@ -116,7 +116,7 @@ def _note(cost: Cost) -> str:
             f"{cost.count - 1} small systems, {short(cost.piecewise)} operations: its cost grows as n does."
         )
     if cost.other:
-        text += f" All this is about one polynomial through the points; a {cost.other} curve is none."
+        text += f" All this is about one polynomial through the points; {cost.other} is none."
     return text
 
 

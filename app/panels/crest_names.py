@@ -7,20 +7,17 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
 from app.plotting.colours import colours_of
 from app.plotting.halo import Halo
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.basis_view import BasisView
-from app.view_model.curve_view import Integers
-
-Bools = npt.NDArray[np.bool_]
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 MOST = 24
 """Functions that are named, of all kinds together; among more, a number would stand on other lines."""
@@ -133,7 +130,7 @@ class CrestNames:
             self._owners = np.array([each.owner for each in crests], dtype=np.intp)
             self._places = np.array([(each.t, each.value) for each in crests])
 
-    def _choose_sides(self, crests: Floats, room: Room) -> None:
+    def _choose_sides(self, crests: FloatArray, room: Room) -> None:
         """Choose on which side of its crest each number stands; while functions move it keeps it."""
         asked = (room.basis.count, tuple(room.kinds), room.shown, room.floor, room.scale)
         if asked == self._asked and self._soon.isActive():
@@ -144,7 +141,7 @@ class CrestNames:
         places, self._is_clear = self._boxes(crests, room)
         self._asides = places - crests
 
-    def _boxes(self, crests: Floats, room: Room) -> tuple[Floats, Bools]:
+    def _boxes(self, crests: FloatArray, room: Room) -> tuple[FloatArray, BoolArray]:
         """Return the middles of the numbers in pixels, and for which of them there is one.
 
         Beyond the crest, where no function crosses the number; else on its other side, or a little aside.
@@ -219,7 +216,7 @@ class Lines:
             # Where one segment ends and the next begins a column changes from one knot to another.
             self._top[basis.first[1:-1] - 1] = np.inf
 
-    def leave_free(self, places: Floats) -> Bools:
+    def leave_free(self, places: FloatArray) -> BoolArray:
         """Return around which places (k, 2) nothing crosses a number."""
         across, up = self._half
         starts = (np.searchsorted(self._x, places[:, 0] - across) - 1).clip(0)
@@ -231,7 +228,7 @@ class Lines:
         return result
 
 
-def apart(places: Floats, cell: QSizeF) -> Integers:
+def apart(places: FloatArray, cell: QSizeF) -> IntArray:
     """Return which numbers can be written without meeting one that is written already."""
     order = np.argsort(places[:, 0], kind="stable")
     if (np.diff(places[order, 0]) >= cell.width()).all():

@@ -10,8 +10,9 @@ from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from PySide6.QtGui import QPolygonF
 
 from app.plotting.drawing import Segments, Stroke, polygon, thinned
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.view_model.basis_view import BasisView
+from curvecore.arrays import FloatArray
 
 _MOST_EACH = 64
 _LIMIT = 1e4
@@ -25,7 +26,7 @@ _THINNED = 0.05
 """Pixels that a wide line may leave the samples: it costs by the vertex."""
 
 
-class Drawing(Enum):
+class FunctionDrawing(Enum):
     """Drawing of the functions of a curve."""
 
     EACH = auto()
@@ -33,23 +34,23 @@ class Drawing(Enum):
     ENVELOPE = auto()
 
 
-def way_to_draw(basis: BasisView) -> Drawing:
+def way_to_draw(basis: BasisView) -> FunctionDrawing:
     """Return how to draw these functions: beyond some number, lines side by side say less than an outline."""
     if basis.count <= _MOST_EACH:
-        return Drawing.EACH
+        return FunctionDrawing.EACH
     if basis.first is None or basis.is_coarse:
-        return Drawing.ENVELOPE
-    return Drawing.SPANS
+        return FunctionDrawing.ENVELOPE
+    return FunctionDrawing.SPANS
 
 
 def note_on_drawing(basis: BasisView) -> str:
     """Return what a person must know of a drawing that does not show every function; empty where it does."""
     match way_to_draw(basis):
-        case Drawing.EACH:
+        case FunctionDrawing.EACH:
             return ""
-        case Drawing.SPANS:
+        case FunctionDrawing.SPANS:
             return f"{basis.count} functions: outlines + selection"
-        case Drawing.ENVELOPE:
+        case FunctionDrawing.ENVELOPE:
             return f"{basis.count} functions: envelope + selection"
 
 
@@ -65,16 +66,16 @@ class FunctionLines:
         self._x = np.clip(shown.x(basis.t), -_LIMIT, _LIMIT)
         self._y = np.clip(shown.y(basis.values), -_LIMIT, _LIMIT) if _needs_all(basis) else np.empty(0)
         self._polygons: dict[tuple[int, int], QPolygonF] = {}
-        self._made: dict[tuple[int, int], tuple[QPolygonF, Floats]] = (
+        self._made: dict[tuple[int, int], tuple[QPolygonF, FloatArray]] = (
             before._made if before is not None else {}
         )
         self._strokes: dict[tuple[int, int], Stroke] = before._strokes if before is not None else {}
-        self._refined = self._refine() if way_to_draw(basis) is Drawing.SPANS else {}
-        self._fine: dict[int, tuple[Floats, Floats]] = {}
+        self._refined = self._refine() if way_to_draw(basis) is FunctionDrawing.SPANS else {}
+        self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._spans: dict[int, Segments] = {}
-        self._envelopes: dict[int, tuple[Floats, Floats, Floats]] = {}
+        self._envelopes: dict[int, tuple[FloatArray, FloatArray, FloatArray]] = {}
 
-    def _refine(self) -> dict[int, tuple[Floats, Floats]]:
+    def _refine(self) -> dict[int, tuple[FloatArray, FloatArray]]:
         """Return x (m,) and y (m, 2, R) of each segment in sight that its samples would show as a polygon.
 
         All segments have the same number of samples, though one may be a hundred times as long as another.
@@ -133,7 +134,7 @@ class FunctionLines:
         view[:] = points
         return result
 
-    def _piece(self, segment: int, side: int, kind: int) -> Floats:
+    def _piece(self, segment: int, side: int, kind: int) -> FloatArray:
         """Return the points (m, 2) of the function of the node before (0) or after (1) a segment."""
         if segment in self._refined:
             x, y = self._refined[segment]
@@ -142,7 +143,7 @@ class FunctionLines:
         here = slice(*self._basis.first[segment : segment + 2])
         return np.column_stack([self._x[here], self._y[here, side, kind]])
 
-    def _empty(self, index: int, kind: int, size: int) -> tuple[QPolygonF, Floats]:
+    def _empty(self, index: int, kind: int, size: int) -> tuple[QPolygonF, FloatArray]:
         """Return a polygon to fill, and its points (size, 2) as an array."""
         made = self._made.get((index, kind))
         if made is None or len(made[1]) != size:
@@ -178,7 +179,7 @@ class FunctionLines:
             self._spans[kind] = segments
         return self._spans[kind]
 
-    def _span_segments(self, kind: int) -> Floats:
+    def _span_segments(self, kind: int) -> FloatArray:
         count = self._basis.count - 1
         x = self._x.reshape(count, -1)
         y = self._y[:, :, kind].reshape(count, -1, 2)
@@ -204,7 +205,7 @@ class FunctionLines:
         band.fill(np.column_stack([middle, low, middle, high]))
         return band
 
-    def _envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
+    def _envelope(self, kind: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return the columns of pixels, and the lower and upper edge at each."""
         if kind not in self._envelopes:
             t, low, high = self._basis.envelope(kind)
@@ -218,7 +219,7 @@ class FunctionLines:
         return self._envelopes[kind]
 
 
-def _chords(x: Floats, y: Floats) -> Floats:
+def _chords(x: FloatArray, y: FloatArray) -> FloatArray:
     """Return the chords (k, m − 1, 2, 4) between samples: x (k, m) and y (k, m, 2)."""
     ends = np.empty((len(x), x.shape[1] - 1, 2, 4))
     ends[..., 0], ends[..., 2] = x[:, :-1, None], x[:, 1:, None]
@@ -227,12 +228,12 @@ def _chords(x: Floats, y: Floats) -> Floats:
 
 
 def _needs_all(basis: BasisView) -> bool:
-    return way_to_draw(basis) is not Drawing.ENVELOPE
+    return way_to_draw(basis) is not FunctionDrawing.ENVELOPE
 
 
-def _at_columns(x: Floats, values: Floats, columns: Floats, reduce: np.ufunc) -> Floats:
+def _at_columns(x: FloatArray, values: FloatArray, columns: FloatArray, reduce: np.ufunc) -> FloatArray:
     """Return the extremes of samples at ascending x around each column; between samples, interpolated."""
-    result: Floats = np.interp(columns, x, values)
+    result: FloatArray = np.interp(columns, x, values)
     edges = np.searchsorted(x, np.append(columns - 0.5, columns[-1:] + 0.5))
     filled = np.flatnonzero(edges[1:] > edges[:-1])
     if len(filled):

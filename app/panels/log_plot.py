@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
@@ -20,8 +19,7 @@ from app.plotting.plot_widget import PlotWidget
 from app.theme import theme_of
 from app.view_model.analysis.wording import power
 from app.view_model.line_styles import LineStyle
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 _MOST_TICKS = 5
 _LEAST_DECADES = 2.0
@@ -32,8 +30,8 @@ _MARGIN = 0.02
 class LogLine:
     """A line of the plot: x (m,), values (m,), both positive, and how it looks."""
 
-    x: Floats
-    values: Floats
+    x: FloatArray
+    values: FloatArray
     style: LineStyle
     label: str
 
@@ -51,7 +49,7 @@ class LogPlot(PlotWidget):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setMinimumHeight(120)
         self._marker: float | None = None
-        self._lines: list[tuple[Floats, LogLine]] = []
+        self._lines: list[tuple[FloatArray, LogLine]] = []
         self._layer = Layer(self, self._paint)
         self._dress()
 
@@ -97,7 +95,7 @@ class LogPlot(PlotWidget):
             self._paint_marker(painter, shown, self._marker)
 
     def _paint_label(
-        self, painter: QPainter, shown: PixelMap, points: Floats, line: LogLine, *, below: bool
+        self, painter: QPainter, shown: PixelMap, points: FloatArray, line: LogLine, *, below: bool
     ) -> None:
         """Write a line's name above it to the left, or below it to the right, near its end."""
         x, y = shown.points(points[-len(points) // (2 if below else 5) :])[0].tolist()

@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QWidget
 from app.panels.plot_layers import PlotLayer, ScrubLayer, bands
 from app.panels.value_scale import ValueScale
 from app.plotting.camera import CameraOverT
-from app.plotting.pixel_map import Floats
 from app.plotting.tool_plot import ToolPlot
 from app.tools.toolbox import Toolbox
 from app.view_model.analysis.plot_lines import PlotData
+from curvecore.arrays import FloatArray
 
 _PIXELS_A_NUMBER = 24.0
 _EDGE = 7.0
@@ -76,7 +76,7 @@ class PlotCanvas(ToolPlot):
         """Return the values at the foot and at the head of a plot."""
         return self._scales[title]
 
-    def render_plots(self, plots: Sequence[PlotData], knots: Floats, *, calm: bool) -> None:
+    def render_plots(self, plots: Sequence[PlotData], knots: FloatArray, *, calm: bool) -> None:
         """Show these plots, with marks at the knots; while `calm`, no scale shrinks."""
         scales = {}
         for plot in plots:

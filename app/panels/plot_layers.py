@@ -13,10 +13,11 @@ from app.panels.value_scale import ValueScale
 from app.plotting.drawing import Segments, Stroke, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, line_in_pixels, with_dashes
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.plot_lines import PlotData, PlotLine
 from app.view_model.line_styles import DASHED
+from curvecore.arrays import FloatArray
 
 _STRIP, _LARGEST_STRIP = 17.0, 0.4
 """Pixels above a plot for its title, and the share of the height that they never surpass."""
@@ -34,7 +35,7 @@ _WIDTH = 1.5
 
 
 @dataclass(frozen=True)
-class Band:
+class PlotBand:
     """Band of one of the plots, in pixels: its title above, its foot below."""
 
     top: float
@@ -46,17 +47,17 @@ class Band:
         """The height of the plot without its title."""
         return self.foot - self.head
 
-    def y(self, shares: Floats) -> Floats:
+    def y(self, shares: FloatArray) -> FloatArray:
         """Return vertical pixels of shares of the height."""
         return self.foot - shares * self.height
 
 
-def bands(count: int, height: float, scale: float) -> list[Band]:
+def bands(count: int, height: float, scale: float) -> list[PlotBand]:
     """Divide a height among plots."""
     each = height / max(count, 1)
     strip = min(_STRIP * scale, _LARGEST_STRIP * each)
     foot = min(_FOOT, 0.1 * each)
-    return [Band(i * each, i * each + strip, (i + 1) * each - foot) for i in range(count)]
+    return [PlotBand(i * each, i * each + strip, (i + 1) * each - foot) for i in range(count)]
 
 
 class PlotLayer(Layer):
@@ -66,7 +67,7 @@ class PlotLayer(Layer):
         super().__init__(plot)
         self.plots: Sequence[PlotData] = ()
         self.scales: Sequence[ValueScale] = ()
-        self.knots: Floats = np.empty(0)
+        self.knots: FloatArray = np.empty(0)
         self.note = ""
         self.waits = False
         self._strokes: list[list[Stroke | Segments]] = []
@@ -123,7 +124,7 @@ class PlotLayer(Layer):
         return QPen(colour_of(line.style, self.theme, 0.4 if self.waits else 1.0), _WIDTH * self.scale)
 
     def _paint_jumps(
-        self, painter: QPainter, line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap
+        self, painter: QPainter, line: PlotLine, band: PlotBand, scale: ValueScale, shown: PixelMap
     ) -> None:
         """Mark both ends of every jump."""
         gaps = np.flatnonzero(np.isnan(line.values[1:-1])) + 1
@@ -141,7 +142,7 @@ class PlotLayer(Layer):
     # What stands behind and beside them
 
     def _paint_ground(
-        self, painter: QPainter, band: Band, scale: ValueScale, width: float, *, first: bool
+        self, painter: QPainter, band: PlotBand, scale: ValueScale, width: float, *, first: bool
     ) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
@@ -162,14 +163,14 @@ class PlotLayer(Layer):
             painter.drawLine(place, 0, place, int(shown.height))
 
     def _paint_levels(
-        self, painter: QPainter, plot: PlotData, band: Band, scale: ValueScale, width: float
+        self, painter: QPainter, plot: PlotData, band: PlotBand, scale: ValueScale, width: float
     ) -> None:
         for level in plot.levels:
             y = float(band.y(np.array([scale.share(level.value)]))[0])
             painter.setPen(with_dashes(QPen(self.theme.muted, 1), DASHED))
             painter.drawLine(QPointF(0, round(y)), QPointF(width, round(y)))
 
-    def _paint_title(self, painter: QPainter, plot: PlotData, band: Band, width: float) -> None:
+    def _paint_title(self, painter: QPainter, plot: PlotData, band: PlotBand, width: float) -> None:
         """Write what the plot shows; where it has several lines, a sample and the name of each."""
         strip = QRectF(4, band.top, width - 8, max(band.head - band.top, 11.0))
         middle = int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
@@ -202,7 +203,7 @@ class PlotLayer(Layer):
 
 
 def _stroke(
-    line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap, width: float
+    line: PlotLine, band: PlotBand, scale: ValueScale, shown: PixelMap, width: float
 ) -> Stroke | Segments:
     with np.errstate(over="ignore"):
         x = np.clip(shown.x(line.t), -_FAR, _FAR)
@@ -212,7 +213,7 @@ def _stroke(
     return line_in_pixels(np.column_stack([x, y]), line.style.dashes, width, shown)
 
 
-def _by_columns(x: Floats, y: Floats, shown: PixelMap) -> Segments:
+def _by_columns(x: FloatArray, y: FloatArray, shown: PixelMap) -> Segments:
     """Draw one upright line for each column of pixels: where there are more samples, no more is seen."""
     column = np.floor(x)
     seen = (column >= 0) & (column <= shown.width) & ~np.isnan(y)

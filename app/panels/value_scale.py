@@ -6,12 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from app.document.words import number, with_minus
 from app.view_model.analysis.plot_lines import PlotData, Scale
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 _MARGIN = 0.06
 _LEAST_DECADES = math.log10(2)
@@ -58,7 +56,7 @@ class ValueScale:
             return other
         return ValueScale(min(self.low, other.low), max(self.high, other.high), self.scale)
 
-    def shares(self, values: Floats) -> Floats:
+    def shares(self, values: FloatArray) -> FloatArray:
         """Return how high values stand: 0 at the foot, 1 at the head; NaN stays."""
         with np.errstate(all="ignore"):
             if self.scale is Scale.LOG:

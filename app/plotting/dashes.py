@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.plotting.drawing import Floats
+from curvecore.arrays import FloatArray
 
 
-def dashed(segments: Floats, pattern: Sequence[float]) -> Floats:
+def dashed(segments: FloatArray, pattern: Sequence[float]) -> FloatArray:
     """Return what remains of segments (m, 4), drawn one after the other with a pattern of pixels.
 
     `pattern` has the lengths of a dash, a gap, a dash and so on; empty, everything remains.

@@ -9,14 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QLineF, QRectF
 from PySide6.QtGui import QPainter, QPolygonF
 
-Floats = npt.NDArray[np.float64]
-Flags = npt.NDArray[np.bool_]
+from curvecore.arrays import BoolArray, FloatArray
 
 _PIECE = 24
 """Segments in one piece of a stroke."""
@@ -25,7 +23,7 @@ MARGIN = 50.0
 """Pixels beyond the area to which lines are cut, so that no cap or joint shows at the edge."""
 
 
-def visible_segments(points: Floats, width: float, height: float) -> Floats:
+def visible_segments(points: FloatArray, width: float, height: float) -> FloatArray:
     """Cut a polyline (k, 2) in pixels to its segments (m, 4) = x1, y1, x2, y2 near the visible area.
 
     Curves may reach 1e300 pixels; what is passed to Qt stays within the area and a small margin.
@@ -33,7 +31,7 @@ def visible_segments(points: Floats, width: float, height: float) -> Floats:
     return cut_segments(np.hstack([points[:-1], points[1:]]), width, height)
 
 
-def cut_segments(segments: Floats, width: float, height: float) -> Floats:
+def cut_segments(segments: FloatArray, width: float, height: float) -> FloatArray:
     """Cut segments (m, 4) = x1, y1, x2, y2 in pixels to what lies near the visible area, as above."""
     starts, ends = segments[:, :2], segments[:, 2:]
     low, high = np.minimum(starts, ends), np.maximum(starts, ends)
@@ -48,7 +46,7 @@ def cut_segments(segments: Floats, width: float, height: float) -> Floats:
     return segments
 
 
-def _clipped(segments: Floats, limit: Floats) -> tuple[Floats, Flags]:
+def _clipped(segments: FloatArray, limit: FloatArray) -> tuple[FloatArray, BoolArray]:
     """Cut segments (m, 4) to the box from −MARGIN to `limit`, and tell which of them meet it.
 
     Liang and Barsky, ACM Transactions on Graphics 3 (1984) 1–22.
@@ -80,15 +78,15 @@ class Stroke:
 
     def __init__(self) -> None:
         self._pieces: list[QPolygonF] = []
-        self._made: dict[int, tuple[QPolygonF, Floats]] = {}
+        self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
 
-    def fill(self, points: Floats, width: float, height: float) -> None:
+    def fill(self, points: FloatArray, width: float, height: float) -> None:
         """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
         self._pieces = [
             self._polygon(number, piece) for number, piece in enumerate(_pieces(points, width, height))
         ]
 
-    def _polygon(self, number: int, vertices: Floats) -> QPolygonF:
+    def _polygon(self, number: int, vertices: FloatArray) -> QPolygonF:
         """Return a polygon; filling one that was made before takes a third of the time of making one."""
         made = self._made.get(number)
         if made is None or len(made[1]) != len(vertices):
@@ -103,7 +101,7 @@ class Stroke:
             painter.drawPolyline(piece)
 
 
-def _pieces(points: Floats, width: float, height: float) -> list[Floats]:
+def _pieces(points: FloatArray, width: float, height: float) -> list[FloatArray]:
     """Return the vertices (k, 2) of short pieces of what lies near the area, each from end to end."""
     if len(points) < 2:
         return []
@@ -113,7 +111,7 @@ def _pieces(points: Floats, width: float, height: float) -> list[Floats]:
     return [run[i : i + _PIECE + 1] for run in runs for i in range(0, len(run) - 1, _PIECE)]
 
 
-def _runs(segments: Floats) -> list[Floats]:
+def _runs(segments: FloatArray) -> list[FloatArray]:
     """Return the vertices of segments (m, 4), split where they do not continue each other."""
     if not len(segments):
         return []
@@ -121,7 +119,7 @@ def _runs(segments: Floats) -> list[Floats]:
     return [np.concatenate([run[:, :2], run[-1:, 2:]]) for run in np.split(segments, breaks)]
 
 
-def thinned(points: Floats, tolerance: float) -> Floats:
+def thinned(points: FloatArray, tolerance: float) -> FloatArray:
     """Leave out every other vertex of a polyline (k, 2) that is so close to the middle of its neighbours."""
     off = np.abs(points[1:-1:2] - 0.5 * (points[:-2:2] + points[2::2]))
     kept = np.ones(len(points), dtype=bool)
@@ -135,7 +133,7 @@ class _Batch:
     def __init__(self, shape: type[QLineF | QRectF], draw: Callable[..., None]) -> None:
         self._shapes, self._draw = PrimitiveArray(shape, 4), draw
 
-    def fill(self, shapes: Floats) -> None:
+    def fill(self, shapes: FloatArray) -> None:
         """Take shapes (m, 4)."""
         self._shapes.resize(len(shapes))
         self._shapes.ndarray()[:] = shapes
@@ -160,7 +158,7 @@ class Bars(_Batch):
         super().__init__(QRectF, QPainter.drawRects)
 
 
-def polygon(x: Floats, y: Floats) -> QPolygonF:
+def polygon(x: FloatArray, y: FloatArray) -> QPolygonF:
     """Return a QPolygonF with the given coordinates."""
     result: QPolygonF = create_qpolygonf(len(x))
     # The array of an empty polygon cannot be written to.

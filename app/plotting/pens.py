@@ -7,10 +7,11 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
 
 from app.colours import line_colour
 from app.plotting.dashes import dashed
-from app.plotting.drawing import Floats, Segments, Stroke, visible_segments
+from app.plotting.drawing import Segments, Stroke, visible_segments
 from app.plotting.pixel_map import PixelMap
 from app.theme import Theme, mix
 from app.view_model.line_styles import Dashes, LineStyle, Mark, Sign
+from curvecore.arrays import FloatArray
 
 SIGN = QSize(30, 14)
 """Size of a sign in pixels."""
@@ -40,7 +41,7 @@ def with_dashes(pen: QPen, dashes: Dashes) -> QPen:
     return pen
 
 
-def line_in_pixels(pixels: Floats, dashes: Dashes, width: float, shown: PixelMap) -> Stroke | Segments:
+def line_in_pixels(pixels: FloatArray, dashes: Dashes, width: float, shown: PixelMap) -> Stroke | Segments:
     """Return what is to be drawn of a polyline (k, 2) in pixels with a pen of some width.
 
     Dashes run on over the vertices.
@@ -59,7 +60,7 @@ def line_in_pixels(pixels: Floats, dashes: Dashes, width: float, shown: PixelMap
     return drawn
 
 
-def draw_line(painter: QPainter, pixels: Floats, dashes: Dashes, shown: PixelMap) -> None:
+def draw_line(painter: QPainter, pixels: FloatArray, dashes: Dashes, shown: PixelMap) -> None:
     """Draw a polyline (k, 2) in pixels with the painter's pen."""
     line_in_pixels(pixels, dashes, painter.pen().widthF(), shown).draw(painter)
 

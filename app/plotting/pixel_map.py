@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 
 class PixelMap(msgspec.Struct, frozen=True):
@@ -48,15 +47,15 @@ class PixelMap(msgspec.Struct, frozen=True):
         width, height = max(float(width), 1.0), max(float(height), 1.0)
         return cls(left, upper, width / (right - left), height / (upper - lower), width, height)
 
-    def x(self, values: Floats) -> Floats:
+    def x(self, values: FloatArray) -> FloatArray:
         """Return horizontal pixels of plane coordinates x."""
         return (values - self.x0) * self.sx
 
-    def y(self, values: Floats) -> Floats:
+    def y(self, values: FloatArray) -> FloatArray:
         """Return vertical pixels of plane coordinates y."""
         return (self.y0 - values) * self.sy
 
-    def points(self, points: Floats) -> Floats:
+    def points(self, points: FloatArray) -> FloatArray:
         """Return the pixels (k, 2) of points (k, 2) of the plane."""
         return np.column_stack([self.x(points[:, 0]), self.y(points[:, 1])])
 

@@ -12,8 +12,8 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen, QPixmap
 
 from app.colours import point_colours
-from app.plotting.pixel_map import Floats
 from app.theme import Theme
+from curvecore.arrays import FloatArray
 
 _COLOURS = 256
 """Colours that are told apart; with more points, neighbours on the ramp share one."""
@@ -46,7 +46,7 @@ class Stamps:
     def draw(
         self,
         painter: QPainter,
-        places: Floats,
+        places: FloatArray,
         indices: npt.NDArray[np.intp],
         count: int,
         theme: Theme,
@@ -65,7 +65,7 @@ class Stamps:
         fragments, length = self._fragments.drawargs()
         painter.drawPixmapFragments(fragments, length, self._sheet)
 
-    def _fill(self, places: Floats, indices: npt.NDArray[np.intp], count: int, ratio: float) -> None:
+    def _fill(self, places: FloatArray, indices: npt.NDArray[np.intp], count: int, ratio: float) -> None:
         finer = _places_within_a_pixel(count)
         steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
         whole, within = np.divmod(steps, finer)

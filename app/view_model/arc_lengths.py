@@ -10,15 +10,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import numpy.typing as npt
 
 from curvecore import Curve as CoreCurve
 from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
+from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.pieces import BezierPieces, alike
 from curvecore.scaling import scale_by_power
-
-Floats = npt.NDArray[np.float64]
 
 _PARTS = np.arange(4) / 4
 _LEAST = 1e-300
@@ -49,7 +47,7 @@ def lengths_of(parts: Sequence[BezierPieces], accuracy: float) -> list[Length]:
     return arc_lengths(parts, np.maximum(accuracy * least, _LEAST))
 
 
-def _least_lengths(parts: Sequence[BezierPieces]) -> Floats:
+def _least_lengths(parts: Sequence[BezierPieces]) -> FloatArray:
     """Return the lengths of polylines through curves whose pieces have one degree."""
     controls = np.concatenate([part.controls for part in parts])
     counts = np.array([len(part.starts) for part in parts])

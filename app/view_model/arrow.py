@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.view_model.curve_view import Floats
+from curvecore.arrays import FloatArray
 
 
-def arrow_segments(start: tuple[float, float], tip: tuple[float, float], head: float) -> Floats:
+def arrow_segments(start: tuple[float, float], tip: tuple[float, float], head: float) -> FloatArray:
     """Return shaft and barbs as segments (3, 4) = x1, y1, x2, y2.
 
     A short arrow has a small head, so that its shaft is seen.

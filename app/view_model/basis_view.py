@@ -10,7 +10,8 @@ import msgspec
 import numpy as np
 
 from app.families import Family
-from app.view_model.curve_view import CoreCurve, CurveView, Floats, Integers
+from app.view_model.curve_view import CoreCurve, CurveView
+from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
 SAMPLES = 400
@@ -63,10 +64,10 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     curve: CoreCurve
     owners: tuple[int, ...]
-    t: Floats
-    values: Floats
-    first: Integers | None
-    scales: Floats
+    t: FloatArray
+    values: FloatArray
+    first: IntArray | None
+    scales: FloatArray
     known: MovedParameters | None = None
 
     @property
@@ -84,7 +85,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """Number of nodes: one less than knots, where the last knot is the first node again."""
         return self.count - (self.owners[-1] == 0)
 
-    def function(self, index: int, kind: int) -> tuple[Floats, Floats]:
+    def function(self, index: int, kind: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
         if self.is_coarse:
             t, values = self.fine_functions(index)
@@ -103,14 +104,14 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """Whether the samples are too few to show one function by itself."""
         return self.first is not None and self.count > _MOST_FINE
 
-    def fine_functions(self, index: int) -> tuple[Floats, Floats]:
+    def fine_functions(self, index: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
         assert self.curve.is_local
         knots = self.curve.parameters[max(index - 1, 0) : index + 2]
         t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
         local = self.curve.local_basis(t)
         behind = (local.segment < index)[:, None]
-        values: Floats = np.where(behind, local.values[:, 1], local.values[:, 0]) * self.scales[index]
+        values: FloatArray = np.where(behind, local.values[:, 1], local.values[:, 0]) * self.scales[index]
         # The right end of the support counts to the segment after it, where the function is zero.
         values[local.segment > index] = 0.0
         return t, values
@@ -120,7 +121,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """What |d²B ∕ ds²| of no scaled function of a piecewise curve exceeds, s in 0 … 1 over a segment."""
         return _bent(self.curve)
 
-    def fine_segments(self, segments: Integers, chords: int) -> tuple[Floats, Floats]:
+    def fine_segments(self, segments: IntArray, chords: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) over segments of a piecewise curve, each in so many steps, ends included.
 
         t is (k, chords + 1); the values are (k, chords + 1, 2, R), of the node before and the node after.
@@ -128,12 +129,12 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         assert self.curve.is_local
         start, end = self.curve.parameters[segments], self.curve.parameters[segments + 1]
         # The last one lies a hair before the joint, so that it is counted to this segment.
-        t: Floats = np.linspace(start, np.nextafter(end, start), chords + 1, axis=1)
+        t: FloatArray = np.linspace(start, np.nextafter(end, start), chords + 1, axis=1)
         found = self.curve.local_basis(t.ravel()).values
         scales = np.stack([self.scales[segments], self.scales[segments + 1]], axis=1)
         return t, found.reshape(*t.shape, 2, self.kinds) * scales[:, None]
 
-    def envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
+    def envelope(self, kind: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return (t, least, greatest value of all functions of one kind there); per segment if coarse."""
         values = self.values[:, :, kind]
         if self.first is None:
@@ -174,9 +175,9 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         with np.errstate(over="ignore"):
             return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
 
-    def value_at(self, t: float, kind: int) -> Floats:
+    def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the scaled functions of one kind at `t`, one for each knot."""
-        values: Floats = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[:, kind]
+        values: FloatArray = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[:, kind]
         return values
 
 
@@ -193,10 +194,10 @@ def _bent(curve: CoreCurve) -> float:
     return _MOST_BENT[curve.name]
 
 
-def _spread(combine: np.ufunc, values: Floats) -> Floats:
+def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
     """Combine every sample with the two on either side of it."""
     padded = np.pad(values, 2, mode="edge")
-    result: Floats = reduce(combine, (padded[by : by + len(values)] for by in range(5)))
+    result: FloatArray = reduce(combine, (padded[by : by + len(values)] for by in range(5)))
     return result
 
 
@@ -221,7 +222,7 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
 
 
 def _many_functions(
-    curve: CoreCurve, owners: tuple[int, ...], scales: Floats, previous: BasisView | None
+    curve: CoreCurve, owners: tuple[int, ...], scales: FloatArray, previous: BasisView | None
 ) -> BasisView:
     if previous is not None and previous.known is not None and previous.curve.domain == curve.domain:
         values = previous.known.basis(curve)
@@ -234,18 +235,18 @@ def _many_functions(
     return BasisView(curve, owners, t, values, None, scales, known)
 
 
-def _samples_over(curve: CoreCurve) -> Floats:
+def _samples_over(curve: CoreCurve) -> FloatArray:
     start, end = curve.domain
     u = np.linspace(0.0, 1.0, SAMPLES)
     s = (1 - _AT_ENDS) * u + _AT_ENDS * np.sin(0.5 * np.pi * u) ** 2
-    t: Floats = start + (end - start) * s
+    t: FloatArray = start + (end - start) * s
     t[-1] = end
     # A hair on both sides of a break, where functions may turn or jump.
     inner = curve.breaks[1:-1]
     return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t
 
 
-def segment_samples(knots: Floats) -> tuple[Floats, Floats, Integers]:
+def segment_samples(knots: FloatArray) -> tuple[FloatArray, FloatArray, IntArray]:
     """Sample every segment, ends included, so that joints are drawn as sharp as they are.
 
     Returns
@@ -264,7 +265,7 @@ def segment_samples(knots: Floats) -> tuple[Floats, Floats, Integers]:
     return t, s, first
 
 
-def _piecewise_view(curve: CoreCurve, owners: tuple[int, ...], scales: Floats) -> BasisView:
+def _piecewise_view(curve: CoreCurve, owners: tuple[int, ...], scales: FloatArray) -> BasisView:
     t, s, first = segment_samples(curve.parameters)
     if len(first) <= _MOST_UNEVEN:
         values = curve.local_basis(t).values
@@ -276,7 +277,7 @@ def _piecewise_view(curve: CoreCurve, owners: tuple[int, ...], scales: Floats) -
     return BasisView(curve, owners, t, values, first, scales)
 
 
-def _alike(curve: CoreCurve, s: Floats, scales: Floats) -> Floats:
+def _alike(curve: CoreCurve, s: FloatArray, scales: FloatArray) -> FloatArray:
     """Return the scaled functions at the same places `s` of every segment, (m, 2, R).
 
     B_ir is h^r times a shape that all segments have in common.
@@ -287,20 +288,20 @@ def _alike(curve: CoreCurve, s: Floats, scales: Floats) -> Floats:
     shapes = unit.local_basis(np.minimum(s, np.nextafter(1.0, 0.0))).values
     powers = np.diff(curve.parameters)[:, None] ** np.arange(kinds)
     factors = np.stack([powers * scales[:-1], powers * scales[1:]], axis=1)
-    values: Floats = (shapes * factors[:, None]).reshape(-1, 2, kinds)
+    values: FloatArray = (shapes * factors[:, None]).reshape(-1, 2, kinds)
     return values
 
 
-def _sample_counts(spacing: Floats) -> Integers:
+def _sample_counts(spacing: FloatArray) -> IntArray:
     """Return how many samples each segment gets."""
     if len(spacing) < _MOST_UNEVEN:
-        counts: Integers = np.ceil(SAMPLES * spacing / spacing.sum()).astype(int)
+        counts: IntArray = np.ceil(SAMPLES * spacing / spacing.sum()).astype(int)
         return np.maximum(counts, _LEAST_SAMPLES)
     each = int(np.clip(4 * SAMPLES // len(spacing), 9, 33)) if len(spacing) < _MOST_FINE else 4
     return np.full(len(spacing), each)
 
 
-def basis_scales(curve: CoreCurve) -> Floats:
+def basis_scales(curve: CoreCurve) -> FloatArray:
     """Return the factors that make functions of all kinds readable on one axis, (k, R).
 
     Velocity functions are in proportion to the spacing h, acceleration functions to h²; the longer of a
@@ -310,7 +311,7 @@ def basis_scales(curve: CoreCurve) -> Floats:
     longer = np.maximum(np.append(spacing, 0.0), np.insert(spacing, 0, 0.0))
     orders = np.arange(curve.jets.shape[1])
     with np.errstate(divide="ignore", over="ignore", under="ignore"):
-        factors: Floats = np.array(_PEAK[: len(orders)]) / longer[:, None] ** orders
+        factors: FloatArray = np.array(_PEAK[: len(orders)]) / longer[:, None] ** orders
     # The square of a spacing may vanish; functions that have vanished with it are drawn as nothing.
     return np.minimum(factors, _MOST_SCALED)
 
@@ -322,10 +323,10 @@ def basis_formulas(family: Family) -> tuple[str, ...]:
     return ("B₀", "2.5·B₁ ∕ h", "25·B₂ ∕ h²")[: family.derivatives + 1]
 
 
-def weights_at(view: CurveView, t: float) -> Floats:
+def weights_at(view: CurveView, t: float) -> FloatArray:
     """Return what every node counts at `t`, with the derivatives that are estimated from it, (n,)."""
     if view.cardinal is not None:
-        weights: Floats = view.cardinal.basis(t)[0]
+        weights: FloatArray = view.cardinal.basis(t)[0]
         return weights
     assert view.skeleton is not None
     return view.by_node(view.skeleton.basis(np.array([t]))[0, :, 0])

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from enum import Enum, auto
+from enum import Enum
 from functools import cached_property
 
 import msgspec
@@ -29,8 +29,9 @@ from app.document.kept_handles import with_handles_kept
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.view_model.basis_view import weights_at
 from app.view_model.bend_together import Cost, divided, slope_at_rest
-from app.view_model.curve_view import CoreCurve, CurveView, Floats, parameters_of, view_of
+from app.view_model.curve_view import CoreCurve, CurveView, parameters_of, view_of
 from curvecore import CurveError
+from curvecore.arrays import FloatArray
 
 _LEAST_HOLD = 1e-4
 """b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""
@@ -54,11 +55,11 @@ _FIXED = (ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV, Parametriz
 
 
 class BendWith(Enum):
-    """Which data may change."""
+    """The data that a bend changes, in words."""
 
-    ALL = auto()
-    POINTS = auto()
-    DERIVATIVES = auto()
+    ALL = "points and derivatives change"
+    POINTS = "only points change"
+    DERIVATIVES = "only derivatives change"
 
 
 class _Datum(msgspec.Struct, frozen=True):
@@ -92,7 +93,7 @@ class _Place(msgspec.Struct, frozen=True):
     segment: int
     share: float
 
-    def t(self, parameters: Floats) -> float:
+    def t(self, parameters: FloatArray) -> float:
         start, end = parameters[self.segment], parameters[self.segment + 1]
         return float(start + self.share * (end - start))
 
@@ -160,7 +161,7 @@ def _price(share: float) -> float:
     return 1.0 + (_PRICE_OF_POINTS - 1.0) * min(share / _NEAR, 1.0)
 
 
-def _end(view: CurveView, knot: int, weights: Floats, h: float, price: float | None) -> _End:
+def _end(view: CurveView, knot: int, weights: FloatArray, h: float, price: float | None) -> _End:
     """Return what least change the data at `knot` answer with; h < 0 where the segment lies behind.
 
     Without a price the point stays.
@@ -182,7 +183,7 @@ def _end(view: CurveView, knot: int, weights: Floats, h: float, price: float | N
     return _End(knot, ahead, (changes / scales[first:]).tolist(), float(force @ changes))
 
 
-def _control_rows(kinds: int, h: float) -> list[Floats]:
+def _control_rows(kinds: int, h: float) -> list[FloatArray]:
     """Return the control points behind the first as combinations of the data at the start of a segment."""
     degree = 2 * kinds - 1
     return [
@@ -254,7 +255,7 @@ class Bend:
         alone = None if of_points_alone else self._solved(pull, tolerance)
         return self._curve(alone) if alone is not None else self._bent_and_shifted(pull)
 
-    def _bent_and_shifted(self, pull: Floats) -> Curve:
+    def _bent_and_shifted(self, pull: FloatArray) -> Curve:
         of_points = sum(datum.change for datum in self._data if datum.order == 0)
         price = self._hold.price**2
         cost = Cost(1 / self._hold.strength, price * of_points, price * len(self._view.points))
@@ -262,10 +263,10 @@ class Bend:
         return self._curve(shares.bend, shares.shift / self._moved_by_all(shares.bend))
 
     @cached_property
-    def _slope(self) -> Floats:
+    def _slope(self) -> FloatArray:
         return slope_at_rest(self._moved_by, self._size)
 
-    def _solved(self, pull: Floats, tolerance: float) -> Floats | None:
+    def _solved(self, pull: FloatArray, tolerance: float) -> FloatArray | None:
         """Return the bend that moves the grabbed point by `pull`, None where no few steps lead to it.
 
         Broyden, Mathematics of Computation 19 (1965) 577–593: the Jacobian of the answer begins as the
@@ -286,25 +287,25 @@ class Bend:
             step = inverse @ miss
         return None
 
-    def _moved_by(self, bend: Floats) -> Floats | None:
+    def _moved_by(self, bend: FloatArray) -> FloatArray | None:
         """Return how far the grabbed point goes with a bend, None without a curve."""
         if not self._view.source.family.derivatives:
             return self._points_moved_by(bend)
         view = view_of(self._curve(bend), self._view)
         if view.curve is None or not view.is_current:
             return None
-        moved: Floats = view.curve.evaluate(self._place.t(view.parameters)) - self._start
+        moved: FloatArray = view.curve.evaluate(self._place.t(view.parameters)) - self._start
         return moved
 
-    def _points_moved_by(self, bend: Floats) -> Floats | None:
+    def _points_moved_by(self, bend: FloatArray) -> FloatArray | None:
         """Return the same where there are points alone: twice as fast as by way of a document."""
         curve = self._through_points(bend)
         if curve is None:
             return None
-        moved: Floats = curve.evaluate(self._place.t(curve.parameters)) - self._start
+        moved: FloatArray = curve.evaluate(self._place.t(curve.parameters)) - self._start
         return moved
 
-    def _moved_by_all(self, bend: Floats) -> float:
+    def _moved_by_all(self, bend: FloatArray) -> float:
         """Return how far the grabbed point goes, after a bend, for every unit that all points are moved.
 
         1 where the functions add up to 1; not every family's do.
@@ -315,7 +316,7 @@ class Bend:
         total = float(curve.basis(self._place.t(curve.parameters)).sum())
         return total if abs(total - 1.0) > _ROUNDING and total > _LEAST_SUM else 1.0
 
-    def _through_points(self, bend: Floats) -> CoreCurve | None:
+    def _through_points(self, bend: FloatArray) -> CoreCurve | None:
         """Return the curve through the points after a bend, where there are points alone."""
         view = self._view
         points = view.points + np.outer([each.change for each in self._data], bend)
@@ -327,7 +328,7 @@ class Bend:
         except CurveError:
             return None
 
-    def _curve(self, bend: Floats, shift: Floats | None = None) -> Curve:
+    def _curve(self, bend: FloatArray, shift: FloatArray | None = None) -> Curve:
         """Return the curve after a bend, and a shift of all points with it."""
         changed = with_jet_values(self._view.source, [datum.moved(*bend.tolist()) for datum in self._data])
         curve = with_handles_kept(self._view.source, changed)
@@ -340,15 +341,15 @@ class Bend:
         return with_jet_values(curve, every)
 
 
-def _length(v: Floats) -> float:
+def _length(v: FloatArray) -> float:
     return float(np.hypot(*v))
 
 
-def _broyden(inverse: Floats, step: Floats, answer: Floats) -> Floats:
+def _broyden(inverse: FloatArray, step: FloatArray, answer: FloatArray) -> FloatArray:
     """Return the inverse Jacobian that also explains that `step` gave `answer` (Sherman and Morrison)."""
     predicted = inverse @ answer
     weight = float(step @ predicted)
     if abs(weight) < 1e-12 * _length(step) * _length(predicted):
         return inverse
-    updated: Floats = inverse + np.outer(step - predicted, step @ inverse) / weight
+    updated: FloatArray = inverse + np.outer(step - predicted, step @ inverse) / weight
     return updated

@@ -20,9 +20,8 @@ from collections.abc import Callable
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 _STEPS = 3
 _FIRST_STAGE = 0.5
@@ -35,8 +34,8 @@ _LEAST_DAMPING, _FIRST_DAMPING = 1e-9, 1e-3
 class Shares(msgspec.Struct, frozen=True):
     """A pull divided: what bends the curve, and what shifts all of its points."""
 
-    bend: Floats
-    shift: Floats
+    bend: FloatArray
+    shift: FloatArray
 
 
 class Cost(msgspec.Struct, frozen=True):
@@ -46,11 +45,11 @@ class Cost(msgspec.Struct, frozen=True):
     b: float
     n: float
 
-    def of(self, u: Floats, m: Floats) -> float:
+    def of(self, u: FloatArray, m: FloatArray) -> float:
         """Return the cost."""
         return float(self.a * (u @ u) + 2 * self.b * (u @ m) + self.n * (m @ m))
 
-    def step(self, u: Floats, m: Floats, slope: Floats, damping: float) -> Floats:
+    def step(self, u: FloatArray, m: FloatArray, slope: FloatArray, damping: float) -> FloatArray:
         """Return the damped Gauss-Newton step from u, where a bend by du shifts by −slope du less."""
         cross = self.b * slope
         normal = self.a * np.eye(2) - cross - cross.T + self.n * (slope.T @ slope)
@@ -64,7 +63,11 @@ class Cost(msgspec.Struct, frozen=True):
 
 
 def divided(
-    answer: Callable[[Floats], Floats | None], pull: Floats, cost: Cost, size: float, slope: Floats
+    answer: Callable[[FloatArray], FloatArray | None],
+    pull: FloatArray,
+    cost: Cost,
+    size: float,
+    slope: FloatArray,
 ) -> Shares:
     """Divide a pull so that bend and shift together are the least change, or nearly.
 
@@ -101,12 +104,14 @@ def _stages(length: float) -> list[float]:
 class _Search:
     """The best bend so far, what it does, and the Jacobian there."""
 
-    def __init__(self, answer: Callable[[Floats], Floats | None], cost: Cost, slope: Floats) -> None:
+    def __init__(
+        self, answer: Callable[[FloatArray], FloatArray | None], cost: Cost, slope: FloatArray
+    ) -> None:
         self._answer, self._cost, self._slope = answer, cost, slope
         self.bend, self.answer = np.zeros(2), np.zeros(2)
         self._damping = _FIRST_DAMPING
 
-    def improve(self, pull: Floats) -> None:
+    def improve(self, pull: FloatArray) -> None:
         """Take some steps towards the least change that meets `pull`."""
         least = self._cost.of(self.bend, pull - self.answer)
         self._damping = min(self._damping, _FIRST_DAMPING)
@@ -126,7 +131,7 @@ class _Search:
                 self._damping = max(self._damping, _FIRST_DAMPING) * 100
 
 
-def slope_at_rest(answer: Callable[[Floats], Floats | None], size: float) -> Floats:
+def slope_at_rest(answer: Callable[[FloatArray], FloatArray | None], size: float) -> FloatArray:
     """Return the Jacobian of `answer` at no bend, by differences; where there is none, the identity."""
     h = _DIFFERENCE * size
     columns = [answer(np.array(way) * h) for way in ((1.0, 0.0), (0.0, 1.0))]
@@ -135,7 +140,7 @@ def slope_at_rest(answer: Callable[[Floats], Floats | None], size: float) -> Flo
     return np.column_stack([columns[0], columns[1]]) / h
 
 
-def _broyden(slope: Floats, step: Floats, answer: Floats) -> Floats:
+def _broyden(slope: FloatArray, step: FloatArray, answer: FloatArray) -> FloatArray:
     """Return the Jacobian that also explains that `step` gave `answer`."""
-    updated: Floats = slope + np.outer(answer - slope @ step, step) / (step @ step)
+    updated: FloatArray = slope + np.outer(answer - slope @ step, step) / (step @ step)
     return updated

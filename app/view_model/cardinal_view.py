@@ -7,8 +7,9 @@ from itertools import pairwise
 import numpy as np
 
 from app.view_model.basis_view import BasisView, segment_samples
-from app.view_model.curve_view import CoreCurve, CurveView, Floats
+from app.view_model.curve_view import CoreCurve, CurveView
 from curvecore.analysis.cardinal import CardinalBasis
+from curvecore.arrays import FloatArray
 
 _MOST_EACH = 64
 """Points up to which every function is sampled; of more, the least and the greatest at each t."""
@@ -35,19 +36,19 @@ class CardinalView(BasisView, frozen=True, eq=False, dict=True):
         """Whether the samples are those of the outline alone."""
         return self.count > _MOST_EACH
 
-    def fine_functions(self, index: int) -> tuple[Floats, Floats]:
+    def fine_functions(self, index: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, C) of the point at knot `index`, (m, 1), as far from it as it can be seen."""
         knots = self.curve.parameters[max(index - _SEEN, 0) : index + _SEEN + 1]
         t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
         return t, self._at(t)[:, [self.owners[index]]]
 
-    def value_at(self, t: float, kind: int) -> Floats:
+    def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the functions at `t`, one for each knot."""
         return self._at(np.array([t]))[0, list(self.owners)]
 
-    def _at(self, t: Floats) -> Floats:
+    def _at(self, t: FloatArray) -> FloatArray:
         assert self.cardinal is not None
-        values: Floats = self.cardinal.basis(t)
+        values: FloatArray = self.cardinal.basis(t)
         return values
 
 
@@ -69,9 +70,9 @@ def cardinal_view(view: CurveView) -> CardinalView | None:
     )
 
 
-def _values(curve: CoreCurve, cardinal: CardinalBasis, t: Floats, owners: tuple[int, ...]) -> Floats:
+def _values(curve: CoreCurve, cardinal: CardinalBasis, t: FloatArray, owners: tuple[int, ...]) -> FloatArray:
     if len(owners) <= _MOST_EACH:
-        each: Floats = cardinal.basis(t)[:, list(owners), None]
+        each: FloatArray = cardinal.basis(t)[:, list(owners), None]
         return each
     near = cardinal.local(t).values
     # All the others are 0 there.

@@ -7,16 +7,14 @@ from functools import cached_property
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
 from app.document.model import Curve, VelocityRule
 from app.view_model.jets import moved_with_points
-from app.view_model.node_arrays import Flags, NodeArrays
+from app.view_model.node_arrays import NodeArrays
 from curvecore import Curve as CoreCurve
 from curvecore import CurveError, lebesgue_constant
 from curvecore.analysis.cardinal import CardinalBasis
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import BoolArray, FloatArray
 
 _MANY, _REACH = 200, 24
 """Points from which on an estimate forgets a point after so many: 1e-14 of it is left, as a rule."""
@@ -34,7 +32,7 @@ class Cardinal(msgspec.Struct, frozen=True, eq=False, dict=True):
     """
 
     rules: tuple[object, ...]
-    numbers: tuple[Floats | Flags, ...]
+    numbers: tuple[FloatArray | BoolArray, ...]
     functions: CardinalBasis | None
 
     @cached_property
@@ -52,7 +50,7 @@ class Cardinals:
     def __init__(self) -> None:
         self._known: Cardinal | None = None
 
-    def of(self, curve: Curve, points: Floats, skeleton: CoreCurve, arrays: NodeArrays) -> Cardinal:
+    def of(self, curve: Curve, points: FloatArray, skeleton: CoreCurve, arrays: NodeArrays) -> Cardinal:
         """Return the functions of a curve.
 
         Parameters
@@ -70,7 +68,7 @@ class Cardinals:
             curve.family, curve.velocity_rule, curve.acceleration_rule, curve.is_closed,
         )  # fmt: skip
         is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
-        numbers: tuple[Floats | Flags, ...] = (skeleton.parameters, arrays.corners, is_set)
+        numbers: tuple[FloatArray | BoolArray, ...] = (skeleton.parameters, arrays.corners, is_set)
         if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
             rules, numbers = (*rules, curve.parametrization.alpha), (*numbers, points)
         known = self._known
@@ -80,7 +78,7 @@ class Cardinals:
         return known
 
 
-def _made(curve: Curve, points: Floats, skeleton: CoreCurve, arrays: NodeArrays) -> CardinalBasis | None:
+def _made(curve: Curve, points: FloatArray, skeleton: CoreCurve, arrays: NodeArrays) -> CardinalBasis | None:
     if not curve.family.derivatives:
         return CardinalBasis(skeleton)
     follow = moved_with_points(curve, points, skeleton.parameters, arrays)

@@ -9,7 +9,6 @@ from itertools import pairwise
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Node, Parametrization, ParametrizationKind, Vector
@@ -29,18 +28,13 @@ from curvecore import (
     uniform,
 )
 from curvecore import Curve as CoreCurve
-from curvecore.arrays import parameter_array
-
-Floats = npt.NDArray[np.float64]
-Integers = npt.NDArray[np.intp]
+from curvecore.arrays import FloatArray, parameter_array
 
 __all__ = [
     "TOO_FEW",
     "Box",
     "CoreCurve",
     "CurveView",
-    "Floats",
-    "Integers",
     "Polyline",
     "appended_parameter",
     "appended_squeeze",
@@ -50,7 +44,7 @@ __all__ = [
 
 TOO_FEW = "A curve needs at least two points."
 
-_PARAMETERS: dict[ParametrizationKind, Callable[[Floats, float], Floats]] = {
+_PARAMETERS: dict[ParametrizationKind, Callable[[FloatArray, float], FloatArray]] = {
     ParametrizationKind.UNIFORM: lambda points, _: uniform(len(points)),
     ParametrizationKind.CHORD_LENGTH: lambda points, _: chord_length(points),
     ParametrizationKind.CENTRIPETAL: lambda points, _: centripetal(points),
@@ -86,7 +80,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """
 
     source: Curve
-    points: Floats
+    points: FloatArray
     arrays: NodeArrays
     curve: CoreCurve | None
     problem: str = ""
@@ -110,7 +104,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return [index for index in found if self.source.is_closed or 0 < index < last]
 
     @property
-    def parameters(self) -> Floats:
+    def parameters(self) -> FloatArray:
         """The parameters of the knots of `curve`, empty without one."""
         return self.curve.parameters if self.curve is not None else np.empty(0)
 
@@ -143,7 +137,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         assert self.skeleton is not None
         return self._cardinals.of(self.source, self.at_knots, self.skeleton, self.arrays).growth
 
-    def with_knots(self, points: Floats, parameters: Floats) -> CoreCurve:
+    def with_knots(self, points: FloatArray, parameters: FloatArray) -> CoreCurve:
         """Return the core curve through other points (k, 2), at parameters (k,), under the same rules."""
         if not self.source.family.derivatives:
             return self.source.family.make(points[:, None], parameters)
@@ -151,17 +145,17 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return _piecewise(self.source, sides, parameters, self.arrays, None)
 
     @property
-    def at_knots(self) -> Floats:
+    def at_knots(self) -> FloatArray:
         """The nodes' positions, of a closed curve the first one once more at the end, (k, 2)."""
         return np.vstack([self.points, self.points[:1]]) if self.source.is_closed else self.points
 
     @cached_property
-    def polyline(self) -> Floats:
+    def polyline(self) -> FloatArray:
         """The curve as a polyline (k, 2), within a thousandth of its size."""
         return self._whole[0].points
 
     @cached_property
-    def extent(self) -> Floats:
+    def extent(self) -> FloatArray:
         """Lowest and highest corner of the points, and of the curve with them, (2, 2, 2)."""
         drawn = np.vstack([self.points, self.polyline])
         return np.array([(each.min(axis=0), each.max(axis=0)) for each in (self.points, drawn)])
@@ -194,7 +188,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """Return the node that a knot belongs to."""
         return knot % len(self.source.nodes)
 
-    def by_node(self, values: Floats) -> Floats:
+    def by_node(self, values: FloatArray) -> FloatArray:
         """Add up what belongs to the same node: (k, …) to (n, …)."""
         count = len(self.source.nodes)
         result = np.array(values[:count])
@@ -270,7 +264,7 @@ def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> 
     return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
 
 
-def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> Floats | None:
+def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> FloatArray | None:
     """Return the parameters of the curve before where they cannot be other ones: no rule moves them."""
     if previous is None or not previous.is_current or len(previous.points) != len(arrays.points):
         return None
@@ -280,7 +274,7 @@ def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | No
     return previous.parameters if arrays.times is previous.arrays.times else None
 
 
-def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | None) -> CoreCurve | None:
+def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView | None) -> CoreCurve | None:
     """Return the curve before if it has the same family and parameters: only its data are other ones."""
     if previous is None or not previous.is_current or previous.source.family != curve.family:
         return None
@@ -292,7 +286,7 @@ def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | Non
 
 
 def _piecewise(
-    curve: Curve, sides: Sides, parameters: Floats, arrays: NodeArrays, frozen: CoreCurve | None
+    curve: Curve, sides: Sides, parameters: FloatArray, arrays: NodeArrays, frozen: CoreCurve | None
 ) -> CoreCurve:
     last = len(parameters) - 1
     corners = [index for index in corner_knots(arrays, last + 1) if 0 < index < last]
@@ -306,13 +300,13 @@ def _piecewise(
     return pieces[0] if len(pieces) == 1 else Chain(pieces)
 
 
-def _piece_jets(sides: Sides, start: int, end: int) -> Floats:
+def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:
     jets = np.array(sides.after[start : end + 1])
     jets[-1] = sides.before[end]
     return jets
 
 
-def parameters_of(curve: Curve, points: Floats, times: Floats | None = None) -> Floats:
+def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = None) -> FloatArray:
     """Return the parameters that the rule of `curve` gives for the points at its knots, (k,).
 
     `times` are the manual parameters of its nodes, where they are at hand.
@@ -325,7 +319,7 @@ def parameters_of(curve: Curve, points: Floats, times: Floats | None = None) -> 
     return _onto_interval(_PARAMETERS[rule.kind](points, rule.alpha), rule)
 
 
-def _onto_interval(parameters: Floats, rule: Parametrization) -> Floats:
+def _onto_interval(parameters: FloatArray, rule: Parametrization) -> FloatArray:
     if (rule.start, rule.end) == (0.0, 1.0):
         return parameters
     mapped = rule.start + parameters * (rule.end - rule.start)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
 from curvecore import Curve as CoreCurve
 from curvecore import FrozenFlattening, FrozenSegments, Pieces, flatten_pieces
+from curvecore.arrays import FloatArray
 
-Floats = npt.NDArray[np.float64]
 Box = tuple[float, float, float, float]
 FlatteningKey = tuple[float, Box | None]
 """Tolerance, and the box in which it matters."""
@@ -24,8 +23,8 @@ class Polyline(msgspec.Struct, frozen=True, eq=False):
     `deviation` is above the tolerance where the curve would need more vertices than a polyline may have.
     """
 
-    parameters: Floats
-    points: Floats
+    parameters: FloatArray
+    points: FloatArray
     deviation: float = 0.0
 
 

@@ -16,9 +16,10 @@ import numpy as np
 
 from app.document.model import Curve
 from app.document.words import number
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 from curvecore import CurveError, chord_length, joint_report
+from curvecore.arrays import FloatArray
 
 _GOAL = re.compile(r"(\w+)\s*(<=|>=|<|>|=)\s*(\S+)")
 _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {
@@ -165,7 +166,7 @@ def _chord_gap(view: CurveView) -> float:
     return float(np.abs((t - t[0]) / (t[-1] - t[0]) - chords).max())
 
 
-def _at_knots(view: CurveView) -> Floats:
+def _at_knots(view: CurveView) -> FloatArray:
     return np.vstack([view.points, view.points[:1]]) if view.source.is_closed else view.points
 
 

@@ -13,13 +13,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.view_model.basis_view import BasisView
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
 from curvecore import lebesgue_constant
 from curvecore.analysis.stability import lebesgue_constants
+from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
 
 
-def growth_at(view: CurveView, t: Floats) -> Floats:
+def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
     """Return Λ(t) of the points of a current curve at t (m,)."""
     return view.cardinal.sums(t) if view.cardinal is not None else t * 0.0 + LARGEST
 

@@ -12,7 +12,6 @@ from itertools import pairwise
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
 from app.document.model import AccelerationRule, Curve, Node, Vector, VelocityRule
 from app.view_model.node_arrays import NodeArrays, arrays_of
@@ -24,10 +23,9 @@ from curvecore import (
     natural_spline_velocities,
     zero_accelerations,
 )
+from curvecore.arrays import FloatArray, IntArray
 
-Floats = npt.NDArray[np.float64]
-Integers = npt.NDArray[np.intp]
-Estimate = Callable[[Floats, Floats], Floats]
+Estimate = Callable[[FloatArray, FloatArray], FloatArray]
 
 _REACH = 64
 """Knots after which an estimate has forgotten the data: a natural spline forgets half at every knot."""
@@ -36,11 +34,13 @@ _REACH = 64
 class Sides(msgspec.Struct, frozen=True, eq=False):
     """The jets at the knots, before and after each; they differ only at corners. Shapes (k, R, 2)."""
 
-    before: Floats
-    after: Floats
+    before: FloatArray
+    after: FloatArray
 
 
-def sides_of(curve: Curve, points: Floats, parameters: Floats, arrays: NodeArrays | None = None) -> Sides:
+def sides_of(
+    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: NodeArrays | None = None
+) -> Sides:
     """Return the jets of `curve` at its knots, whose points (k, 2) and parameters (k,) are given."""
     arrays = arrays or arrays_of(curve.nodes)
     before = np.empty((len(points), curve.family.derivatives + 1, 2))
@@ -54,8 +54,8 @@ def sides_of(curve: Curve, points: Floats, parameters: Floats, arrays: NodeArray
 
 
 def moved_with_points(
-    curve: Curve, points: Floats, parameters: Floats, arrays: NodeArrays
-) -> Callable[[Floats], tuple[Floats, Floats]]:
+    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: NodeArrays
+) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
     """Return what moves of the nodes, (n, m), do to the derivatives before and after each knot.
 
     At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points. What the
@@ -63,7 +63,7 @@ def moved_with_points(
     """
     corners = corner_knots(arrays, len(points))
 
-    def moved(moves: Floats) -> tuple[Floats, Floats]:
+    def moved(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
         at_knots = np.vstack([moves, moves[:1]]) if curve.is_closed else moves
         # Whatever cuts and unrolls the points does so with their moves, too.
         both = np.hstack([points, at_knots])
@@ -86,7 +86,7 @@ def _changes(curve: Curve) -> list[Estimate]:
     if curve.velocity_rule is VelocityRule.CATMULL_ROM:
         alpha = curve.parametrization.alpha
 
-        def catmull_rom(both: Floats, t: Floats) -> Floats:
+        def catmull_rom(both: FloatArray, t: FloatArray) -> FloatArray:
             return catmull_rom_velocities(both[:, 2:], t, alpha, knots_of=both[:, :2])
 
         return [catmull_rom, *(_of_moves(estimate) for estimate in _estimates(curve)[1:])]
@@ -122,10 +122,10 @@ def _estimates(curve: Curve) -> list[Estimate]:
 
 
 def _estimate(
-    before: Floats,
-    after: Floats,
-    points: Floats,
-    parameters: Floats,
+    before: FloatArray,
+    after: FloatArray,
+    points: FloatArray,
+    parameters: FloatArray,
     corners: Sequence[int],
     estimate: Estimate,
     closed: bool,
@@ -144,10 +144,10 @@ def _estimate(
 
 
 def _estimate_closed(
-    before: Floats,
-    after: Floats,
-    points: Floats,
-    parameters: Floats,
+    before: FloatArray,
+    after: FloatArray,
+    points: FloatArray,
+    parameters: FloatArray,
     corners: Sequence[int],
     estimate: Estimate,
 ) -> None:
@@ -172,13 +172,13 @@ def _estimate_closed(
     before[count], after[count] = before[0], after[0]
 
 
-def _set_explicit(before: Floats, after: Floats, arrays: NodeArrays, order: int) -> None:
+def _set_explicit(before: FloatArray, after: FloatArray, arrays: NodeArrays, order: int) -> None:
     for side, derivatives in enumerate((before, after)):
         rows = _given_rows(arrays, side, order, len(derivatives))
         derivatives[rows] = arrays.given[rows % len(arrays.given), side, order - 1]
 
 
-def _given_rows(arrays: NodeArrays, side: int, order: int, count: int) -> Integers:
+def _given_rows(arrays: NodeArrays, side: int, order: int, count: int) -> IntArray:
     """Return the knots, of `count`, whose derivative was set; a closed curve ends at its first node."""
     rows = np.flatnonzero(~np.isnan(arrays.given[:, side, order - 1, 0]))
     return np.append(rows, count - 1) if len(rows) and rows[0] == 0 and count > len(arrays.given) else rows

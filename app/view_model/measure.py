@@ -7,7 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.document.model import Curve
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 _SAMPLES = 32
 _MOST_SAMPLES = 20_000
@@ -22,14 +23,14 @@ def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
     return residual <= _KEPT * float(np.ptp(points, axis=0).max())
 
 
-def dense(knots: Floats) -> Floats:
+def dense(knots: FloatArray) -> FloatArray:
     """Return parameters all along a curve with these knots, the knots included; as many on every segment."""
     per_segment = int(np.clip(_MOST_SAMPLES // len(knots), 5, _SAMPLES))
     s = np.linspace(0.0, 1.0, per_segment + 1)[:-1]
     return np.append((knots[:-1, None] + s * np.diff(knots)[:, None]).ravel(), knots[-1])
 
 
-def largest_distance(first: CurveView, at: Floats, second: CurveView, at_second: Floats) -> float:
+def largest_distance(first: CurveView, at: FloatArray, second: CurveView, at_second: FloatArray) -> float:
     """Return the largest distance between `first` at the parameters `at` and `second` at `at_second`."""
     assert first.curve is not None
     assert second.curve is not None

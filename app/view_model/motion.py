@@ -10,9 +10,10 @@ import msgspec
 import numpy as np
 
 from app.view_model.arc_lengths import arc_lengths_of
-from app.view_model.curve_view import CoreCurve, Floats, Integers
+from app.view_model.curve_view import CoreCurve
 from app.view_model.motion_settings import Pace, Repeat
 from curvecore.analysis.lengths import ArcLength
+from curvecore.arrays import FloatArray, IntArray
 
 ACCURACY = 1e-6
 """Error allowed in arc lengths, against the whole length: below a pixel."""
@@ -26,7 +27,7 @@ def round_of(duration: float, repeat: Repeat) -> float:
     return 2.0 * duration if repeat is Repeat.PING_PONG else duration
 
 
-def folded(seconds: Floats, duration: float, repeat: Repeat) -> Floats:
+def folded(seconds: FloatArray, duration: float, repeat: Repeat) -> FloatArray:
     """Return how far along its way, in seconds from the start of the curve, the dot is at `seconds` >= 0."""
     if repeat is Repeat.ONCE:
         return np.minimum(seconds, duration)
@@ -44,10 +45,10 @@ def runs_back(seconds: float, duration: float, repeat: Repeat) -> bool:
 class Moments(msgspec.Struct, frozen=True, eq=False):
     """Where the dot is at some moments, and its velocity and acceleration there, per second; (m, 2) each."""
 
-    parameters: Floats
-    points: Floats
-    velocities: Floats
-    accelerations: Floats
+    parameters: FloatArray
+    points: FloatArray
+    velocities: FloatArray
+    accelerations: FloatArray
 
 
 class Course:
@@ -84,7 +85,7 @@ class Course:
         if 0.0 < speed < np.inf:
             self._lengths, self._speed = lengths, speed
 
-    def parameters_at(self, elapsed: Floats) -> Floats:
+    def parameters_at(self, elapsed: FloatArray) -> FloatArray:
         """Return the parameters that the dot has reached after `elapsed` seconds, (m,)."""
         if self._lengths is not None:
             return self._lengths.parameter_at(elapsed * self._speed)
@@ -97,7 +98,7 @@ class Course:
             return min(float(self._lengths.length_at(t)) / self._speed, self.duration)
         return t - self._start
 
-    def stations(self, indices: Integers) -> Floats:
+    def stations(self, indices: IntArray) -> FloatArray:
         """Return the points (k, 2) at steps 0 … `STATIONS`; each is computed once."""
         new = np.unique(indices[~self._is_known[indices]])
         if len(new):
@@ -107,7 +108,7 @@ class Course:
             self._is_known[new] = True
         return np.asarray(self._stations[indices])
 
-    def moments_at(self, t: Floats, *, back: bool = False) -> Moments:
+    def moments_at(self, t: FloatArray, *, back: bool = False) -> Moments:
         """Return what is to be known of the dot at parameters (m,); on the way back it runs against t."""
         with np.errstate(all="ignore"):
             points, velocities, accelerations = (self.curve.evaluate(t, order) for order in (0, 1, 2))
@@ -116,7 +117,9 @@ class Course:
         return Moments(t, points, -velocities if back else velocities, accelerations)
 
 
-def _at_even_speed(velocities: Floats, accelerations: Floats, speed: float) -> tuple[Floats, Floats]:
+def _at_even_speed(
+    velocities: FloatArray, accelerations: FloatArray, speed: float
+) -> tuple[FloatArray, FloatArray]:
     """Return velocity and acceleration of a dot with this speed: all of the latter is due to the bend."""
     # Not the squares of lengths: they would overflow at 1e154.
     length = np.hypot(velocities[:, 0], velocities[:, 1])[:, None]

@@ -11,10 +11,11 @@ from msgspec.structs import replace
 
 from app.document.model import VelocityRule
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.view_model.curve_view import CurveView, Floats, view_of
+from app.view_model.curve_view import CurveView, view_of
 from app.view_model.motion import STATIONS, Course, Moments, folded, round_of, runs_back
 from app.view_model.motion_settings import Repeat
 from curvecore.analysis.continuity import joint_report
+from curvecore.arrays import FloatArray
 
 TRAIL = 24
 """Dots of a trail."""
@@ -82,7 +83,7 @@ class Dot(msgspec.Struct, frozen=True, eq=False):
     role: Role
     t: float
     place: tuple[float, float]
-    trail: Floats
+    trail: FloatArray
     arrows: tuple[Arrow, ...]
     speed: float
     pull: float
@@ -107,7 +108,7 @@ def scales_of(courses: list[Course]) -> Scales:
     return Scales(_scale(speeds, size), _scale(pulls, size))
 
 
-def _scale(lengths: Floats, size: float) -> float:
+def _scale(lengths: FloatArray, size: float) -> float:
     usual = float(np.quantile(lengths, 0.9, method="lower"))
     largest = min(float(lengths.max()), _LONGEST * usual) or float(lengths.max())
     return _SHARE * size / largest if 0.0 < largest < np.inf else 0.0
@@ -146,7 +147,7 @@ def colour_of(dot: Dot, arrow: Arrow) -> str:
     return COLOURS.get(dot.role, COLOURS[arrow.kind])
 
 
-def _trail(course: Course, seconds: float, repeat: Repeat) -> Floats:
+def _trail(course: Course, seconds: float, repeat: Repeat) -> FloatArray:
     """Return the last places at multiples of one step: the dots of a trail stay where they are."""
     whole = round_of(STATIONS, repeat)
     # Counted within two rounds: a motion that goes on for days has no better memory.
@@ -173,7 +174,7 @@ def short(value: float) -> str:
     return f"{value:#.3g}".rstrip(".").replace("e+", "e")
 
 
-def _lengths(vectors: Floats) -> Floats:
+def _lengths(vectors: FloatArray) -> FloatArray:
     return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))
 
 

@@ -12,11 +12,9 @@ import numpy.typing as npt
 
 from app.document.kept_handles import DERIVATIVES
 from app.document.model import Node, Vector
+from curvecore.arrays import BoolArray, FloatArray
 
-Floats = npt.NDArray[np.float64]
-Flags = npt.NDArray[np.bool_]
-
-Column = TypeVar("Column", Floats, Flags)
+Column = TypeVar("Column", FloatArray, BoolArray)
 
 _NONE = (np.nan, np.nan)
 
@@ -42,10 +40,10 @@ class NodeArrays(msgspec.Struct, frozen=True, eq=False):
     """
 
     nodes: tuple[Node, ...]
-    points: Floats
-    times: Floats
-    corners: Flags
-    given: Floats
+    points: FloatArray
+    times: FloatArray
+    corners: BoolArray
+    given: FloatArray
 
 
 def arrays_of(nodes: tuple[Node, ...], previous: NodeArrays | None = None) -> NodeArrays:
@@ -75,7 +73,7 @@ def _moved_alone(node: Node, before: Node) -> bool:
     return all(map(operator.is_, _beside_place(node), _beside_place(before)))
 
 
-def _columns(nodes: Sequence[Node]) -> tuple[Floats, Floats, Flags, Floats]:
+def _columns(nodes: Sequence[Node]) -> tuple[FloatArray, FloatArray, BoolArray, FloatArray]:
     points = _places(nodes)
     times = np.array([np.nan if node.t is None else node.t for node in nodes], dtype=float)
     corners = np.array([node.corner for node in nodes], dtype=bool)
@@ -86,7 +84,7 @@ def _columns(nodes: Sequence[Node]) -> tuple[Floats, Floats, Flags, Floats]:
     return points, times, corners, given
 
 
-def _places(nodes: Sequence[Node]) -> Floats:
+def _places(nodes: Sequence[Node]) -> FloatArray:
     return np.array([(node.x, node.y) for node in nodes], dtype=float).reshape(-1, 2)
 
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
 from app.view_model.jets import sides_of
+from curvecore.arrays import FloatArray
 
 _STEP = 1e-5
 """Step of the differences as a share of the narrower gap: what is left out is its square."""
 
 
-def parameter_moves(view: CurveView, piece: int, t: Floats) -> Floats:
+def parameter_moves(view: CurveView, piece: int, t: FloatArray) -> FloatArray:
     """Return dc/dt_i at t (m,) of one piece of a current curve, (m, k, 2): points and what was set stay.
 
     The basis functions enter in closed form, the estimates by central differences.
@@ -29,7 +30,7 @@ def parameter_moves(view: CurveView, piece: int, t: Floats) -> Floats:
     return moves
 
 
-def _slopes(view: CurveView) -> tuple[Floats, Floats]:
+def _slopes(view: CurveView) -> tuple[FloatArray, FloatArray]:
     """Return what each parameter i does to the derivatives after and before every knot, (i, k, R - 1, 2)."""
     t, gaps = view.parameters, np.diff(view.parameters)
     steps = _STEP * np.minimum(np.append(gaps, np.inf), np.insert(gaps, 0, np.inf))

@@ -16,9 +16,10 @@ from app.document.edits import EditError, freeze_parameters, stretched
 from app.document.jet_edits import JetValue, with_jet_values
 from app.document.model import Curve, Document, Node, Vector
 from app.document.words import number
-from app.view_model.curve_view import CurveView, Floats, Integers, view_of
+from app.view_model.curve_view import CurveView, view_of
 from app.view_model.jets import Sides
 from app.view_model.measure import dense, is_kept, largest_distance
+from curvecore.arrays import FloatArray, IntArray
 
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""
@@ -80,7 +81,7 @@ def with_jets(node: Node, sides: Sides, index: int) -> Node:
     return replace(node, **changed) if changed else node
 
 
-def _vector(values: Floats) -> Vector:
+def _vector(values: FloatArray) -> Vector:
     return (float(values[0]), float(values[1]))
 
 
@@ -135,7 +136,7 @@ def _sampled(view: CurveView, t: float) -> Node:
     return Node(*position, t=t, velocity=velocity, acceleration=acceleration)
 
 
-def estimates_kept(before: CurveView, changed: Curve, old: Integers, new: Integers) -> Curve:
+def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:
     """Make explicit, as they were in `before`, the estimates that are others in `changed`, and only those.
 
     The nodes `old` of the curve before are the nodes `new` of the changed one.
@@ -167,7 +168,7 @@ def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> C
     return replace(grown, nodes=tuple(nodes))
 
 
-def _factor_at(factors: Floats, place: int, inserted: int, *, is_closed: bool) -> float:
+def _factor_at(factors: FloatArray, place: int, inserted: int, *, is_closed: bool) -> float:
     """Return the factor of time at a node: that of a segment beside it, if possible one that was not cut."""
     beside = [place - 1, place]
     if is_closed and place == 0:
@@ -177,7 +178,7 @@ def _factor_at(factors: Floats, place: int, inserted: int, *, is_closed: bool) -
     return float(np.mean(factors[whole or beside]))
 
 
-def _change(before: CurveView, after: CurveView, old_knots: Floats) -> float:
+def _change(before: CurveView, after: CurveView, old_knots: FloatArray) -> float:
     """Return how far the curve moved; `old_knots` are the old parameters of the knots of `after`."""
     return largest_distance(before, dense(old_knots), after, dense(after.parameters))
 

@@ -11,11 +11,11 @@ import pytest
 from PIL import Image
 
 from app.document.model import Document, ParametrizationKind
-from app.exchange import ENDINGS
 from app.exchange.drawing.animation import Film, write_film
 from app.exchange.facts import facts_of
+from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
-from app.exchange.reading import import_file
+from app.exchange.reading import ImportOptions, import_file
 from app.exchange.writing import export
 from app.families import FAMILIES
 from app.storage.files import load
@@ -70,12 +70,14 @@ def bezier_points(controls, scale=(1.0, 1.0)):
 
 
 def test_every_ending_says_a_deviation_within_what_was_asked_for(written):
-    for ending in ENDINGS:
+    for ending in endings_of(FORMATS.written):
         path, done = written(ending)
         assert path.stat().st_size > 0
         assert done.remarks == ()
-        # A TikZ picture rounds to its grid of 1e-5 cm; rows of samples are what was asked for.
-        limit = {".tikz": 1.1, ".tikz.tex": 1.1, ".csv": 1e9, ".tsv": 1e9}.get(ending, 1.0) * TOLERANCE
+        # A TikZ picture rounds to its grid of 1e-5 cm, formulas to digits; rows are as many as asked for.
+        limit = {".tikz": 1.1, ".tikz.tex": 1.1, ".tex": 1.5, ".csv": 1e9, ".tsv": 1e9}.get(
+            ending, 1.0
+        ) * TOLERANCE
         assert 0.0 <= done.deviation <= limit
         assert (done.deviation == 0.0) == (ending in (".curve.json", ".points.csv", ".points.tsv"))
 
@@ -152,7 +154,7 @@ def test_a_drawing_that_is_read_back_is_the_curve_within_both_deviations(
 
 
 def test_rows_of_samples_are_the_curve_and_its_derivatives(document, written):
-    path, done = written(".csv", samples=200)
+    path, done = written(".csv", own={"samples": 200})
     titles, *rows = (line.split(",") for line in path.read_text().splitlines())
     values = {title: np.array([float(row[k]) for row in rows]) for k, title in enumerate(titles)}
     assert np.column_stack([values["x"], values["y"]]) == pytest.approx(
@@ -173,7 +175,7 @@ def test_rows_become_a_curve_of_the_family_that_is_asked_for(tmp_path):
     path = tmp_path / "rows.csv"
     path.write_text("t,x,y\n0,0,0\n1,1,2\n2.5,2.5,1\n4,4,3\n")
     for name in OWN:
-        (curve,) = import_file(path, family=FAMILIES.named(name)).document.curves
+        (curve,) = import_file(path, ImportOptions(family=FAMILIES.named(name))).document.curves
         assert curve.family.name == name
         view = view_of(curve)
         assert view.curve.evaluate(1.7) == pytest.approx(

@@ -10,6 +10,7 @@ from app.document.model import Document, make_curve
 from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.dxf import dxf_text
+from app.exchange.options import Options
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import bezier_segments
@@ -45,7 +46,7 @@ def points_of(curve, count=2001):
 
 @pytest.mark.parametrize("cubic", [False, True])
 def test_ezdxf_gives_the_curve_within_the_stated_deviation(kind, cubic):
-    written = dxf_text(kind, tolerance=1e-4, cubic=cubic)
+    written = dxf_text(kind, Options(tolerance=1e-4, own={"cubic": cubic}))
     (spline,) = loaded(written.text).modelspace()
     assert spline.dxftype() == "SPLINE"
     assert spline.fit_point_count() == 0
@@ -62,7 +63,7 @@ def test_the_degree_is_the_true_one(kind):
     (spline,) = loaded(dxf_text(kind).text).modelspace()
     degree = core(kind).degree
     assert spline.dxf.degree == (degree if degree <= 10 else 3)
-    (spline,) = loaded(dxf_text(kind, cubic=True).text).modelspace()
+    (spline,) = loaded(dxf_text(kind, Options(own={"cubic": True})).text).modelspace()
     assert spline.dxf.degree == min(degree, 3)
 
 
@@ -110,7 +111,7 @@ def test_hermite_curves_come_back_exactly(kind):
 
 
 def test_higher_degrees_come_back_within_the_tolerance(kind):
-    written = dxf_text(kind, tolerance=1e-5)
+    written = dxf_text(kind, Options(tolerance=1e-5))
     result = read_dxf(written.text.encode(), 1e-4)
     allowed = written.deviation + result.deviation
     assert result.deviation <= 1e-4

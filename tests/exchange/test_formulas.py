@@ -14,6 +14,7 @@ from app.document.model import Document, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.formulas import coefficients_json, desmos_expressions, svg_path_data
 from app.exchange.formats.latex import PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
+from app.exchange.options import Options
 from app.exchange.parts import beziers_of, cubics_of, sources_of
 from app.view_model.curve_view import view_of
 
@@ -100,7 +101,7 @@ def desmos_value(expression, t):
 
 
 def test_the_desmos_list_gives_the_curve(kind):
-    written = desmos_expressions(kind, tolerance=1e-4)
+    written = desmos_expressions(kind, Options(tolerance=1e-4))
     lines = written.text.splitlines()
     (source,), _ = sources_of(kind)
     parts = [beziers_of(piece, 1e-4) for piece in source.pieces]
@@ -125,7 +126,7 @@ def test_desmos_numbers_have_no_exponent():
 
 
 def test_path_data_are_cubics_with_y_down(kind):
-    written = svg_path_data(kind, tolerance=1e-3)
+    written = svg_path_data(kind, Options(tolerance=1e-3))
     numbers = [float(v) for v in re.findall(r"[-+0-9.e]+", re.sub("[MCZ]", " ", written.text))]
     points = np.array(numbers).reshape(-1, 2) * [1, -1]
     (source,), _ = sources_of(kind)
@@ -225,7 +226,7 @@ def drawn(text):
 
 
 def test_pgfplots_draws_the_curve(kind):
-    written = pgfplots_axis(kind, tolerance=1e-3)
+    written = pgfplots_axis(kind, Options(tolerance=1e-3))
     (pieces,) = drawn(written.text)
     path = cubics_of(core(kind), 1e-3)
     np.testing.assert_array_equal(pieces, path.control_points)
@@ -233,7 +234,7 @@ def test_pgfplots_draws_the_curve(kind):
 
 
 def test_tikz_draws_the_curve_to_scale_within_the_stated_deviation(kind):
-    written = tikz_picture(kind, tolerance=1e-4)
+    written = tikz_picture(kind, Options(tolerance=1e-4))
     (pieces,) = drawn(written.text)
     assert pieces[:, [0, 3]].min() >= 0
     assert pieces[:, [0, 3]].max() <= PICTURE_SIDE

@@ -16,6 +16,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats.dxf import dxf_text
 from app.exchange.formats.points import points_table
 from app.exchange.formats.samples import sampled_table
+from app.exchange.options import Options
 from app.exchange.svg.path_data import read_path_data
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
@@ -74,8 +75,8 @@ READERS = {
     "table": (
         _table,
         [
-            sampled_table(SKETCH, samples=5).text.encode(),
-            points_table(PAIR).text.encode(),
+            sampled_table(SKETCH, Options(own={"samples": 5})).data,
+            points_table(PAIR).data,
             b"x;y\n1,5;2\n3,25;4e3\n",
             b'"a" 1 2\n',
             b"NACA 1\n 2. 2.\n\n0 0\n1 1\n\n0 0\n1 -1\n",
@@ -95,7 +96,7 @@ READERS = {
             b'"geometry":{"type":"MultiLineString","coordinates":[[[9,53],[10,54]],[[1,2],[3,4]]]}}]}',
         ],
     ),
-    "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).encode(), SHAPES]),
+    "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).data, SHAPES]),
     "dxf": (lambda data: read_dxf(data).document, [_spline_as_dxf(), _shapes_as_dxf()]),
 }
 

@@ -100,10 +100,10 @@ def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
 
 
 def test_chosen_columns_of_samples(document):
-    text = sampled_table(document, samples=3, columns=("y", "x")).text
+    text = sampled_table(document, Options(own={"samples": 3, "columns": ("y", "x")})).text
     assert text.splitlines()[0] == "curve,x,y"
     with pytest.raises(ExchangeError, match="A table can have the columns t, x, y"):
-        sampled_table(document, columns=("z",))
+        sampled_table(document, Options(own={"columns": ("z",)}))
 
 
 def test_rows_of_different_curves_may_be_mixed():
@@ -171,13 +171,13 @@ def test_a_thinned_polyline_stays_within_the_tolerance(tolerance):
 
 
 def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
-    plain = svg_of(document)
-    full = svg_of(document, points=True, extras=Extras(handles=True, grid=True, basis=0))
+    plain = svg_of(document).text
+    full = svg_of(document, Options(points=True, extras=Extras(handles=True, grid=True, basis=0))).text
     for name in ("grid", "handles", "basis", "points"):
         assert f'<g id="{name}"' in full
         assert f'<g id="{name}"' not in plain
     one, other = read_svg(plain.encode()), read_svg(full.encode())
-    dark = read_svg(svg_of(document, style=DARK).encode())
+    dark = read_svg(svg_of(document, Options(style=DARK)).data)
     assert one.document == other.document == dark.document
     assert [curve.name for curve in one.document.curves] == ["Pond", NAMES[1], "Line", "Line"]
     assert [curve.colour for curve in one.document.curves] == ["#0072b2", "", "", ""]
@@ -188,5 +188,5 @@ def test_handles_are_drawn_where_the_control_points_are():
         make_curve([(0.0, 0.0), (3.0, 0.0)], family=HERMITE),
         nodes=(Node(0.0, 0.0, velocity=(3.0, 6.0)), Node(3.0, 0.0, velocity=(3.0, -6.0))),
     )
-    text = svg_of(Document((curve,)), extras=Extras(handles=True))
+    text = svg_of(Document((curve,)), Options(extras=Extras(handles=True))).text
     assert "M 0 0 L 1 -2 M 3 0 L 2 -2" in text

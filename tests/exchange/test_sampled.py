@@ -10,13 +10,15 @@ from msgspec.structs import replace
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.samples import TITLES, Spacing, sampled_table
+from app.exchange.options import Options
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve, arc_length
 
 
 def table(document, **keywords):
-    written = sampled_table(document, **keywords)
+    tolerance = keywords.pop("tolerance", None)
+    written = sampled_table(document, Options(tolerance=tolerance, own=keywords))
     rows = list(csv.reader(io.StringIO(written.text)))
     values = np.array([[float(cell) if cell else np.nan for cell in row] for row in rows[1:]])
     return rows[0], values, written.deviation
@@ -87,7 +89,7 @@ def test_a_point_at_rest_has_no_curvature():
 
 
 def test_several_curves_have_a_column_for_the_name(gallery):
-    written = sampled_table(gallery, samples=3)
+    written = sampled_table(gallery, Options(own={"samples": 3}))
     rows = list(csv.reader(io.StringIO(written.text)))
     assert rows[0] == ["curve", *TITLES]
     assert {len(row) for row in rows} == {10}
@@ -96,26 +98,28 @@ def test_several_curves_have_a_column_for_the_name(gallery):
 
 def test_a_name_never_becomes_a_formula():
     curve = make_curve([(0, 0), (1, 1)], name='=cmd|"/c calc"')
-    written = sampled_table(Document((curve, curve)), samples=2)
+    written = sampled_table(Document((curve, curve)), Options(own={"samples": 2}))
     assert next(csv.reader(io.StringIO(written.text.splitlines()[1])))[0] == '\'=cmd|"/c calc"'
 
 
 def test_tabs(sketch):
-    text = sampled_table(sketch, samples=2, separator="\t").text
+    text = sampled_table(sketch, Options(own={"samples": 2}), separator="\t").text
     assert text.splitlines()[0] == "\t".join(TITLES)
 
 
 @pytest.mark.parametrize("samples", [-1, 1, 1_000_001])
 def test_the_number_of_samples_has_limits(sketch, samples):
     with pytest.raises(ExchangeError, match="A table can have 2 to 1000000 samples"):
-        sampled_table(sketch, samples=samples)
+        sampled_table(sketch, Options(own={"samples": samples}))
 
 
 def test_many_samples_are_computed_in_parts_that_fit_together(sketch, monkeypatch):
-    whole = sampled_table(sketch, samples=1500)
+    whole = sampled_table(sketch, Options(own={"samples": 1500}))
     monkeypatch.setattr("app.exchange.formats.samples._ROWS_AT_ONCE", 100)
     told = []
-    parts = sampled_table(sketch, samples=1500, report=lambda share, _word: told.append(share))
+    parts = sampled_table(
+        sketch, Options(report=lambda share, _word: told.append(share), own={"samples": 1500})
+    )
     one, other = (
         np.genfromtxt(io.StringIO(each.text), delimiter=",", skip_header=1) for each in (whole, parts)
     )

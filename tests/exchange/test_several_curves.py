@@ -37,7 +37,7 @@ def document(request):
 
 
 def paths(document, **options):
-    root = ElementTree.fromstring(svg_of(document, **options))
+    root = ElementTree.fromstring(svg_of(document, Options(**options)).text)
     return {path.find(f"{SVG}title").text: path for path in root.iter(f"{SVG}path")}
 
 
@@ -52,7 +52,7 @@ def test_each_curve_has_its_own_colour(document):
     found = paths(document)
     assert found["Pond"].get("stroke") == "#0072b2"
     assert found["Line"].get("stroke") is None
-    root = ElementTree.fromstring(svg_of(document, points=True))
+    root = ElementTree.fromstring(svg_of(document, Options(points=True)).text)
     fills = [circle.get("fill") for circle in root.iter(f"{SVG}circle")]
     assert fills == ["#0072b2"] * 4 + [None] * 2
 

@@ -18,6 +18,7 @@ from app.document.model import (
 from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
+from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
@@ -67,7 +68,7 @@ def measured(pieces, curve, parameters, samples=40):
 
 @pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5, 1e-7])
 def test_the_path_stays_within_the_stated_deviation(sketch, tolerance):
-    text = svg_of(sketch, tolerance=tolerance)
+    text = svg_of(sketch, Options(tolerance=tolerance)).text
     (pieces,) = paths(text)
     curve = core(sketch)
     deviation, said_tolerance = stated(text)
@@ -80,7 +81,7 @@ def test_the_path_stays_within_the_stated_deviation(sketch, tolerance):
 
 
 def test_the_default_tolerance_is_relative_to_the_size(example):
-    text = svg_of(example)
+    text = svg_of(example).text
     deviation, tolerance = stated(text)
     (pieces,) = paths(text)
     size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
@@ -90,7 +91,7 @@ def test_the_default_tolerance_is_relative_to_the_size(example):
 
 def test_a_cubic_hermite_curve_is_written_bit_for_bit():
     document = Document((make_curve([(0.1, 1 / 3), (2.0, -0.7), (3.3, 1e-7)], family=HERMITE),))
-    text = svg_of(document)
+    text = svg_of(document).text
     (pieces,) = paths(text)
     np.testing.assert_array_equal(upright(pieces), bezier_segments(core(document)))
     assert stated(text)[0] == 0
@@ -100,7 +101,7 @@ def test_the_stated_deviation_is_never_rounded_down(sketch):
     if sketch.curves[0].family is HERMITE:
         return
     exact = cubic_path(core(sketch), 1e-3).deviation
-    assert exact <= stated(svg_of(sketch, tolerance=1e-3))[0] <= 1.01 * exact
+    assert exact <= stated(svg_of(sketch, Options(tolerance=1e-3)).text)[0] <= 1.01 * exact
 
 
 def view_box(text):
@@ -108,7 +109,7 @@ def view_box(text):
 
 
 def test_the_view_box_holds_the_curve_with_a_margin(example):
-    text = svg_of(example)
+    text = svg_of(example).text
     left, top, width, height = view_box(text)
     (pieces,) = paths(text)
     t = np.linspace(*core(example).domain, 4001)
@@ -123,15 +124,15 @@ def test_the_view_box_holds_the_curve_with_a_margin(example):
 
 def test_the_nominal_size_keeps_the_shape(sketch):
     for keywords in ({}, {"width": 300}):
-        root = ET.fromstring(svg_of(sketch, **keywords).encode())
+        root = ET.fromstring(svg_of(sketch, Options(**keywords)).data)
         _, _, width, height = map(float, root.get("viewBox").split())
         assert float(root.get("width")) / float(root.get("height")) == pytest.approx(width / height, rel=1e-4)
     assert root.get("width") == "300"
 
 
 def test_points_are_discs_in_a_group_of_their_own(sketch):
-    assert "circle" not in svg_of(sketch)
-    root = ET.fromstring(svg_of(sketch, points=True).encode())
+    assert "circle" not in svg_of(sketch).text
+    root = ET.fromstring(svg_of(sketch, Options(points=True)).data)
     (group,) = [each for each in root.iter(f"{SVG}g") if each.get("id") == "points"]
     centres = [(float(each.get("cx")), -float(each.get("cy"))) for each in group]
     assert centres == [node.position for node in sketch.curves[0].nodes]
@@ -140,13 +141,13 @@ def test_points_are_discs_in_a_group_of_their_own(sketch):
 def test_names_are_titles_and_harmless():
     name = "a<b>&\"'\x00\x1b\ud800]]>--> ‖c′‖"
     curve = make_curve([(0, 0), (1, 1)], name=name)
-    root = ET.fromstring(svg_of(Document((curve, curve))).encode())
+    root = ET.fromstring(svg_of(Document((curve, curve))).data)
     titles = [each.text for each in root.iter(f"{SVG}title")]
     assert titles == ["a<b>&\"'\ufffd\ufffd\ufffd]]>--> ‖c′‖"] * 2
 
 
 def test_curves_that_cannot_be_drawn_are_mentioned(half_drawn):
-    text = svg_of(half_drawn)
+    text = svg_of(half_drawn).text
     assert len(paths(text)) == 1
     description = ET.fromstring(text.encode()).find(f"{SVG}desc").text
     assert "“begun <&>”: A curve needs at least two points." in description
@@ -159,8 +160,8 @@ def test_the_colours_are_those_of_the_window():
 
 
 def test_paper_covers_the_view_box(sketch):
-    assert 'id="paper"' not in svg_of(sketch)
-    text = svg_of(sketch, style=DARK)
+    assert 'id="paper"' not in svg_of(sketch).text
+    text = svg_of(sketch, Options(style=DARK)).text
     (paper,) = ET.fromstring(text.encode()).iter(f"{SVG}rect")
     assert [float(paper.get(key)) for key in ("x", "y", "width", "height")] == view_box(text)
     assert paper.get("fill") == "#15181c"
@@ -169,14 +170,14 @@ def test_paper_covers_the_view_box(sketch):
 @pytest.mark.parametrize("scale", [1e-28, 1e-9, 1.0, 1e11])
 def test_every_size_in_reach_is_drawn(scale):
     points = (np.random.default_rng(3).normal(size=(5, 2)) * scale).tolist()
-    text = svg_of(Document((make_curve(points),)))
+    text = svg_of(Document((make_curve(points),))).text
     assert np.abs(paths(text)[0]).max() < 100 * scale
     assert "nan" not in text
 
 
 def refusal(document, **keywords):
     with pytest.raises(ExchangeError) as caught:
-        svg_of(document, **keywords)
+        svg_of(document, Options(**keywords))
     return str(caught.value)
 
 
@@ -204,6 +205,6 @@ def test_the_tolerance_is_positive(sketch, tolerance):
 
 def test_a_tolerance_out_of_reach_is_said():
     points = np.random.default_rng(5).normal(size=(30, 2)).tolist()
-    text = svg_of(Document((make_curve(points),)), tolerance=1e-17)
+    text = svg_of(Document((make_curve(points),)), Options(tolerance=1e-17)).text
     assert "which was out of reach" in text
     assert stated(text)[0] > 1e-17

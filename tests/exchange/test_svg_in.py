@@ -13,6 +13,7 @@ from app.document.model import Document, Node, make_curve
 from app.exchange.arcs import arc
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
+from app.exchange.options import Options
 from app.exchange.svg.reader import _Reader, read_svg
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
@@ -197,7 +198,7 @@ def test_cairo_writes_colours_in_percent():
 
 def test_our_own_file_comes_back_within_the_stated_deviation(kind):
     (curve,) = kind.curves
-    result = read_svg(svg_of(kind, tolerance=1e-4, points=True, style=DARK).encode())
+    result = read_svg(svg_of(kind, Options(tolerance=1e-4, points=True, style=DARK)).data)
     (back,) = result.document.curves
     core, copy = view_of(curve).curve, view_of(back).curve
     path = cubic_path(core, 1e-4)
@@ -211,10 +212,10 @@ def test_our_own_file_comes_back_within_the_stated_deviation(kind):
 
 def test_smooth_joints_of_our_own_file_stay_smooth():
     curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 4), (9, 0)], family=HERMITE)
-    result = read_svg(svg_of(Document((curve,))).encode())
+    result = read_svg(svg_of(Document((curve,))).data)
     assert not any(node.corner for node in result.document.curves[0].nodes)
     ring = msgspec.structs.replace(curve, closed=True)
-    (back,) = read_svg(svg_of(Document((ring,))).encode()).document.curves
+    (back,) = read_svg(svg_of(Document((ring,))).data).document.curves
     core = view_of(ring).curve
     assert back.closed
     assert core.parameters.size == len(back.nodes) + 1
@@ -224,7 +225,7 @@ def test_smooth_joints_of_our_own_file_stay_smooth():
 def test_a_corner_of_our_own_file_stays_the_only_one():
     nodes = [Node(0.0, 0.0), Node(1.0, 2.0), Node(2.0, 0.0, corner=True), Node(3.0, 3.0), Node(4.0, 0.0)]
     curve = msgspec.structs.replace(make_curve([(0, 0)], family=HERMITE), nodes=tuple(nodes))
-    (back,) = read_svg(svg_of(Document((curve,))).encode()).document.curves
+    (back,) = read_svg(svg_of(Document((curve,))).data).document.curves
     assert [node.corner for node in back.nodes] == [False, False, True, False, False]
 
 

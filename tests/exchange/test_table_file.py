@@ -9,8 +9,9 @@ import pytest
 from app.document.model import Document, Node, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.samples import sampled_table
+from app.exchange.options import Options
 from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.curves import document_of_table
+from app.exchange.table.curves import TableOptions, document_of_table
 from app.exchange.table.layout import Layout
 from app.exchange.table.text import preview_table, read_table
 from app.exchange.table.thinning import thinned
@@ -118,7 +119,9 @@ def test_the_preview_shows_what_is_there_and_a_first_guess():
 
 def test_the_person_maps_the_columns():
     table = read_table(b"5,1,2,7\n6,3,4,8\n")
-    document = document_of_table(table, ColumnMapping(x=1, y=0, t=3), family=LAGRANGE, name="mine").document
+    document = document_of_table(
+        table, ColumnMapping(x=1, y=0, t=3), TableOptions(family=LAGRANGE, name="mine")
+    ).document
     curve = document.curves[0]
     assert (curve.name, curve.family) == ("mine", LAGRANGE)
     assert [(n.x, n.y, n.t) for n in curve.nodes] == [(1, 5, 7), (3, 6, 8)]
@@ -129,9 +132,11 @@ def test_the_person_maps_the_columns():
 def test_our_own_table_gives_the_quintic_back():
     curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=QUINTIC_HERMITE)
     core = view_of(curve).curve
-    written = sampled_table(Document((curve,)), samples=60)
+    written = sampled_table(Document((curve,)), Options(own={"samples": 60}))
     # Curvature and length are not roles; the rest is.
-    document = document_of_table(read_table(written.text.encode()), family=curve.family).document
+    document = document_of_table(
+        read_table(written.text.encode()), options=TableOptions(family=curve.family)
+    ).document
     back = view_of(document.curves[0]).curve
     t = np.linspace(*core.domain, 500)
     assert np.abs(back.evaluate(t) - core.evaluate(t)).max() < 1e-3
@@ -142,7 +147,7 @@ def test_empty_cells_matter_only_where_they_are_used():
     curve = make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE)
     first = Node(0.0, 0.0, velocity=(0.0, 0.0))
     curve = msgspec.structs.replace(curve, nodes=(first, *curve.nodes[1:]))
-    text = sampled_table(Document((curve,)), samples=9).text
+    text = sampled_table(Document((curve,)), Options(own={"samples": 9})).text
     table = read_table(text.encode())
     assert np.isnan(table.values[0, 7])
     assert np.isfinite(np.delete(table.values, 7, axis=1)).all()
@@ -158,7 +163,7 @@ def test_a_thinned_table_stays_within_the_tolerance(tolerance):
     assert kept.deviation <= tolerance
     assert len(kept.rows) < 40 * tolerance**-0.25
     text = "\n".join(f"{x!r},{y!r}" for x, y in points.tolist())
-    made = document_of_table(read_table(text.encode()), thin=tolerance)
+    made = document_of_table(read_table(text.encode()), options=TableOptions(thin=tolerance))
     document, deviation = made.document, made.deviation
     core = view_of(document.curves[0]).curve
     length = np.append(0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
@@ -193,7 +198,7 @@ def test_very_many_rows_are_read_and_thinned_by_arrays():
 
     def work():
         read.append(read_table(data))
-        read.append(document_of_table(read[0], thin=1e-4))
+        read.append(document_of_table(read[0], options=TableOptions(thin=1e-4)))
 
     assert calls_of(work) < 2.2 * len(t)
     table, made = read

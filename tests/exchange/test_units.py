@@ -42,17 +42,19 @@ def millimetres_of_one(text):
 @pytest.mark.parametrize("unit", MILLIMETRES)
 def test_an_svg_has_true_size(unit):
     # Rounding of a quotient; 70 mm were 77.9 mm.
-    assert millimetres_of_one(svg_of(SEVENTY, unit=unit)) == pytest.approx([MILLIMETRES[unit]] * 2, rel=1e-12)
+    assert millimetres_of_one(svg_of(SEVENTY, Options(unit=unit)).text) == pytest.approx(
+        [MILLIMETRES[unit]] * 2, rel=1e-12
+    )
 
 
 def test_millimetres_are_called_so():
     frame = drawing_of(SEVENTY).frame
-    assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, unit="mm")
+    assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, Options(unit="mm")).text
 
 
 def test_a_width_that_is_asked_for_counts_and_seconds_are_no_length():
     for options in ({"unit": "mm", "width": 500}, {"unit": "s"}, {}):
-        root = ElementTree.fromstring(svg_of(SEVENTY, **options).encode())
+        root = ElementTree.fromstring(svg_of(SEVENTY, Options(**options)).data)
         assert root.get("width").isdigit()
 
 
@@ -175,7 +177,10 @@ def test_basis_functions_are_those_that_the_panel_shows():
     curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=HERMITE)
     document = Document((curve,))
     drawn = [
-        svg_of(document, extras=ExportChoice(".svg", {"basis": True}).options(0, with_estimates=shown).extras)
+        svg_of(
+            document,
+            Options(extras=ExportChoice(".svg", {"basis": True}).options(0, with_estimates=shown).extras),
+        ).text
         for shown in (False, True)
     ]
     lines = [ElementTree.fromstring(each.encode()).findall(".//*[@id='basis']//*[@d]") for each in drawn]

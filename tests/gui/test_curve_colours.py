@@ -46,7 +46,7 @@ def test_every_colour_is_seen_on_its_paper_and_is_the_same_in_a_file(theme, styl
     assert contrast(colour, theme.paper) >= 3.0  # was 1.56 for #1b5e20 in the dark
     if code and contrast(code, theme.paper) >= 3.0:
         assert colour.name() == code
-    text = svg_of(Document((coloured(code),)), style=style, points=True)
+    text = svg_of(Document((coloured(code),)), Options(style=style, points=True)).text
     assert style.paper == theme.paper.name()
     path, group = (re.search(f'<{tag} [^>]*stroke="([^"]*)"', text) for tag in ("path", "g"))
     drawn = path or group
@@ -73,7 +73,7 @@ def test_any_colour_keeps_its_hue_and_is_moved_no_further_than_it_must():
 
 
 def test_without_paper_a_file_has_the_colours_that_were_chosen():
-    assert 'stroke="#f0e442"' in svg_of(Document((coloured("#f0e442"),)), style=INK)
+    assert 'stroke="#f0e442"' in svg_of(Document((coloured("#f0e442"),)), Options(style=INK)).text
     assert adjustment_of(None, "#f0e442") == ""
 
 

@@ -41,12 +41,12 @@ FASTEST = 50
 """Frames a second; players show a GIF with shorter frames slowly."""
 
 _LOOK_S = 0.1
-"""How often to ask, in seconds, whether anybody still waits for a program that does nothing."""
+"""Seconds between two questions whether anybody still waits for a program that does nothing."""
 
 
 @dataclass(frozen=True)
 class Film:
-    """What to show, how large and how long.
+    """Content, size and length of a film.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class Film:
 
     @property
     def frames(self) -> int:
-        """How many frames there are, at least two."""
+        """Number of frames, at least two."""
         return max(2, round(self.fps * self.seconds))
 
     def courses(self, document: Document) -> dict[Role, Course]:

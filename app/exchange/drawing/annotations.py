@@ -1,4 +1,4 @@
-"""What a picture can show beside the curves: a grid, the handles, the basis functions."""
+"""Annotations of a picture beside the curves: a grid, the handles, the basis functions."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document
-from app.exchange.drawing.drawing import MARGIN, Annotation, Drawing, Floats, Frame, frame_with
+from app.exchange.drawing.drawing import MARGIN, Annotation, Drawing, Frame, frame_with
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Extras
 from app.view_model.basis_view import BasisView, basis_view
@@ -16,6 +16,7 @@ from app.view_model.cardinal_view import cardinal_view
 from app.view_model.curve_view import view_of
 from app.view_model.handles import Handle, handles_of
 from app.view_model.palette import point_palette
+from curvecore.arrays import FloatArray
 
 PANEL = 0.4
 """Height of the basis functions' panel against the picture's longer side."""
@@ -124,7 +125,7 @@ def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Annot
     start, end = view.curve.domain
     room = MARGIN * panel.width
 
-    def placed(t: Floats, values: Floats) -> Floats:
+    def placed(t: FloatArray, values: FloatArray) -> FloatArray:
         share = (np.clip(values, low, high) - low) / (high - low)
         x = panel.left + room + (t - start) / (end - start) * (panel.width - 2 * room)
         return np.column_stack([x, panel.bottom + (0.05 + 0.9 * share) * panel.height])

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document
@@ -16,9 +15,8 @@ from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError
+from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
-
-Floats = npt.NDArray[np.float64]
 
 RELATIVE_TOLERANCE = 1e-5
 """Default tolerance against the drawing's larger side: a fiftieth of a pixel on a screen of 2000."""
@@ -79,8 +77,8 @@ class Outline(msgspec.Struct, frozen=True):
     """
 
     name: str
-    control_points: Floats
-    nodes: Floats
+    control_points: FloatArray
+    nodes: FloatArray
     deviation: float
     colour: str = ""
     closed: bool = False
@@ -108,7 +106,7 @@ class Annotation(msgspec.Struct, frozen=True):
     """
 
     name: str
-    lines: tuple[Floats, ...]
+    lines: tuple[FloatArray, ...]
     width: float
     opacity: float = 1.0
     colour: str = ""
@@ -153,7 +151,7 @@ class Drawing(msgspec.Struct, frozen=True):
         corner = np.array([self.frame.left, self.frame.bottom])
         room = np.array([width - scale * self.frame.width, height - scale * self.frame.height])
 
-        def moved(points: Floats) -> Floats:
+        def moved(points: FloatArray) -> FloatArray:
             return np.asarray((points - corner) * scale + room / 2)
 
         outlines = tuple(
@@ -207,7 +205,7 @@ def drawing_of(document: Document, tolerance: float | None = None, report: Repor
     return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
 
 
-def frame_with(outlines: Iterable[Outline], points: Floats | None = None) -> Frame:
+def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) -> Frame:
     """Return the frame that shows curves with their points, and other points (n, 2).
 
     Raises
@@ -222,7 +220,7 @@ def frame_with(outlines: Iterable[Outline], points: Floats | None = None) -> Fra
 def too_much(curve: Curve) -> str:
     """Return why a curve cannot be computed in any sensible time, as a sentence; empty if it can."""
     if curve.family.is_one_polynomial and len(curve.nodes) > MOST_POINTS:
-        return f"A {curve.family.title} curve can have {MOST_POINTS} points, not {len(curve.nodes)}."
+        return f"{curve.family.subject} can have {MOST_POINTS} points, not {len(curve.nodes)}."
     return ""
 
 
@@ -241,7 +239,7 @@ def sort_out(curves: Iterable[Curve]) -> tuple[list[CurveView], list[str]]:
     return drawable, remarks
 
 
-def _samples(curve: Curve, core: CoreCurve) -> Floats:
+def _samples(curve: Curve, core: CoreCurve) -> FloatArray:
     """Return points all along the curve, enough to know its size."""
     parameters = np.union1d(np.linspace(*core.domain, _SAMPLES), core.parameters)
     samples = core.evaluate(parameters)
@@ -249,7 +247,7 @@ def _samples(curve: Curve, core: CoreCurve) -> Floats:
     return samples
 
 
-def refuse_wild(curve: Curve, samples: Floats) -> None:
+def refuse_wild(curve: Curve, samples: FloatArray) -> None:
     """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
     if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
         raise ExchangeError(
@@ -269,7 +267,7 @@ def _outline(curve: Curve, core: CoreCurve, tolerance: float) -> Outline:
     )
 
 
-def extent_of(control_points: Floats) -> Floats:
+def extent_of(control_points: FloatArray) -> FloatArray:
     """Return the lower left and the upper right corner, (2, 2), of cubic Bézier pieces (k, 4, 2).
 
     Exact up to rounding: the extremes lie at the ends of the pieces and where a coordinate's derivative,
@@ -282,7 +280,7 @@ def extent_of(control_points: Floats) -> Floats:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-def _turning_points(pieces: Floats) -> Floats:
+def _turning_points(pieces: FloatArray) -> FloatArray:
     """Return where in [0, 1] the cubics (k, 4) turn, (k, 2); zero stands for "nowhere".
 
     The roots of a s² − 2 b s + c are taken as c / q and q / a with q = b ± √(b² − a c), the sign chosen
@@ -297,7 +295,7 @@ def _turning_points(pieces: Floats) -> Floats:
     return np.where(inside, roots, 0.0)
 
 
-def _cubic_values(pieces: Floats, s: Floats) -> Floats:
+def _cubic_values(pieces: FloatArray, s: FloatArray) -> FloatArray:
     """Return the values (k, m) of the cubics (k, 4) at s (k, m), by de Casteljau's scheme."""
     level = [pieces[:, [i]] for i in range(4)]
     while len(level) > 1:
@@ -305,7 +303,7 @@ def _cubic_values(pieces: Floats, s: Floats) -> Floats:
     return level[0]
 
 
-def frame_around(parts: list[Floats]) -> Frame:
+def frame_around(parts: list[FloatArray]) -> Frame:
     """Return the frame that shows all points, with a margin and not too slim.
 
     Raises

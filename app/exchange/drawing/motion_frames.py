@@ -14,17 +14,17 @@ from app.exchange.drawing.animation import Film
 from app.exchange.drawing.drawing import Drawing, Frame, drawing_of
 from app.exchange.drawing.image import paint_drawing
 from app.view_model.arrow import arrow_segments
-from app.view_model.curve_view import Floats
 from app.view_model.motion import round_of
 from app.view_model.motion_picture import COLOURS, RADII, TRAIL, Dot, Role, colour_of, dots_at, scales_of
 from app.view_model.motion_settings import Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
+from curvecore.arrays import FloatArray
 
 _NOMINAL = 640.0
 """Longer side of a picture in which dots and lines have their nominal sizes."""
 
 _REACH = 0.5
-"""How far the frame may grow for the sake of arrows, against its longer side."""
+"""Largest growth of the frame for the sake of arrows, against its longer side."""
 
 _LOOKED_AT = 100
 """Frames in which the arrows are looked at to find the room they need."""
@@ -99,7 +99,7 @@ class FrameMaker:
         accent = ACCENT[self._film.style.theme]
         return QColor(colour_on(self._paper, COLOURS[role]) if role in COLOURS else accent)
 
-    def _pixels(self, points: Floats) -> Floats:
+    def _pixels(self, points: FloatArray) -> FloatArray:
         frame = self._frame
         with np.errstate(all="ignore"):
             shares = (points - (frame.left, frame.bottom)) / (frame.width, frame.height)
@@ -129,7 +129,7 @@ class FrameMaker:
         painter.drawEllipse(QPointF(*place), radius, radius)
 
 
-def _times(film: Film, duration: float) -> Floats:
+def _times(film: Film, duration: float) -> FloatArray:
     """Return when the frames are, in seconds of the motion; the last and the first are one step apart."""
     if film.repeat is Repeat.ONCE:
         return np.linspace(0.0, duration, film.frames)

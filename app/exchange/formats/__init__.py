@@ -30,7 +30,7 @@ DOCUMENT_ENDING = ".curve.json"
 
 @dataclass(frozen=True)
 class Written:
-    """What was written.
+    """Result of a writer.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Written:
 
 
 class Kind(Enum):
-    """How what is read becomes curves."""
+    """Way in which a file that is read becomes curves."""
 
     DOCUMENT = auto()
     DRAWING = auto()
@@ -168,7 +168,7 @@ FORMATS = Registry()
 
 
 class HasEndings(Protocol):
-    """What files are known by the endings of their names."""
+    """Kind of files that is known by the endings of their names."""
 
     @property
     def endings(self) -> tuple[str, ...]:

@@ -13,13 +13,14 @@ import numpy as np
 
 from app.document.model import Document
 from app.exchange import code_runtime
-from app.exchange.drawing.drawing import Floats
 from app.exchange.formats import Format, Written
 from app.exchange.naming import Names
+from app.exchange.options import DEFAULT, Options
 from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of
-from app.tasks.progress import Report, part, silent, told
+from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
 from curvecore import bezier_segments
+from curvecore.arrays import FloatArray
 
 _TAKEN = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
 
@@ -29,10 +30,10 @@ _RUNTIME: tuple[Callable[..., Any], ...] = (
     code_runtime.hermite,
     code_runtime.evaluate,
 )
-_evaluate: Callable[..., Floats] = code_runtime.evaluate
+_evaluate: Callable[..., FloatArray] = code_runtime.evaluate
 
 
-def python_code(document: Document, report: Report = silent) -> Written:
+def python_code(document: Document, options: Options = DEFAULT) -> Written:
     """Return a module of Python, with NumPy alone, that has a function of t for every curve.
 
     Its values are those of the curves but for rounding: about 1e-15 of the size, more where the sum of
@@ -43,24 +44,24 @@ def python_code(document: Document, report: Report = silent) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     deviation = max(
         _python_deviation(piece) + source.polynomials.deviation
-        for source in told(sources, part(report, 0.3, 0.7), "Comparing")
+        for source in told(sources, part(options.report, 0.3, 0.7), "Comparing")
         for piece in source.polynomials.pieces
     )
     named = list(zip(names_of(sources), sources, strict=True))
     body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
     body += [
         f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
-        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
+        for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
     ]
     return Written(
         "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n", deviation, remarks
     )
 
 
-def scipy_code(document: Document, report: Report = silent) -> Written:
+def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
     """Return a module of Python that makes every curve an interpolator of SciPy, called with t.
 
     A Lagrange curve becomes a `BarycentricInterpolator`, whose error grows with the Lebesgue constant;
@@ -72,13 +73,13 @@ def scipy_code(document: Document, report: Report = silent) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
-    deviation = max(map(_scipy_deviation, told(sources, part(report, 0.3, 0.7), "Comparing")))
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
+    deviation = max(map(_scipy_deviation, told(sources, part(options.report, 0.3, 0.7), "Comparing")))
     imports = "import numpy as np\nfrom scipy import interpolate"
     named = list(zip(names_of(sources), sources, strict=True))
     body = [
         f"# {_title(source)}\n{_scipy_object(name, source)}"
-        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
+        for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
     ]
     return Written("\n\n".join([_head(deviation, remarks, imports), *body]) + "\n", deviation, remarks)
 
@@ -119,7 +120,7 @@ def _function(name: str, source: Source) -> str:
     return f"def {name}(t):\n    # {_title(source)}\n    return evaluate({name.upper()}, t)"
 
 
-def _array(values: Floats, indent: int) -> str:
+def _array(values: FloatArray, indent: int) -> str:
     """Return an array as code, one line for each of its rows; every float reads back as itself."""
     margin = " " * indent
     rows = "".join(f"{margin}    {row!r},\n" for row in values.tolist())
@@ -148,7 +149,7 @@ def _scipy_object(name: str, source: Source) -> str:
     )
 
 
-def _chained(source: Source) -> tuple[Floats, Floats]:
+def _chained(source: Source) -> tuple[FloatArray, FloatArray]:
     """Return the control points (k, degree + 1, 2) of all Hermite pieces, and their parameters (k + 1,)."""
     first, *others = source.polynomials.pieces
     controls = [bezier_segments(piece) for piece in (first, *others)]
@@ -171,7 +172,7 @@ def _bernstein_deviation(piece: CoreCurve) -> float:
     return measured(piece, lambda t: bezier_values(controls, parameters, t))
 
 
-def _barycentric(t: Floats, parameters: Floats, points: Floats) -> Floats:
+def _barycentric(t: FloatArray, parameters: FloatArray, points: FloatArray) -> FloatArray:
     """Return the second barycentric form, which SciPy uses (Berrut and Trefethen 2004, (4.2))."""
     differences = (parameters[:, None] - parameters) * (4.0 / (parameters[-1] - parameters[0]))
     np.fill_diagonal(differences, 1.0)
@@ -184,7 +185,7 @@ def _barycentric(t: Floats, parameters: Floats, points: Floats) -> Floats:
     return np.asarray(ratios @ points / ratios.sum(axis=1, keepdims=True))
 
 
-def _local_powers(t: Floats, piece: CoreCurve) -> Floats:
+def _local_powers(t: FloatArray, piece: CoreCurve) -> FloatArray:
     """Return the curve by powers of t - t_i, as `CubicHermiteSpline` computes it."""
     x, y, v = piece.parameters, piece.points, piece.jets[:, 1]
     h = np.diff(x)[:, None]
@@ -202,13 +203,13 @@ FORMATS = (
         title="Python with NumPy",
         description="A program that computes the curves; it needs NumPy alone.",
         place=80,
-        write=lambda document, options: python_code(document, options.report),
+        write=python_code,
     ),
     Format(
         endings=(".scipy.py",),
         title="Python with SciPy",
         description="The curves as objects of scipy.interpolate.",
         place=90,
-        write=lambda document, options: scipy_code(document, options.report),
+        write=scipy_code,
     ),
 )

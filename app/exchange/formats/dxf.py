@@ -16,7 +16,7 @@ from app.document.model import Document
 from app.exchange.dxf_reader import CLOSED, PLANAR, WHITE, ezdxf_module, read_dxf
 from app.exchange.formats import Format, Kind, Written
 from app.exchange.naming import Names
-from app.exchange.options import POINTS, TOLERANCE, Check, Options
+from app.exchange.options import DEFAULT, POINTS, TOLERANCE, Check, Options
 from app.exchange.parts import (
     Beziers,
     Source,
@@ -28,7 +28,7 @@ from app.exchange.parts import (
     sources_of,
 )
 from app.exchange.units import dxf_code
-from app.tasks.progress import Report, part, silent, told
+from app.tasks.progress import Report, part, told
 from app.view_model.curve_view import CoreCurve
 
 if TYPE_CHECKING:
@@ -38,20 +38,21 @@ _NOT_IN_A_LAYER = re.compile(r'[<>/\\":;?*|=`,\x00-\x1f\x7f-\x9f]')
 _LONGEST_LAYER = 200
 
 
-def dxf_text(
-    document: Document,
-    tolerance: float | None = None,
-    *,
-    points: bool = False,
-    cubic: bool = False,
-    unit: str = "",
-    report: Report = silent,
-) -> Written:
+CUBIC = Check(
+    name="cubic",
+    title="No spline above degree 3",
+    tip="Cubic pieces within the tolerance: LibreCAD, for one, draws no spline of higher degree",
+    help="of a DXF: no spline above degree 3, for programs that draw none, such as LibreCAD",
+    default=False,
+)
+
+
+def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
     """Return the curves as DXF (R2010): one SPLINE each, on a layer of its own.
 
     Cubic and quintic Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
-    rounding, with their parameters as knots; others as cubics within the tolerance. With `cubic` all above
-    degree 3 are: some programs, LibreCAD among them, show nothing of a spline of higher degree. With `points`
+    rounding, with their parameters as knots; others as cubics within the tolerance. With `CUBIC` all above
+    degree 3 are: some programs, LibreCAD among them, show nothing of a spline of higher degree. With points
     the layer of each curve holds its points as well, as POINTs. The header names the `unit`.
 
     Raises
@@ -60,19 +61,21 @@ def dxf_text(
         If there is no curve to write, or ezdxf is not installed.
     """
     ezdxf = ezdxf_module()
-    sources, remarks = sources_of(document, part(report, 0.0, 0.2))
-    allowed = checked_tolerance(sources, tolerance)
-    drawing: Drawing = ezdxf.new("R2010", units=dxf_code(unit))
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.2))
+    allowed = checked_tolerance(sources, options.tolerance)
+    drawing: Drawing = ezdxf.new("R2010", units=dxf_code(options.unit))
     deviation = 0.0
     names = Names(drawing.layers)
-    for source in told(sources, part(report, 0.2, 0.6), "Writing"):
+    for source in told(sources, part(options.report, 0.2, 0.6), "Writing"):
         layer = _layer(drawing, source, names)
-        deviation = max(deviation, _add_spline(drawing, source, _pieces(source, allowed, cubic), layer))
-        for x, y in source.core.points[: len(source.curve.nodes)].tolist() if points else ():
+        deviation = max(
+            deviation, _add_spline(drawing, source, _pieces(source, allowed, options[CUBIC]), layer)
+        )
+        for x, y in source.core.points[: len(source.curve.nodes)].tolist() if options.points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
     comments = [accuracy(deviation), *map(one_line, remarks)]
     drawing.header.custom_vars.append("Accuracy", comments[0])
-    stream = _ToldStream(report)
+    stream = _ToldStream(options.report)
     drawing.write(stream)
     # 999 is the group of comments; they stand before everything else.
     head = "".join(f"999\n{comment}\n" for comment in comments)
@@ -129,25 +132,6 @@ def _layer(drawing: Drawing, source: Source, names: Names) -> str:
     return name
 
 
-def _write(document: Document, options: Options) -> Written:
-    return dxf_text(
-        document,
-        options.tolerance,
-        points=options.points,
-        cubic=options[CUBIC],
-        unit=options.unit,
-        report=options.report,
-    )
-
-
-CUBIC = Check(
-    name="cubic",
-    title="No spline above degree 3",
-    tip="Cubic pieces within the tolerance: LibreCAD, for one, draws no spline of higher degree",
-    help="of a DXF: no spline above degree 3, for programs that draw none, such as LibreCAD",
-    default=False,
-)
-
 FORMATS = (
     Format(
         endings=(".dxf",),
@@ -155,7 +139,7 @@ FORMATS = (
         description="SPLINE entities of the true degree with their knots, a layer for each curve.",
         place=40,
         options=(POINTS, TOLERANCE, CUBIC),
-        write=_write,
+        write=dxf_text,
         kind=Kind.DRAWING,
         plural="DXF drawings",
         read=read_dxf,

@@ -13,10 +13,10 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing.drawing import Floats, drawing_of
+from app.exchange.drawing.drawing import drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
-from app.exchange.options import TOLERANCE
+from app.exchange.options import DEFAULT, TOLERANCE, Options
 from app.exchange.parts import (
     beziers_of,
     checked_tolerance,
@@ -26,17 +26,16 @@ from app.exchange.parts import (
     sources_of,
 )
 from app.exchange.svg.writer import path_data
-from app.tasks.progress import Report, part, silent, told
+from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
 from curvecore import bezier_segments
+from curvecore.arrays import FloatArray
 
 MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
 
 
-def desmos_expressions(
-    document: Document, tolerance: float | None = None, report: Report = silent
-) -> Written:
+def desmos_expressions(document: Document, options: Options = DEFAULT) -> Written:
     r"""Return a list of expressions to paste into Desmos, one Bézier piece a line, t from 0 to 1.
 
     Lagrange curves beyond degree 10 become cubics within the tolerance.
@@ -46,19 +45,19 @@ def desmos_expressions(
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
-    allowed = checked_tolerance(sources, tolerance)
-    written = told(sources, part(report, 0.3, 0.6), "Writing")
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
+    allowed = checked_tolerance(sources, options.tolerance)
+    written = told(sources, part(options.report, 0.3, 0.6), "Writing")
     pieces = [beziers_of(piece, allowed) for source in written for piece in source.pieces]
     lines = [
         _desmos_line(controls)
-        for each in told(pieces, part(report, 0.6, 1.0), "Writing")
+        for each in told(pieces, part(options.report, 0.6, 1.0), "Writing")
         for controls in each.control_points
     ]
     return Written("\n".join(lines) + "\n", max(each.deviation for each in pieces), remarks)
 
 
-def _desmos_line(controls: Floats) -> str:
+def _desmos_line(controls: FloatArray) -> str:
     x, y = (_desmos_polynomial(column.tolist()) for column in controls.T)
     return rf"\left({x},{y}\right)"
 
@@ -83,7 +82,7 @@ def _desmos_number(value: float) -> str:
     return rf"\left({text}\right)" if value < 0 else text
 
 
-def svg_path_data(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
+def svg_path_data(document: Document, options: Options = DEFAULT) -> Written:
     """Return path data, the ``d`` of an SVG path, one path a paragraph; y points down there.
 
     Raises
@@ -91,12 +90,12 @@ def svg_path_data(document: Document, tolerance: float | None = None, report: Re
     ExchangeError
         If nothing can be drawn.
     """
-    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
-    paths = [path_data(each) for each in told(drawing.outlines, part(report, 0.7, 1.0), "Writing")]
+    drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
+    paths = [path_data(each) for each in told(drawing.outlines, part(options.report, 0.7, 1.0), "Writing")]
     return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.remarks)
 
 
-def coefficients_json(document: Document, report: Report = silent) -> Written:
+def coefficients_json(document: Document, options: Options = DEFAULT) -> Written:
     """Return the coefficients of every polynomial piece as JSON, lowest power of s first.
 
     On a segment from start to end, s = (t - start) / (end - start), and x = Σ x_k s^k. The coefficients
@@ -108,9 +107,9 @@ def coefficients_json(document: Document, report: Report = silent) -> Written:
     ExchangeError
         If there is no curve, or for a Lagrange curve of more than `MOST_COEFFICIENTS` points.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     curves, worst = [], 0.0
-    for source in told(sources, part(report, 0.3, 1.0), "Writing"):
+    for source in told(sources, part(options.report, 0.3, 1.0), "Writing"):
         segments = []
         for piece in source.polynomials.pieces:
             coefficients, ends = _coefficients(piece), piece.breaks
@@ -130,12 +129,12 @@ def coefficients_json(document: Document, report: Report = silent) -> Written:
     return Written(json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, remarks)
 
 
-def _segment(ends: Floats, index: int, rows: Floats) -> dict[str, Any]:
+def _segment(ends: FloatArray, index: int, rows: FloatArray) -> dict[str, Any]:
     x, y = rows.T.tolist()
     return {"start": float(ends[index]), "end": float(ends[index + 1]), "x": x, "y": y}
 
 
-def _coefficients(piece: CoreCurve) -> Floats:
+def _coefficients(piece: CoreCurve) -> FloatArray:
     """Return the coefficients (segments, degree + 1, 2)."""
     if not piece.is_one_polynomial:
         return _from_bernstein(bezier_segments(piece))
@@ -148,7 +147,7 @@ def _coefficients(piece: CoreCurve) -> Floats:
     return np.array([[_float(value) for value in column] for column in exact]).T[None]
 
 
-def _from_bernstein(controls: Floats) -> Floats:
+def _from_bernstein(controls: FloatArray) -> FloatArray:
     """Return the coefficients of Bézier pieces: binomials times the forward differences at s = 0."""
     degree = controls.shape[1] - 1
     rows = []
@@ -172,7 +171,7 @@ def _float(value: Fraction) -> float:
         return float("inf")
 
 
-def _horner(coefficients: Floats, ends: Floats, t: Floats) -> Floats:
+def _horner(coefficients: FloatArray, ends: FloatArray, t: FloatArray) -> FloatArray:
     i = np.clip(np.searchsorted(ends, t, side="right") - 1, 0, len(coefficients) - 1)
     s = ((t - ends[i]) / (ends[i + 1] - ends[i]))[:, None]
     result = coefficients[i, -1]
@@ -188,7 +187,7 @@ FORMATS = (
         description="Expressions to paste into Desmos, one a line.",
         place=130,
         options=(TOLERANCE,),
-        write=lambda document, options: desmos_expressions(document, options.tolerance, options.report),
+        write=desmos_expressions,
     ),
     Format(
         endings=(".path.txt",),
@@ -196,13 +195,13 @@ FORMATS = (
         description="The d attributes of SVG paths.",
         place=140,
         options=(TOLERANCE,),
-        write=lambda document, options: svg_path_data(document, options.tolerance, options.report),
+        write=svg_path_data,
     ),
     Format(
         endings=(".coefficients.json",),
         title="Polynomial coefficients",
         description="The coefficients of every polynomial piece, with the error that this form brings.",
         place=150,
-        write=lambda document, options: coefficients_json(document, options.report),
+        write=coefficients_json,
     ),
 )

@@ -8,10 +8,10 @@ from collections.abc import Callable
 import numpy as np
 
 from app.document.model import Document
-from app.exchange.drawing.drawing import Floats, Frame, Outline, drawing_of
+from app.exchange.drawing.drawing import Frame, Outline, drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
-from app.exchange.options import TOLERANCE, TRUE_SIZE
+from app.exchange.options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
 from app.exchange.parts import (
     Source,
     accuracy,
@@ -22,10 +22,11 @@ from app.exchange.parts import (
     sources_of,
 )
 from app.exchange.units import MILLIMETRES, known_unit, size_in_words
-from app.tasks.progress import Report, part, silent, told
+from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError
+from curvecore.arrays import FloatArray
 
 DIGITS = 6
 """Significant digits of the numbers in a formula, unless asked otherwise."""
@@ -47,7 +48,7 @@ _SPECIAL = {
 }
 
 
-def latex_formula(document: Document, digits: int = DIGITS, report: Report = silent) -> Written:
+def latex_formula(document: Document, options: Options = DEFAULT, digits: int = DIGITS) -> Written:
     """Return every curve as a formula in LaTeX with the numbers that go into it; needs amsmath.
 
     Lagrange curves are written in Lagrange's form, Hermite curves by the Bézier control points of their
@@ -58,20 +59,18 @@ def latex_formula(document: Document, digits: int = DIGITS, report: Report = sil
     ExchangeError
         If there is no curve, or if so few digits would make two parameters equal.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     deviation = max(
         _rounded_deviation(piece, digits) + source.polynomials.deviation
-        for source in told(sources, part(report, 0.3, 0.6), "Comparing")
+        for source in told(sources, part(options.report, 0.3, 0.6), "Comparing")
         for piece in source.polynomials.pieces
     )
     head = [accuracy(deviation), r"Needs \usepackage{amsmath}.", *map(one_line, remarks)]
-    parts = [_formula(each, digits) for each in told(sources, part(report, 0.6, 1.0), "Writing")]
+    parts = [_formula(each, digits) for each in told(sources, part(options.report, 0.6, 1.0), "Writing")]
     return Written("\n".join([*(f"% {line}" for line in head), *parts]) + "\n", deviation, remarks)
 
 
-def tikz_picture(
-    document: Document, tolerance: float | None = None, unit: str = "", report: Report = silent
-) -> Written:
+def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     r"""Return a ``tikzpicture`` of the curves as cubic Bézier curves; needs tikz.
 
     It is `PICTURE_SIDE` cm large; in a unit of length it has true size.
@@ -81,8 +80,8 @@ def tikz_picture(
     ExchangeError
         If nothing can be drawn, or if TeX counts no lengths as large or as small.
     """
-    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
-    frame, known = drawing.frame, known_unit(unit)
+    drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
+    frame, known = drawing.frame, known_unit(options.unit)
     scale = MILLIMETRES[known] / 10 if known else PICTURE_SIDE / frame.side
     if not _LEAST_SIDE <= frame.side * scale <= _LARGEST_SIDE:
         raise ExchangeError(
@@ -93,13 +92,13 @@ def tikz_picture(
     # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
     deviation = drawing.deviation + math.sqrt(0.5) * 10.0**-_PICTURE_DIGITS / scale
     lines = [f"  % One centimetre is {1 / scale:.6g} {known or 'of the document'}."]
-    for outline in told(fitted.outlines, part(report, 0.7, 1.0), "Writing"):
+    for outline in told(fitted.outlines, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(outline.name)}")
         lines.append(_path(outline, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))
     return _picture(lines, deviation, drawing.remarks, "tikz")
 
 
-def pgfplots_axis(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
+def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
     r"""Return a ``tikzpicture`` of an axis with the curves and their points; needs pgfplots.
 
     Coordinates are the document's own in full precision; pgfplots computes with about seven digits.
@@ -109,9 +108,9 @@ def pgfplots_axis(document: Document, tolerance: float | None = None, report: Re
     ExchangeError
         If nothing can be drawn.
     """
-    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
+    drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
-    for outline in told(drawing.outlines, part(report, 0.7, 1.0), "Writing"):
+    for outline in told(drawing.outlines, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"    % {one_line(outline.name)}")
         lines.append(_path(outline, _plain, "axis cs:", margin="    "))
         marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.nodes.tolist())
@@ -201,7 +200,7 @@ def _text(text: str) -> str:
     return "".join(_SPECIAL.get(each, each) for each in plain)
 
 
-def _rounded(values: Floats, digits: int) -> Floats:
+def _rounded(values: FloatArray, digits: int) -> FloatArray:
     return np.array([float(f"{value:.{digits}g}") for value in values.ravel().tolist()]).reshape(values.shape)
 
 
@@ -267,7 +266,7 @@ FORMATS = (
         title="LaTeX formula",
         description="The polynomials as a formula.",
         place=100,
-        write=lambda document, options: latex_formula(document, report=options.report),
+        write=latex_formula,
     ),
     Format(
         endings=(".tikz", ".tikz.tex"),
@@ -275,9 +274,7 @@ FORMATS = (
         description="Bézier curves for a TeX document.",
         place=110,
         options=(TRUE_SIZE, TOLERANCE),
-        write=lambda document, options: tikz_picture(
-            document, options.tolerance, options.unit, options.report
-        ),
+        write=tikz_picture,
     ),
     Format(
         endings=(".pgfplots.tex",),
@@ -285,6 +282,6 @@ FORMATS = (
         description="A plot with axes for a TeX document.",
         place=120,
         options=(TOLERANCE,),
-        write=lambda document, options: pgfplots_axis(document, options.tolerance, options.report),
+        write=pgfplots_axis,
     ),
 )

@@ -7,18 +7,20 @@ from math import isnan, nan
 from app.document.edits import interval
 from app.document.model import Document, Vector
 from app.exchange.formats import Format, Written
-from app.exchange.options import Options
+from app.exchange.options import DEFAULT, Options
 from app.exchange.parts import cell_of_name, distinct_names, sources_of
 from app.exchange.table.columns import AFTER, ROLES, WORDS
 from app.exchange.table.curves import CLOSED
-from app.tasks.progress import Report, part, silent, told
+from app.tasks.progress import part, told
 from app.view_model.curve_view import CurveView, view_of
 
 _NOTHING = (nan, nan)
 
 
-def points_table(document: Document, separator: str = ",", report: Report = silent) -> Written:
+def points_table(document: Document, options: Options = DEFAULT) -> Written:
     """Return the points of all visible curves, a row each; read back, they give curves of the same shape.
+
+    Tabs separate the cells of a file whose name ends in .tsv, commas those of any other.
 
     Derivatives are those in force, estimated ones too. The derivatives after a corner stand in columns of
     their own. The last row of a closed curve is its first point again, with the parameter at which it
@@ -29,11 +31,12 @@ def points_table(document: Document, separator: str = ",", report: Report = sile
     ExchangeError
         If there is no curve.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.5))
+    separator = "\t" if options.path.lower().endswith(".tsv") else ","
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
     titles = (*ROLES, *AFTER)
     rows = []
     named = list(zip(sources, distinct_names(sources), strict=True))
-    for source, name in told(named, part(report, 0.5, 1.0), "Writing"):
+    for source, name in told(named, part(options.report, 0.5, 1.0), "Writing"):
         curve = source.curve
         words = [cell_of_name(name, separator), (CLOSED if curve.is_closed else "") + curve.family.name]
         rows += [(words, row) for row in _rows(view_of(curve))]
@@ -72,17 +75,12 @@ def _cell(value: float) -> str:
     return "" if isnan(value) else repr(value + 0.0)
 
 
-def _write(document: Document, options: Options) -> Written:
-    separator = "\t" if options.path.lower().endswith(".tsv") else ","
-    return points_table(document, separator, options.report)
-
-
 FORMATS = (
     Format(
         endings=(".points.csv", ".points.tsv"),
         title="Table of points (CSV)",
         description="The points with their derivatives. Imported again, they give the same curves.",
         place=70,
-        write=_write,
+        write=points_table,
     ),
 )

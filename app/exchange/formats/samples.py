@@ -11,15 +11,15 @@ import numpy as np
 
 from app.document.model import Document
 from app.document.words import Named
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
-from app.exchange.options import TOLERANCE, OneOf, Option, Options, SomeOf, Whole
+from app.exchange.options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
 from app.exchange.parts import cell_of_name, checked_tolerance, distinct_names, sources_of
-from app.tasks.progress import Report, part, silent
+from app.tasks.progress import Report, part
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
 from curvecore import ArcLength, flatten_pieces
+from curvecore.arrays import FloatArray
 
 MOST_SAMPLES = 1_000_000
 
@@ -27,7 +27,7 @@ TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
 
 class Spacing(Named):
-    """How samples are spread along a curve."""
+    """Spacing of samples along a curve."""
 
     T = "t", "equal steps of t"
     LENGTH = "length", "equal arc lengths"
@@ -67,71 +67,52 @@ _LENGTH = TITLES.index("length")
 _LENGTH_ACCURACY = 1e-9
 
 
-def sampled_table(
-    document: Document,
-    *,
-    separator: str = ",",
-    samples: int = SAMPLES.default,
-    spacing: Spacing = Spacing.T,
-    tolerance: float | None = None,
-    columns: tuple[str, ...] = TITLES,
-    report: Report = silent,
-) -> Written:
+def sampled_table(document: Document, options: Options = DEFAULT, separator: str = ",") -> Written:
     """Return the curves as a table; with several, the first column is the curve's name.
 
-    Parameters
-    ----------
-    document
-        A document with at least one curve.
-    separator
-        Between the cells; numbers have a decimal point whatever the locale.
-    samples
-        How many for each curve, 2 to `MOST_SAMPLES`, by `Spacing.T` and `Spacing.LENGTH`.
-    spacing
-        Equal steps of t, of the arc length, or as many samples as a polyline within the tolerance needs.
-    tolerance
-        Largest deviation of that polyline, in the document's unit.
-    columns
-        Those of `TITLES` that are wanted.
-    report
-        Hears how far it has come.
-
-    Returns
-    -------
-    Written
-        Its deviation is that of the polyline through the samples.
+    There are equal steps of t, of the arc length, or as many samples as a polyline within the tolerance
+    needs, as `SPACING` says. Numbers have a decimal point whatever the locale. The deviation is that of the
+    polyline through the samples.
 
     Raises
     ------
     ExchangeError
         If there is no curve, or the number of samples is out of range.
     """
+    samples, report = options[SAMPLES], options.report
     if not 2 <= samples <= MOST_SAMPLES:
         raise ExchangeError(f"A table can have 2 to {MOST_SAMPLES} samples.")
     sources, remarks = sources_of(document, part(report, 0.0, 0.1))
-    allowed = checked_tolerance(sources, tolerance)
-    chosen, rest = _columns(columns), part(report, 0.1, 1.0)
+    allowed = checked_tolerance(sources, options.tolerance)
+    chosen, rest = _columns(options[COLUMNS]), part(report, 0.1, 1.0)
     named = len(sources) > 1
     titles = [TITLES[column] for column in chosen]
     lines, deviation = [separator.join(["curve", *titles] if named else titles)], 0.0
     for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
         away = part(rest, place / len(sources), (place + 1) / len(sources))
-        away(0.0, "Computing samples")
-        core = source.core
-        needed = spacing is Spacing.LENGTH or _LENGTH in chosen
-        lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
-        t, bound = _parameters_of(core, samples, spacing, allowed, lengths, part(away, 0.0, 0.5))
-        deviation = max(deviation, bound or 0.0)
         lead = cell_of_name(name, separator) + separator if named else ""
-        for rows, missed in _in_parts(core, t, lengths, bound is None, part(away, 0.5, 1.0)):
+        for rows, missed in _samples_of(source.core, options, allowed, _LENGTH in chosen, away):
             deviation = max(deviation, missed)
             lines += [lead + separator.join(map(_cell, row)) for row in rows[:, chosen].tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
 
 
+def _samples_of(
+    core: CoreCurve, options: Options, allowed: float, with_lengths: bool, report: Report
+) -> Iterator[tuple[FloatArray, float]]:
+    """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
+    report(0.0, "Computing samples")
+    needed = with_lengths or options[SPACING] is Spacing.LENGTH
+    lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
+    half = part(report, 0.0, 0.5)
+    t, bound = _parameters_of(core, options[SAMPLES], options[SPACING], allowed, lengths, half)
+    for rows, missed in _in_parts(core, t, lengths, bound is None, part(report, 0.5, 1.0)):
+        yield rows, max(missed, bound or 0.0)
+
+
 def _in_parts(
-    core: CoreCurve, t: Floats, lengths: ArcLength | None, is_measured: bool, report: Report
-) -> Iterator[tuple[Floats, float]]:
+    core: CoreCurve, t: FloatArray, lengths: ArcLength | None, is_measured: bool, report: Report
+) -> Iterator[tuple[FloatArray, float]]:
     """Yield the rows of a curve, some at a time, with the deviation of their polyline if it `is_measured`."""
     for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
         report(first / len(t), "Computing samples")
@@ -155,7 +136,7 @@ def _parameters_of(
     tolerance: float,
     lengths: ArcLength | None,
     report: Report,
-) -> tuple[Floats, float | None]:
+) -> tuple[FloatArray, float | None]:
     """Return the parameters to sample a curve at, both ends of its domain among them.
 
     The second value is a bound of the deviation of the polyline through the samples, None where that is
@@ -171,7 +152,7 @@ def _parameters_of(
     return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end), None
 
 
-def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
+def _rows_of(core: CoreCurve, t: FloatArray, lengths: ArcLength | None) -> FloatArray:
     """Return the columns of `TITLES` at parameters t (m,) as (m, 9); the curvature of a point at rest is NaN.
 
     Curvature is positive where the curve turns to the left; the length counts from the beginning of the
@@ -185,7 +166,7 @@ def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
     return np.column_stack([t, point, velocity, acceleration, curvature, length])
 
 
-def polyline_deviation(core: CoreCurve, t: Floats) -> float:
+def polyline_deviation(core: CoreCurve, t: FloatArray) -> float:
     """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
     Measured at seven parameters a chord and the joints between; an eighth of the second differences is
@@ -208,7 +189,7 @@ def polyline_deviation(core: CoreCurve, t: Floats) -> float:
     return float(distance.max())
 
 
-def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> Floats:
+def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:
     """Return parameters at equal arc lengths."""
     if not lengths.total.error < lengths.total.value < np.finfo(float).max:
         raise ExchangeError("The curve has no length to divide.")
@@ -224,18 +205,6 @@ def _cell(value: float) -> str:
     return "" if isnan(value) else repr(value + 0.0)
 
 
-def _write(document: Document, options: Options, separator: str) -> Written:
-    return sampled_table(
-        document,
-        separator=separator,
-        samples=options[SAMPLES],
-        spacing=options[SPACING],
-        tolerance=options.tolerance,
-        columns=options[COLUMNS],
-        report=options.report,
-    )
-
-
 def _hidden(values: Mapping[str, Any]) -> tuple[Option[Any]]:
     """Return the option that does not matter: the count where the tolerance says it, or else that."""
     return (SAMPLES if values[SPACING.name] is Spacing.TOLERANCE else TOLERANCE,)
@@ -249,7 +218,7 @@ FORMATS = tuple(
         place=50,
         options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
         hidden=_hidden,
-        write=partial(_write, separator=separator),
+        write=partial(sampled_table, separator=separator),
     )
     for ending, separator, words in ((".csv", ",", "commas"), (".tsv", "\t", "tabs"))
 )

@@ -6,27 +6,12 @@ from typing import TYPE_CHECKING
 
 from app.document.model import Document
 from app.exchange.cubics_in import Imported
-from app.exchange.formats import Format, Kind, Written
+from app.exchange.formats import Format, Kind
 from app.exchange.options import PICTURE, TOLERANCE, Options
-from app.exchange.svg.writer import picture_of, svg_text
-from app.tasks.progress import part
+from app.exchange.svg.writer import svg_of
 
 if TYPE_CHECKING:
     from app.exchange.drawing.image import PicturePreview
-
-
-def _write(document: Document, options: Options) -> Written:
-    style, report = options.vector_style, part(options.report, 0.0, 0.7)
-    drawing = picture_of(document, options.tolerance, options.extras, style, report)
-    text = svg_text(
-        drawing,
-        style=style,
-        points=options.points,
-        width=options.width,
-        unit=options.unit,
-        report=part(options.report, 0.7, 1.0),
-    )
-    return Written(text, drawing.deviation, drawing.remarks)
 
 
 def _preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
@@ -49,7 +34,7 @@ FORMATS = (
         description="Bézier curves, a path for each curve; cubic Hermite curves are exact.",
         place=20,
         options=(*PICTURE, TOLERANCE),
-        write=_write,
+        write=svg_of,
         preview=_preview,
         kind=Kind.DRAWING,
         plural="SVG drawings",

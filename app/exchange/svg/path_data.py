@@ -15,8 +15,8 @@ import numpy as np
 
 from app.exchange.arcs import arc_between
 from app.exchange.cubics_in import lines
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
+from curvecore.arrays import FloatArray
 
 _NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
@@ -39,18 +39,18 @@ class Subpath:
         How far the pieces of arcs are from them.
     """
 
-    start: Floats
-    pieces: list[Floats] = field(default_factory=list)
+    start: FloatArray
+    pieces: list[FloatArray] = field(default_factory=list)
     closed: bool = False
     deviation: float = 0.0
 
     @property
-    def end(self) -> Floats:
-        """Where the pen is."""
+    def end(self) -> FloatArray:
+        """The end of the last piece."""
         return np.asarray(self.pieces[-1][-1, 3]) if self.pieces else self.start
 
     @property
-    def controls(self) -> Floats:
+    def controls(self) -> FloatArray:
         """All pieces, (k, 4, 2)."""
         return np.concatenate(self.pieces) if self.pieces else np.empty((0, 4, 2))
 
@@ -229,5 +229,5 @@ class _Pen:
             self._is_open = False
 
 
-def _pair(point: complex) -> Floats:
+def _pair(point: complex) -> FloatArray:
     return np.array([point.real, point.imag])

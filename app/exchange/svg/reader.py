@@ -16,11 +16,11 @@ import numpy as np
 
 from app.exchange.arcs import arc
 from app.exchange.cubics_in import Imported, ImportedPath, imported, lines
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.svg.path_data import Subpath, read_path_data
 from app.exchange.svg.properties import AREAS, RULES, colour_of, lost_from, property_of, remark_on
 from app.exchange.svg.xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of
+from curvecore.arrays import FloatArray
 
 MAX_PATHS = 2_000
 
@@ -48,9 +48,9 @@ _OUR_MARK = "Largest deviation from the true curves"
 
 @dataclass(frozen=True, eq=False)
 class _State:
-    """What an element inherits: the matrix (2, 3) to the document's plane, and the style."""
+    """Inherited state of an element: the matrix (2, 3) to the document's plane, and the style."""
 
-    matrix: Floats
+    matrix: FloatArray
     stroke: str = "none"
     fill: str = "black"
     visible: bool = True
@@ -103,7 +103,7 @@ class _Reader:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What was left out."""
+        """Sentences on what was left out."""
         lost = [f"{what} is not read." for what in sorted(self._lost)]
         # What our own pictures look like is the program's choice, not the file's.
         style = "" if self._ours else remark_on(self._lost_style)
@@ -148,7 +148,7 @@ class _Reader:
         visibility = property_of(element, "visibility")
         return replace(state, visible=visibility == "visible") if visibility else state
 
-    def _transform(self, element: ET.Element, text: str) -> Floats:
+    def _transform(self, element: ET.Element, text: str) -> FloatArray:
         result, place = np.eye(2, 3), 0
         # Every call takes some of the text, and none of it is copied to see whether there is more.
         while not _REST.match(text, place):
@@ -159,7 +159,7 @@ class _Reader:
             place = match.end()
         return result
 
-    def _one_transform(self, element: ET.Element, name: str, arguments: str) -> Floats:
+    def _one_transform(self, element: ET.Element, name: str, arguments: str) -> FloatArray:
         try:
             values = [float(each) for each in re.split(r"[\s,]+", arguments.strip()) if each]
             if not np.isfinite(values).all():
@@ -306,7 +306,7 @@ def _has_area(subpath: Subpath) -> bool:
 # Matrices and names
 
 
-def _matrix(name: str, values: list[float]) -> Floats:
+def _matrix(name: str, values: list[float]) -> FloatArray:
     """Return a transform as a matrix (2, 3); KeyError or ValueError if it is none."""
     if len(values) not in _ARGUMENTS[name]:
         raise ValueError(name)
@@ -329,14 +329,14 @@ def _matrix(name: str, values: list[float]) -> Floats:
     return shear
 
 
-def _combined(outer: Floats, inner: Floats) -> Floats:
+def _combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
     with np.errstate(all="ignore"):
         result = outer[:, :2] @ inner
         result[:, 2] += outer[:, 2]
     return result
 
 
-def _moved(points: Floats, matrix: Floats) -> Floats:
+def _moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
     with np.errstate(all="ignore"):
         return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 from app import __version__
 from app.document.model import Document
 from app.exchange.drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
-from app.exchange.drawing.styles import INK, Style
+from app.exchange.drawing.styles import Style
+from app.exchange.formats import Written
+from app.exchange.options import DEFAULT, Options
 from app.exchange.units import css_length, known_unit
 from app.tasks.progress import Report, part, silent, told
 from app.view_model import palette
@@ -35,51 +37,30 @@ _NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 _ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
 
 
-def svg_of(
-    document: Document,
-    *,
-    tolerance: float | None = None,
-    style: Style = INK,
-    points: bool = False,
-    width: float | None = None,
-    extras: Extras | None = None,
-    unit: str = "",
-    report: Report = silent,
-) -> str:
+def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     """Return a document as SVG.
 
     Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
     curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as
-    the tolerance takes; the largest deviation stands in a comment and in the description.
-
-    Parameters
-    ----------
-    document
-        A document with at least one curve that can be drawn.
-    tolerance
-        Largest deviation allowed, in the document's unit; by default a hundred-thousandth of the
-        drawing's longer side.
-    style
-        Colours.
-    points
-        Whether to draw the points as discs, in a group of their own.
-    width
-        Nominal width in CSS pixels; by default the longer side is `NOMINAL_SIDE`.
-    extras
-        What else to draw, in groups of their own.
-    unit
-        What a length of one is, a name that `known_unit` knows: without a `width` the picture has true size.
-    report
-        Hears how far it has come.
+    the tolerance takes; the largest deviation stands in a comment and in the description. Points are
+    discs in a group of their own. Without a width the longer side is `NOMINAL_SIDE`.
 
     Raises
     ------
     ExchangeError
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
-    drawing = picture_of(document, tolerance, extras, style, part(report, 0.0, 0.7))
-    written = part(report, 0.7, 1.0)
-    return svg_text(drawing, style=style, points=points, width=width, unit=unit, report=written)
+    style, report = options.vector_style, part(options.report, 0.0, 0.7)
+    drawing = picture_of(document, options.tolerance, options.extras, style, report)
+    text = svg_text(
+        drawing,
+        style=style,
+        points=options.points,
+        width=options.width,
+        unit=options.unit,
+        report=part(options.report, 0.7, 1.0),
+    )
+    return Written(text, drawing.deviation, drawing.remarks)
 
 
 def picture_of(

@@ -1,4 +1,4 @@
-"""What the columns of a table are: numbers of a point, or words that say which curve it belongs to."""
+"""Roles of a table's columns: numbers of a point, or words that say which curve it belongs to."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from dataclasses import dataclass, fields
 from app.exchange.errors import ExchangeError
 
 ROLES = ("t", "x", "y", "vx", "vy", "ax", "ay")
-"""What a column of numbers can be, for every point."""
+"""Roles of columns of numbers, for every point."""
 
 AFTER = ("vx_after", "vy_after", "ax_after", "ay_after")
 """The derivatives after a corner; those of `ROLES` are the ones before it then."""
 
 WORDS = ("curve", "family")
-"""What a column of text can be: the name of the row's curve, and its family."""
+"""Roles of columns of text: the name of the row's curve, and its family."""
 
 UNITS = frozenset(
     (
@@ -61,7 +61,7 @@ _INDEX = re.compile(r"|index|unnamed: ?0|#|nr\.?|no\.?|row|id")
 
 @dataclass(frozen=True)
 class ColumnMapping:
-    """Which column is what, counted from 0; None where there is no such column."""
+    """The column of each role, counted from 0; None where there is none."""
 
     x: int
     y: int
@@ -85,7 +85,7 @@ class ColumnMapping:
 
 @dataclass(frozen=True)
 class Guess:
-    """What the columns of a table seem to be.
+    """Roles that the columns of a table seem to have.
 
     Attributes
     ----------

@@ -19,7 +19,6 @@ from app.document.model import (
 )
 from app.document.words import Named
 from app.exchange.cubics_in import Imported
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
 from app.exchange.table.layout import MissingNumber, RowProblem
@@ -28,6 +27,7 @@ from app.exchange.table.thinning import Thinning, thinned
 from app.families import FAMILIES, HERMITE, Family
 from app.storage.format import FormatError, validate
 from app.tasks.progress import Report, part, silent
+from curvecore.arrays import FloatArray
 
 MOST_CURVES = 1_000
 
@@ -40,7 +40,7 @@ CLOSED = "closed "
 
 
 class Missing(Named):
-    """What becomes of rows without a number for t, x or y."""
+    """Treatment of rows without a number for t, x or y."""
 
     REFUSE = "refuse", "Refuse them"
     SKIP = "skip", "Leave them out"
@@ -55,28 +55,12 @@ _PAIRS = {
 }
 
 
-def document_of_table(
-    table: Table,
-    mapping: ColumnMapping | None = None,
-    *,
-    family: Family = HERMITE,
-    name: str = "Table",
-    thin: float | None = None,
-    thinning: Thinning = Thinning.CURVE,
-    missing: Missing = Missing.REFUSE,
-    report: Report = silent,
-) -> Imported:
-    """Return the curves through the rows of a table, how far they are from them, and what there is to say.
+@dataclass(frozen=True)
+class TableOptions:
+    """Options of the curves through the rows of a table.
 
-    There is one curve, or one for each name in the column of names, and one for each block of rows. Where
-    there is no column of parameters, rows that repeat the point before become one point with it.
-
-    Parameters
+    Attributes
     ----------
-    table
-        At least two rows for each curve.
-    mapping
-        Which columns are what; by default a guess from the titles.
     family
         Of the curves, unless a column says it. Velocities or accelerations that the family does not have are
         left out; where a pair of cells is empty, they are estimated.
@@ -85,25 +69,43 @@ def document_of_table(
     thin
         None to take every row; otherwise the rows are thinned out, and the curves are cubic Hermite curves.
     thinning
-        What stays within that distance of every row.
+        The line that stays within that distance of every row.
     missing
         Whether rows without a number are refused, left out, or where a curve ends and the next begins.
-    report
-        Hears how far it has come.
+    """
+
+    family: Family = HERMITE
+    name: str = "Table"
+    thin: float | None = None
+    thinning: Thinning = Thinning.CURVE
+    missing: Missing = Missing.REFUSE
+
+
+def document_of_table(
+    table: Table,
+    mapping: ColumnMapping | None = None,
+    options: TableOptions | None = None,
+    *,
+    report: Report = silent,
+) -> Imported:
+    """Return the curves through the rows of a table, how far they are from them, and what there is to say.
+
+    There is one curve, or one for each name in the column of names, and one for each block of rows. Where
+    there is no column of parameters, rows that repeat the point before become one point with it. By default
+    the columns are guessed from their titles.
 
     Raises
     ------
     ExchangeError
         If the rows cannot be the points of a curve, with the row.
     """
+    options = options or TableOptions()
     chosen = mapping or guessed(table.titles)
     if chosen is None:
         raise ExchangeError("The table has one column only; a curve needs x and y.")
-    columns = chosen.columns((*ROLES, *AFTER))
-    for role, column in columns.items():
-        if not 0 <= column < table.values.shape[1]:
-            raise ExchangeError(f"There is no column {column + 1} for {role}.")
-    groups = _numbered(_without_missing(table, columns, _groups(table, chosen, name), missing))
+    columns = _columns_of(table, chosen)
+    all_groups = _groups(table, chosen, options.name)
+    groups = _numbered(_without_missing(table, columns, all_groups, options.missing))
     curves, deviation, repeats = [], 0.0, Repeats()
     for place, (title, rows) in enumerate(groups):
         own = _Rows(table, columns, rows)
@@ -113,14 +115,24 @@ def document_of_table(
             # Parameters by distance, which are the rule then, cannot tell these points apart.
             own = own.without(found)
         away = part(report, place / len(groups), (place + 1) / len(groups))
-        if thin is not None:
-            kept = thinned(own.points, own.t, thin, thinning, report=away)
+        if options.thin is None:
+            family, closed = _family_of(table, chosen, rows, options.family)
+            curves.append(_full_curve(title, own, family, closed, away))
+        else:
+            kept = thinned(own.points, own.t, options.thin, options.thinning, report=away)
             curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
             deviation = max(deviation, kept.deviation)
-        else:
-            curves.append(_full_curve(title, own, *_family_of(table, chosen, rows, family), away))
     said = repeats.said(are_kept="t" in columns)
     return Imported(_checked(curves), deviation, (said,) if said else ())
+
+
+def _columns_of(table: Table, mapping: ColumnMapping) -> dict[str, int]:
+    """Return the columns of numbers that a mapping names, by their roles."""
+    columns = mapping.columns((*ROLES, *AFTER))
+    for role, column in columns.items():
+        if not 0 <= column < table.values.shape[1]:
+            raise ExchangeError(f"There is no column {column + 1} for {role}.")
+    return columns
 
 
 def _groups(table: Table, mapping: ColumnMapping, name: str) -> list[Group]:
@@ -253,17 +265,17 @@ class _Rows:
         """Return the line of the file that holds a row."""
         return self.table.line_of(int(self.rows[row]))
 
-    def column(self, role: str) -> Floats:
+    def column(self, role: str) -> FloatArray:
         """Return the numbers of one column."""
         return np.asarray(self.table.values[self.rows, self.columns[role]])
 
     @property
-    def t(self) -> Floats | None:
+    def t(self) -> FloatArray | None:
         """The parameters; None where there is no column of them."""
         return self.column("t") if "t" in self.columns else None
 
     @property
-    def points(self) -> Floats:
+    def points(self) -> FloatArray:
         """The points, (n, 2)."""
         return np.column_stack([self.column("x"), self.column("y")])
 
@@ -330,13 +342,13 @@ def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
             yield Node(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
 
 
-def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: Floats) -> Curve:
+def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: FloatArray) -> Curve:
     points = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
     nodes = tuple(Node(x, y, t) for (x, y), t in points)
     return Curve(name, HERMITE, _rule(parameters), nodes)
 
 
-def _rule(t: Floats | None) -> Parametrization:
+def _rule(t: FloatArray | None) -> Parametrization:
     """Return the rule for parameters t, or chord length without."""
     if t is None:
         return Parametrization()

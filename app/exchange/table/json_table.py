@@ -10,11 +10,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.table.layout import RowProblem
 from app.exchange.table.table import Table, table_of
 from app.storage.format import not_json
+from curvecore.arrays import FloatArray
 
 MOST_BYTES = 32 * 2**20
 """Of a JSON file: as Python's own numbers it takes several times as much."""
@@ -104,7 +104,7 @@ def _records(content: list[dict[str, object]]) -> Table:
     )
 
 
-def _numbers(rows: Sequence[Sequence[object]]) -> Floats:
+def _numbers(rows: Sequence[Sequence[object]]) -> FloatArray:
     """Return rows of numbers, NaN for null, or say where something else is."""
     width = len(rows[0]) if rows else 0
     for number, row in enumerate(rows, start=1):

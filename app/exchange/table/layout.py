@@ -1,4 +1,4 @@
-"""How a text is divided into cells, and how to tell."""
+"""Division of a text into cells, and how it is found out."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from app.exchange.table.columns import UNITS, role_of
 
 
 class RowProblem(ExchangeError):  # noqa: N818 - the word for people
-    """What is wrong with a table, and where.
+    """Problem of a table, with its place.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ _MISSING = frozenset(("nan", "na", "n/a", "null", "none", "-", "--"))
 
 @dataclass(frozen=True)
 class Layout:
-    """How a text is divided into cells.
+    """Division of a text into cells.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Layout:
 
     @property
     def above(self) -> int:
-        """How many lines stand above the first row of numbers."""
+        """Number of lines above the first row of numbers."""
         return self.skipped + self.header + self.units
 
 

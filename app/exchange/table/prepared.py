@@ -1,4 +1,4 @@
-"""What becomes of a table under the person's choices: curves, or the row that keeps it from becoming any."""
+"""A table under the person's choices: its curves, or the row that keeps it from becoming any."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from app.document.model import Document
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.curves import Missing, document_of_table
+from app.exchange.table.curves import Missing, TableOptions, document_of_table
 from app.exchange.table.layout import Layout, MissingNumber, RowProblem
 from app.exchange.table.source import TableSource
 from app.exchange.table.table import Table
@@ -33,7 +33,7 @@ _MOST_DOUBLINGS = 16
 
 @dataclass(frozen=True)
 class TableChoice:
-    """How a table is to be read.
+    """The person's choices for a table.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class TableChoice:
 
 @dataclass(frozen=True)
 class Prepared:
-    """What became of it.
+    """Result of the choices for a table.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class Prepared:
 
     @property
     def points(self) -> int:
-        """How many points the curves have."""
+        """Number of points of the curves."""
         return sum(len(curve.nodes) for curve in self.document.curves) if self.document else 0
 
 
@@ -112,7 +112,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
             raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
         if choice.thinning is None and choice.family.is_one_polynomial and rows > MOST_LAGRANGE:
             raise ExchangeError(
-                f"A {choice.family.title} curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
+                f"{choice.family.subject} can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
                 f"{HERMITE.title}, or thin them out."
             )
         return _made(table, choice, part(report, 0.6, 1.0))
@@ -140,11 +140,13 @@ def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
             made = document_of_table(
                 table,
                 choice.mapping,
-                family=choice.family,
-                name=choice.name,
-                missing=choice.missing,
-                thin=tolerance or None,
-                thinning=choice.thinning or Thinning.CURVE,
+                TableOptions(
+                    family=choice.family,
+                    name=choice.name,
+                    missing=choice.missing,
+                    thin=tolerance or None,
+                    thinning=choice.thinning or Thinning.CURVE,
+                ),
                 report=report,
             )
         except TooManyLeftError:

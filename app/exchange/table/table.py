@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import ColumnMapping, Guess, guess
 from app.exchange.table.layout import Layout, RowProblem
+from curvecore.arrays import FloatArray
 
 MAX_COLUMNS = 64
 MAX_ROWS = 2_000_000
@@ -53,7 +53,7 @@ class Preview:
 
     @property
     def mapping(self) -> ColumnMapping | None:
-        """What the columns seem to be; None with fewer than two of numbers."""
+        """Roles that the columns seem to have; None with fewer than two of numbers."""
         return self.guess.mapping
 
     def certain_mapping(self) -> ColumnMapping:
@@ -105,7 +105,7 @@ class Table:
 
     layout: Layout
     titles: tuple[str, ...]
-    values: Floats
+    values: FloatArray
     first_row: int
     gaps: tuple[int, ...] = ()
     words: dict[int, list[str]] = field(default_factory=dict)
@@ -114,7 +114,7 @@ class Table:
 
     @property
     def words_on_blocks(self) -> str:
-        """How many curves the rows are divided into, as a sentence; empty for one."""
+        """Sentence on the number of curves that the rows are divided into; empty for one."""
         return f"The rows are divided into {len(self.blocks) + 1} curves." if self.blocks else ""
 
     def line_of(self, row: int) -> int:
@@ -128,7 +128,7 @@ class Table:
 
 
 def table_of(
-    values: Floats,
+    values: FloatArray,
     titles: tuple[str, ...],
     *,
     words: dict[int, list[str]] | None = None,

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, guess, role_of
 from app.exchange.table.layout import (
@@ -25,6 +24,7 @@ from app.exchange.table.layout import (
 from app.exchange.table.lines import first_lines, is_data, numbered_first_lines, parts_of, plain_utf_8
 from app.exchange.table.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 from app.tasks.progress import Report, silent
+from curvecore.arrays import FloatArray
 
 _FORMULA = ("=", "@")
 
@@ -254,7 +254,7 @@ def _blocks(breaks: list[int], count: int) -> tuple[int, ...]:
     return tuple(starts) if (sizes >= 2).all() else ()
 
 
-def _lednicer(values: Floats) -> int:
+def _lednicer(values: FloatArray) -> int:
     """Return the rows of an airfoil's upper side, where the first row counts those of both; else 0."""
     if values.shape[1] != 2 or len(values) < 5:
         return 0
@@ -262,7 +262,7 @@ def _lednicer(values: Floats) -> int:
     return int(upper) if min(upper, lower) >= 2 and upper + lower == len(values) - 1 and upper % 1 == 0 else 0
 
 
-def _fast(lines: list[str], layout: Layout, wanted: _Wanted, allows_missing: bool) -> Floats | None:
+def _fast(lines: list[str], layout: Layout, wanted: _Wanted, allows_missing: bool) -> FloatArray | None:
     """Return the numbers by NumPy's reader in C, or None if anything is unusual."""
     text = "\n".join(lines)
     if '"' in text or (layout.decimal_comma and "." in text):
@@ -295,7 +295,9 @@ def _is_even(lines: list[str], text: str, layout: Layout, width: int) -> bool:
     return all(line.count(layout.separator) == width - 1 for line in lines if is_data(line))
 
 
-def _careful(lines: list[str], first: int, layout: Layout, wanted: _Wanted, allows_missing: bool) -> Floats:
+def _careful(
+    lines: list[str], first: int, layout: Layout, wanted: _Wanted, allows_missing: bool
+) -> FloatArray:
     """Return the numbers row by row, or say where the first cell is that is none."""
     rows = []
     for number, line in enumerate(lines, start=first):

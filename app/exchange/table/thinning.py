@@ -9,10 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from app.document.words import Named
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.tasks.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities
+from curvecore.arrays import FloatArray
 
 MOST_KEPT = 20_000
 """Points beyond which a curve is hardly thinned out."""
@@ -27,7 +27,7 @@ class TooManyLeftError(ExchangeError):
 
 
 class Thinning(Named):
-    """What stays within the tolerance of every point."""
+    """Line that stays within the tolerance of every point."""
 
     CURVE = "curve", "Fit a curve within"
     POLYLINE = "polyline", "Keep corners within"
@@ -35,7 +35,7 @@ class Thinning(Named):
 
 @dataclass(frozen=True, eq=False)
 class Thinned:
-    """What is left of the points.
+    """Points that were kept.
 
     Attributes
     ----------
@@ -48,13 +48,13 @@ class Thinned:
     """
 
     rows: npt.NDArray[np.intp]
-    parameters: Floats
+    parameters: FloatArray
     deviation: float
 
 
 def thinned(
-    points: Floats,
-    parameters: Floats | None,
+    points: FloatArray,
+    parameters: FloatArray | None,
     tolerance: float,
     thinning: Thinning = Thinning.CURVE,
     *,
@@ -120,20 +120,20 @@ def _share(began: float, worst: float, tolerance: float) -> float:
     return math.log(began / worst) / math.log(began / tolerance)
 
 
-def _along(points: Floats) -> tuple[Floats, npt.NDArray[np.intp]]:
+def _along(points: FloatArray) -> tuple[FloatArray, npt.NDArray[np.intp]]:
     """Return the length of the polyline up to each distinct point, and which points those are."""
     length = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
     distinct = np.flatnonzero(np.append(True, np.diff(length) > 0))
     return length[distinct], distinct
 
 
-def _distances(points: Floats, t: Floats, kept: npt.NDArray[np.intp]) -> Floats:
+def _distances(points: FloatArray, t: FloatArray, kept: npt.NDArray[np.intp]) -> FloatArray:
     knots, at = points[kept], t[kept]
     curve = HermiteCurve(knots, natural_spline_velocities(knots, at), at)
     return np.asarray(np.hypot(*(curve.evaluate(t) - points).T))
 
 
-def _from_chords(points: Floats, kept: npt.NDArray[np.intp]) -> Floats:
+def _from_chords(points: FloatArray, kept: npt.NDArray[np.intp]) -> FloatArray:
     """Return the distance of every point from the chord of its segment."""
     segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))
     start, along = points[kept[:-1]][segment], np.diff(points[kept], axis=0)[segment]
@@ -144,7 +144,7 @@ def _from_chords(points: Floats, kept: npt.NDArray[np.intp]) -> Floats:
     return np.append(np.hypot(*(offset - share[:, None] * along).T), 0.0)
 
 
-def _farthest(distance: Floats, kept: npt.NDArray[np.intp], tolerance: float) -> npt.NDArray[np.intp]:
+def _farthest(distance: FloatArray, kept: npt.NDArray[np.intp], tolerance: float) -> npt.NDArray[np.intp]:
     """Return the farthest point of every segment that has one beyond the tolerance."""
     worst = np.maximum.reduceat(distance, kept[:-1])
     segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))

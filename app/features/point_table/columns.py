@@ -12,7 +12,6 @@ from itertools import pairwise
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document import edits
@@ -20,16 +19,15 @@ from app.document.edits import EditError
 from app.document.limits import not_after
 from app.document.model import Curve, Document, Vector
 from app.document.words import number
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
 from app.view_model.jets import explicit_sides
-
-Flags = npt.NDArray[np.bool_]
+from curvecore.arrays import BoolArray, FloatArray
 
 PARAMETER, POSITION = -1, 0
 """Orders of what is no derivative."""
 
 
-def _nothing_estimated(view: CurveView) -> Flags:
+def _nothing_estimated(view: CurveView) -> BoolArray:
     return np.zeros(len(view.source.nodes), dtype=bool)
 
 
@@ -67,10 +65,10 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
 
     name: str
     tip: str
-    get: Callable[[CurveView], Floats]
+    get: Callable[[CurveView], FloatArray]
     set: Callable[[Document, int, CurveView, int, float], Document] | None = None
     set_many: Callable[[Document, int, CurveView, Mapping[int, float]], Document] | None = None
-    is_estimated: Callable[[CurveView], Flags] = _nothing_estimated
+    is_estimated: Callable[[CurveView], BoolArray] = _nothing_estimated
     estimate: Callable[[Curve], str] | None = None
     after: Callable[[CurveView, int], float] | None = None
     order: int | None = None
@@ -121,7 +119,7 @@ def known_titles() -> set[str]:
 # The parameter
 
 
-def _parameters_shown(view: CurveView) -> Floats:
+def _parameters_shown(view: CurveView) -> FloatArray:
     count = len(view.source.nodes)
     if view.is_current and view.curve is not None:
         return np.array(view.parameters[:count])
@@ -190,7 +188,7 @@ def shows_ahead(view: CurveView, index: int) -> bool:
     return index == 0 and not view.source.is_closed and view.source.nodes[0].corner
 
 
-def _positions(component: int, view: CurveView) -> Floats:
+def _positions(component: int, view: CurveView) -> FloatArray:
     return np.array(view.points[:, component])
 
 
@@ -217,7 +215,7 @@ def _set_positions(
     return edits.set_nodes(document, curve, nodes)
 
 
-def _given(order: int, component: int, view: CurveView) -> Floats:
+def _given(order: int, component: int, view: CurveView) -> FloatArray:
     """Return what the person set, on the side that the table shows, (n,); NaN where nothing is set."""
     given = view.arrays.given[:, :, order - 1, component]
     shown = np.array(given[:, 0])
@@ -226,7 +224,7 @@ def _given(order: int, component: int, view: CurveView) -> Floats:
     return shown
 
 
-def _derivatives(order: int, component: int, view: CurveView) -> Floats:
+def _derivatives(order: int, component: int, view: CurveView) -> FloatArray:
     if not view.is_current:
         return _given(order, component, view)
     count = len(view.source.nodes)
@@ -238,7 +236,7 @@ def _derivatives(order: int, component: int, view: CurveView) -> Floats:
     return shown
 
 
-def _is_missing(order: int, view: CurveView) -> Flags:
+def _is_missing(order: int, view: CurveView) -> BoolArray:
     return np.isnan(_given(order, 0, view))
 
 

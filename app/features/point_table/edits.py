@@ -11,8 +11,9 @@ from app.document.edits import EditError
 from app.document.model import Document, Node
 from app.features.point_table.columns import PARAMETER, POSITION, Column, knot_parameters
 from app.view_model.appending import with_nodes_appended
-from app.view_model.curve_view import CurveView, Floats, appended_parameter, view_of
+from app.view_model.curve_view import CurveView, appended_parameter, view_of
 from app.view_model.jets import explicit_sides
+from curvecore.arrays import FloatArray
 
 
 def fill_cells(
@@ -27,7 +28,7 @@ def fill_cells(
 
 
 def paste_block(
-    document: Document, curve: int, view: CurveView, top: int, columns: Sequence[Column], block: Floats
+    document: Document, curve: int, view: CurveView, top: int, columns: Sequence[Column], block: FloatArray
 ) -> Document:
     """Put a block of numbers into the rows from `top` on; rows beyond the last point append points.
 
@@ -60,7 +61,7 @@ def paste_block(
     return document
 
 
-def _by_row(top: int, numbers: Floats) -> dict[int, float]:
+def _by_row(top: int, numbers: FloatArray) -> dict[int, float]:
     return dict(enumerate(numbers.tolist(), start=top))
 
 
@@ -73,7 +74,7 @@ def _refuse_incomplete_points(columns: Sequence[Column]) -> None:
             raise EditError(f"New points need both components; {column.name} stands alone.")
 
 
-def _new_node(columns: Sequence[Column], row: Floats) -> Node:
+def _new_node(columns: Sequence[Column], row: FloatArray) -> Node:
     data: dict[int, list[float]] = {}
     for column, value in zip(columns, row.tolist(), strict=True):
         data.setdefault(-1 if column.order is None else column.order, []).append(value)

@@ -32,7 +32,8 @@ from app.panels.number_text import (
 )
 from app.plotting.colours import colours_of
 from app.theme import LIGHT, Theme
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -43,7 +44,7 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 class TableValues(msgspec.Struct, frozen=True):
     """Values of the table: numbers (n, columns), NaN where there is none, and which are estimated."""
 
-    values: Floats
+    values: FloatArray
     estimated: np.ndarray
 
 

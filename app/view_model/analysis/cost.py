@@ -10,15 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from app.tasks.progress import Report, silent
 from app.view_model.analysis.laboratory import calculations
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
 from curvecore import operation_counts
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 MOST_POINTS = 1000
 """The chart ends here."""
@@ -51,7 +49,7 @@ class Cost:
     piecewise
         Operations that a Hermite curve's own small systems take; None for other curves.
     other
-        What the curve is called where it is made of no polynomials.
+        One of the family’s curves in words, where these are made of other functions.
     """
 
     count: int
@@ -73,9 +71,9 @@ class Cost:
 class CostChart:
     """Operations to the first point over the number of points: n, solving, basis form, (k,) each."""
 
-    n: Floats
-    solving: Floats
-    basis: Floats
+    n: FloatArray
+    solving: FloatArray
+    basis: FloatArray
 
 
 def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
@@ -101,7 +99,7 @@ def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
     twice = _counts(2 * len(t))
     doubled = (twice[0] / solving, twice[1] / basis)
     piecewise = small.setup if small is not None else None
-    other = "" if calculations(view) else family.title
+    other = "" if calculations(view) else family.a_curve
     return Cost(len(t), solving, basis, further, seconds, doubled, piecewise, other)
 
 
@@ -117,7 +115,7 @@ def _counts(count: int) -> tuple[int, int]:
     return solving.total(1), operation_counts(Calculation.LAGRANGE, count).total(1)
 
 
-def _solve(t: Floats, points: Floats, at: float) -> Floats:
+def _solve(t: FloatArray, points: FloatArray, at: float) -> FloatArray:
     """Solve for the coefficients and evaluate once."""
     with np.errstate(all="ignore"):
         try:
@@ -128,7 +126,7 @@ def _solve(t: Floats, points: Floats, at: float) -> Floats:
         return np.asarray(np.vander([at], len(t), increasing=True) @ coefficients)
 
 
-def _sum_basis(t: Floats, points: Floats, at: float) -> Floats:
+def _sum_basis(t: FloatArray, points: FloatArray, at: float) -> FloatArray:
     """Compute all L_i as products and add up."""
     with np.errstate(all="ignore"):
         below = t[:, None] - t

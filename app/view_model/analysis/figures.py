@@ -5,14 +5,10 @@ from __future__ import annotations
 import enum
 
 import msgspec
-import numpy as np
-import numpy.typing as npt
 
 from app.document.words import with_minus
 from app.view_model.line_styles import LineStyle
-
-Floats = npt.NDArray[np.float64]
-Flags = npt.NDArray[np.bool_]
+from curvecore.arrays import FloatArray
 
 
 class Shape(enum.Enum):
@@ -45,7 +41,7 @@ class Figure(msgspec.Struct, frozen=True, eq=False):
 
     style: LineStyle
     shape: Shape
-    points: Floats
+    points: FloatArray
     label: str = ""
 
 

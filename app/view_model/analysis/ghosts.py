@@ -13,7 +13,8 @@ from app.document.model import Curve, Document, ParametrizationKind
 from app.families import Family
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.scene import is_quick
-from app.view_model.curve_view import Box, CurveView, Floats, view_of
+from app.view_model.curve_view import Box, CurveView, view_of
+from curvecore.arrays import FloatArray
 
 
 def rules_text(curve: Curve) -> str:
@@ -54,12 +55,12 @@ class GhostView:
         """Whether there is something to draw beside the curve."""
         return self.view.is_current and not self.is_real and not self.waits
 
-    def line(self, tolerance: float, box: Box) -> Floats:
+    def line(self, tolerance: float, box: Box) -> FloatArray:
         """Return the variant as a polyline (k, 2), within `tolerance` unless samples must do."""
         return self._sampled if self.is_sketch else self.view.flattened(tolerance, box).points
 
     @cached_property
-    def _sampled(self) -> Floats:
+    def _sampled(self) -> FloatArray:
         curve = self.view.curve
         assert curve is not None
         knots = curve.parameters

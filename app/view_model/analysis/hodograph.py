@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.view_model.analysis.plot_lines import Floats
 from app.view_model.analysis.plot_samples import derivatives_of, samples_over
 from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 _SAMPLES = 600
 
@@ -28,9 +28,9 @@ class Hodograph:
     """
 
     order: int
-    t: Floats
-    points: Floats
-    knots: Floats
+    t: FloatArray
+    points: FloatArray
+    knots: FloatArray
 
     @property
     def reach(self) -> float:

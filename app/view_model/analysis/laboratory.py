@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 
 from app.tasks.progress import Report, silent
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
@@ -28,8 +27,7 @@ from curvecore import (
     round_data,
     rounded_decimals,
 )
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 SAMPLES = 240
 """About so many parameters t on the whole curve."""
@@ -68,8 +66,8 @@ class Outcome:
     """
 
     calculation: Calculation
-    pieces: tuple[Floats, ...]
-    errors: Floats
+    pieces: tuple[FloatArray, ...]
+    errors: FloatArray
     lost: float
     worst: tuple[float, float]
 
@@ -95,7 +93,7 @@ class Trial:
 
     view: CurveView
     settings: LaboratorySettings
-    t: Floats
+    t: FloatArray
     outcomes: tuple[Outcome, ...]
     condition: float | None
     note: str = ""
@@ -110,8 +108,8 @@ class ErrorLine:
     """The distance to the true curve over t, for one method: t (m,) and errors (m,), some may be infinite."""
 
     calculation: Calculation
-    t: Floats
-    errors: Floats
+    t: FloatArray
+    errors: FloatArray
 
 
 @dataclass(frozen=True)
@@ -155,7 +153,7 @@ def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = 
         return Refused(view.problem or "There is no curve yet.")
     if not calculations(view):
         return Refused(
-            f"The laboratory computes polynomials through the points; a {view.source.family.title} curve is "
+            f"The laboratory computes polynomials through the points; {view.source.family.a_curve} is "
             "made of other functions."
         )
     count = len(view.parameters)
@@ -176,7 +174,7 @@ def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Tri
     per_segment = max(3, SAMPLES // (count - 1))
     where = [_samples(piece.parameters, per_segment) for piece in view.pieces]
     truths = [trial.truth(t) for trial, t in zip(trials, where, strict=True)]
-    outcomes, computed = list[Outcome](), list[Floats]()
+    outcomes, computed = list[Outcome](), list[FloatArray]()
     for calculation in chosen:
         # From rounded data, with exact arithmetic, all methods come to the same.
         if settings.rounding is not Rounding.DATA or not outcomes:
@@ -227,14 +225,14 @@ class _Experiment:
         self._shifted_curve = piece.with_data(piece.jets, self._shifted)
         self._given_curve = piece.with_data(self._jets, self._parameters)
 
-    def truth(self, t: Floats) -> Floats:
+    def truth(self, t: FloatArray) -> FloatArray:
         """Return the points of the curve itself, (m, 2)."""
         at = t + self._settings.shift
         if self._jets.shape[1] > 1 or len(self._shifted) > _MOST_EXACT:
             return self._shifted_curve.evaluate(at)
         return exact_values(self._piece.points, self._shifted, at)
 
-    def values(self, t: Floats, calculation: Calculation, report: Report) -> Floats:
+    def values(self, t: FloatArray, calculation: Calculation, report: Report) -> FloatArray:
         """Return what a method computes, (m, 2)."""
         at, result = t + self._settings.shift, np.full((len(t), 2), np.nan)
         chunk = _CHUNK if len(self._parameters) <= MOST_POINTS else len(t)
@@ -270,7 +268,7 @@ class _Experiment:
     def _how(self, calculation: Calculation) -> tuple[Method, int]:
         return Method(calculation.value), self._settings.digits
 
-    def _derivatives(self) -> Iterator[Floats]:
+    def _derivatives(self) -> Iterator[FloatArray]:
         return (self._jets[:, order] for order in range(1, self._jets.shape[1]))
 
     def condition(self) -> float:
@@ -306,7 +304,7 @@ def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
     return f"The shift is too large: neighbouring t become the same number ({in_words(str(problem))})."
 
 
-def _samples(knots: Floats, per_segment: int) -> Floats:
+def _samples(knots: FloatArray, per_segment: int) -> FloatArray:
     """Return so many t for each segment, and the knots."""
     shares = np.arange(per_segment) / per_segment
     return np.append((knots[:-1, None] + np.diff(knots)[:, None] * shares).ravel(), knots[-1])
@@ -314,9 +312,9 @@ def _samples(knots: Floats, per_segment: int) -> Floats:
 
 def _outcome(
     calculation: Calculation,
-    computed: list[Floats],
-    truths: list[Floats],
-    where: list[Floats],
+    computed: list[FloatArray],
+    truths: list[FloatArray],
+    where: list[FloatArray],
     settings: LaboratorySettings,
 ) -> Outcome:
     found, truth, t = np.concatenate(computed), np.concatenate(truths), np.concatenate(where)
@@ -329,7 +327,7 @@ def _outcome(
     return Outcome(calculation, pieces, errors, lost, (float(errors[worst]), float(t[worst])))
 
 
-def _finite_runs(points: Floats) -> list[Floats]:
+def _finite_runs(points: FloatArray) -> list[FloatArray]:
     """Return the stretches of a polyline that are numbers, none of them too far away to be drawn."""
     good = np.asarray(np.isfinite(points).all(axis=1))
     ends = np.flatnonzero(np.diff(good)) + 1

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from app.view_model.analysis.plot_lines import Floats, PlotData, Scale
+from app.view_model.analysis.plot_lines import PlotData, Scale
 from app.view_model.analysis.records import Records
+from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
     from app.view_model.curve_view import CurveView
@@ -32,8 +33,8 @@ class Sampled(msgspec.Struct, frozen=True, eq=False):
     """
 
     view: CurveView
-    t: Floats
-    derivatives: dict[int, Floats]
+    t: FloatArray
+    derivatives: dict[int, FloatArray]
     lebesgue_constant: float = 1.0
 
 
@@ -66,7 +67,7 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     title: str
     symbol: str
     place: int
-    values: Callable[[Sampled], Floats]
+    values: Callable[[Sampled], FloatArray]
     icon: str = ""
     orders: tuple[int, ...] = ()
     scale: Scale = Scale.LINEAR

@@ -7,11 +7,9 @@ from collections.abc import Sequence
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
 from app.view_model.line_styles import USUAL_STYLE, LineStyle
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 
 class Scale(enum.Enum):
@@ -38,8 +36,8 @@ class PlotLine(msgspec.Struct, frozen=True, eq=False):
     """
 
     name: str
-    t: Floats
-    values: Floats
+    t: FloatArray
+    values: FloatArray
     style: LineStyle = USUAL_STYLE
 
     def value_at(self, t: float) -> float:
@@ -90,7 +88,7 @@ def plot_of(title: str, lines: Sequence[PlotLine], scale: Scale, symbol: str = "
     return PlotData(title, symbol, scale, tuple(lines), extent_of([each.values for each in lines], scale))
 
 
-def extent_of(values: Sequence[Floats], scale: Scale) -> tuple[float, float]:
+def extent_of(values: Sequence[FloatArray], scale: Scale) -> tuple[float, float]:
     """Return the least and the greatest value that can be shown on a scale; (1, 1) for none."""
     least, greatest = np.inf, -np.inf
     for each in values:

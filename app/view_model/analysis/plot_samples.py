@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from app.view_model.curve_view import CurveView
 from curvecore import lebesgue_function
-
-Floats = npt.NDArray[np.float64]
-Integers = npt.NDArray[np.intp]
+from curvecore.arrays import FloatArray, IntArray
 
 _MOST = 500
 """Samples of a polynomial, as many as the basis panel takes and some."""
@@ -35,10 +32,12 @@ _SAME = 1e-9
 class PlotSamples:
     """Ascending parameters (m,), and where stretches between joints begin, the first one left out."""
 
-    t: Floats
-    starts: Integers
+    t: FloatArray
+    starts: IntArray
 
-    def broken_at_jumps(self, values: Floats, all_values: Floats | None = None) -> tuple[Floats, Floats]:
+    def broken_at_jumps(
+        self, values: FloatArray, all_values: FloatArray | None = None
+    ) -> tuple[FloatArray, FloatArray]:
         """Return (t, values) with a NaN between the two sides of every jump.
 
         Of values that belong together, `all_values` (m, k), one that jumps breaks them all.
@@ -68,17 +67,17 @@ def samples_over(view: CurveView, t_range: tuple[float, float], columns: int) ->
     return _of_segments(np.clip(knots[first : last + 1], start, end), pixels, knots)
 
 
-def _of_polynomial(knots: Floats, start: float, end: float, columns: int) -> Floats:
+def _of_polynomial(knots: FloatArray, start: float, end: float, columns: int) -> FloatArray:
     """Crowd the samples at both ends, where a polynomial swings most; the knots, where Λ is 1, are some."""
     u = np.linspace(0.0, 1.0, min(max(columns, 2), _MOST))
     t = start + (end - start) * (0.5 * u + 0.5 * np.sin(0.5 * np.pi * u) ** 2)
     inside = knots[(knots > start) & (knots < end)]
     t = np.concatenate([t, inside]) if len(inside) < len(t) / 2 else t
-    result: Floats = np.unique(np.clip(t, start, end))
+    result: FloatArray = np.unique(np.clip(t, start, end))
     return result
 
 
-def _of_segments(cuts: Floats, pixels: float, knots: Floats) -> PlotSamples:
+def _of_segments(cuts: FloatArray, pixels: float, knots: FloatArray) -> PlotSamples:
     """Sample every segment between cuts in proportion to the pixels it takes, both of its ends included."""
     spacing = np.diff(cuts)
     counts = np.clip(np.ceil(spacing * pixels / _PIXELS_A_SAMPLE), _LEAST, _MOST_A_SEGMENT).astype(np.intp)
@@ -93,7 +92,7 @@ def _of_segments(cuts: Floats, pixels: float, knots: Floats) -> PlotSamples:
     return PlotSamples(t, first[1:-1].astype(np.intp))
 
 
-def derivatives_of(view: CurveView, t: Floats, orders: tuple[int, ...]) -> dict[int, Floats]:
+def derivatives_of(view: CurveView, t: FloatArray, orders: tuple[int, ...]) -> dict[int, FloatArray]:
     """Return derivatives (m, 2) of a current curve by their order."""
     assert view.curve is not None
     if not orders:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
 from app.view_model.curve_view import CurveView
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 MOST = 600
 """Samples of a whole curve; more are not told apart on a screen."""
@@ -22,10 +20,10 @@ _FEW, _LONG = 3, 200
 class Samples(msgspec.Struct, frozen=True, eq=False):
     """A piece of a curve without corners: parameters (m,), and c, c', c'' there, (m, 2) each."""
 
-    parameters: Floats
-    points: Floats
-    velocities: Floats
-    accelerations: Floats
+    parameters: FloatArray
+    points: FloatArray
+    velocities: FloatArray
+    accelerations: FloatArray
 
 
 def samples_of(view: CurveView) -> list[Samples]:
@@ -44,7 +42,7 @@ def samples_of(view: CurveView) -> list[Samples]:
     ]
 
 
-def _parameters(knots: Floats, count: int) -> Floats:
+def _parameters(knots: FloatArray, count: int) -> FloatArray:
     """Return `count` parameters in every segment, the last of one segment just before the knot."""
     shares = np.linspace(0.0, 1.0, count)
     t = knots[:-1, None] + np.diff(knots)[:, None] * shares
@@ -53,11 +51,11 @@ def _parameters(knots: Floats, count: int) -> Floats:
     return np.asarray(t.ravel())
 
 
-def unit_tangents(velocities: Floats) -> Floats:
+def unit_tangents(velocities: FloatArray) -> FloatArray:
     """Return vectors (m, 2) of length 1 in the same directions, zero for zero."""
     largest = np.abs(velocities).max(axis=1, keepdims=True)
     # Divided first, so that squares of huge velocities stay finite.
     scaled = velocities / np.where(largest > 0, largest, 1.0)
     length = np.hypot(scaled[:, 0], scaled[:, 1])
-    result: Floats = scaled / np.where(length > 0, length, 1.0)[:, None]
+    result: FloatArray = scaled / np.where(length > 0, length, 1.0)[:, None]
     return result

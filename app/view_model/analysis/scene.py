@@ -8,10 +8,10 @@ import msgspec
 import numpy as np
 
 from app.tasks.progress import Report, silent
-from app.view_model.analysis.figures import Floats
 from app.view_model.analysis.samples import Samples, samples_of
 from app.view_model.analysis.settings import AnalysisSettings, Setting
 from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 _QUICK = 64
 """Points of the longest polynomial whose derivatives are found within a frame."""
@@ -47,12 +47,12 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
         """The larger side of the box around the points."""
         return float(np.ptp(self.view.points, axis=0).max())
 
-    def at_scrub(self, order: int) -> Floats | None:
+    def at_scrub(self, order: int) -> FloatArray | None:
         """Return a derivative at the scrub line, None without a line or where it is not finite."""
         curve = self.view.curve
         if self.scrub is None or curve is None:
             return None
-        value: Floats = curve.evaluate(min(max(self.scrub, curve.domain[0]), curve.domain[1]), order)
+        value: FloatArray = curve.evaluate(min(max(self.scrub, curve.domain[0]), curve.domain[1]), order)
         return value if np.isfinite(value).all() else None
 
 
@@ -61,7 +61,7 @@ def is_quick(view: CurveView) -> bool:
     return view.curve is None or view.curve.is_local or len(view.parameters) <= _QUICK
 
 
-def usual_length(vectors: Floats, longest: float) -> float:
+def usual_length(vectors: FloatArray, longest: float) -> float:
     """Return the length that nine tenths of the vectors keep, or the longest if that is not far above.
 
     One endless vector, at a cusp for instance, shall not make all others invisible.

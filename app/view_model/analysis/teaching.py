@@ -8,8 +8,9 @@ import msgspec
 import numpy as np
 
 from app.view_model.analysis.wording import short
-from app.view_model.curve_view import CurveView, Floats
+from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
+from curvecore.arrays import FloatArray
 
 LARGE_LEBESGUE = 100.0
 """The Lebesgue constant above which two digits of the points' accuracy are gone."""
@@ -80,7 +81,7 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
     return found
 
 
-def _narrowest(parameters: Floats) -> tuple[int, float, float] | None:
+def _narrowest(parameters: FloatArray) -> tuple[int, float, float] | None:
     """Return the knot before the narrowest gap, its width and that of the wider one beside it, if narrow."""
     gaps = np.diff(parameters)
     if len(gaps) < 2:

@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from app.view_model.analysis.wording import short
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_at
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 MOST_PULLS = 6
 _COARSE, _FINE = 17, 65
@@ -98,7 +96,7 @@ def overshoot(view: CurveView, knot: int) -> tuple[float, float]:
     return float(away[farthest]), float(t[farthest])
 
 
-def _distances(places: Floats, start: Floats, end: Floats) -> Floats:
+def _distances(places: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     """Return the distances of places (…, 2) from segments whose ends are given."""
     along = end - start
     # Far out on a wild curve squares overflow; beyond this nobody compares distances.

@@ -14,13 +14,14 @@ import numpy as np
 
 import curvecore
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
-from app.view_model.analysis.figures import Figure, Flags, Floats, Shape, number
+from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
 from app.view_model.analysis.samples import Samples, unit_tangents
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.line_styles import LineStyle, Sign
 from app.view_model.parameter_slopes import parameter_moves
+from curvecore.arrays import BoolArray, FloatArray
 
 AREA = LineStyle("accent", 0.16, sign=Sign.AREA)
 
@@ -48,7 +49,7 @@ def _band(scene: Scene) -> Drawn:
         return [], "Not drawn: the smallest error of a point sends the curve beyond all numbers."
     most = _MOST if delta == 0.0 else _MOST // 2
     pieces = [_thinned(piece, most) for piece in scene.samples]
-    polygons: list[Floats] = []
+    polygons: list[FloatArray] = []
     best, best_t = 0.0, float(curve.domain[0])
     # Where no parameter errs, nothing follows one.
     follows = bool(delta) and scene.view.source.family.derivatives > 0
@@ -80,7 +81,7 @@ def _thinned(piece: Samples, most: int) -> Samples:
     return Samples(t[kept], piece.points[kept], piece.velocities[kept], piece.accelerations[kept])
 
 
-def _strip(piece: Samples, radii: Floats) -> list[Floats]:
+def _strip(piece: Samples, radii: FloatArray) -> list[FloatArray]:
     """Return polygons that cover the discs around the samples and what lies between them."""
     tangents = unit_tangents(piece.velocities)
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
@@ -95,15 +96,15 @@ def _strip(piece: Samples, radii: Floats) -> list[Floats]:
     return [*_ribbons(left, right, tangents), *_discs(piece.points[discs], radii[discs])]
 
 
-def _abrupt(behind: Floats, tangents: Floats) -> Flags:
+def _abrupt(behind: FloatArray, tangents: FloatArray) -> BoolArray:
     """Return where the outline turns so far that the disc itself is needed; the ends are among them."""
     jumps = np.abs(np.diff(behind)) > _JUMP
     jumps |= (tangents[1:] * tangents[:-1]).sum(axis=1) < _TURN
-    needed: Flags = np.append(True, jumps) | np.append(jumps, True)
+    needed: BoolArray = np.append(True, jumps) | np.append(jumps, True)
     return needed
 
 
-def _ribbons(left: Floats, right: Floats, tangents: Floats) -> list[Floats]:
+def _ribbons(left: FloatArray, right: FloatArray, tangents: FloatArray) -> list[FloatArray]:
     """Return the quadrilaterals between neighbouring cross-sections, joined where none is twisted.
 
     One that is twisted, in a bend sharper than the band is wide, would cancel the filling of others.
@@ -123,25 +124,25 @@ def _ribbons(left: Floats, right: Floats, tangents: Floats) -> list[Floats]:
     return polygons
 
 
-def _untwisted(cells: Floats) -> Floats:
+def _untwisted(cells: FloatArray) -> FloatArray:
     """Return quadrilaterals (k, 4, 2) with their corners in order around the middle."""
     away = cells - cells.mean(axis=1, keepdims=True)
     order = np.argsort(np.arctan2(away[:, :, 1], away[:, :, 0]), axis=1)
-    result: Floats = np.take_along_axis(cells, order[:, :, None], axis=1)
+    result: FloatArray = np.take_along_axis(cells, order[:, :, None], axis=1)
     return result
 
 
-def _discs(centres: Floats, radii: Floats) -> list[Floats]:
+def _discs(centres: FloatArray, radii: FloatArray) -> list[FloatArray]:
     angle = np.linspace(0.0, 2 * np.pi, _CORNERS, endpoint=False)
     rim = np.column_stack([np.cos(angle), np.sin(angle)])
     return [_closed(centre + radius * rim) for centre, radius in zip(centres, radii, strict=True)]
 
 
-def _closed(polygon: Floats) -> Floats:
+def _closed(polygon: FloatArray) -> FloatArray:
     return np.vstack([polygon, np.full((1, 2), np.nan)])
 
 
-def _largest(t: Floats, radii: Floats) -> tuple[float, float]:
+def _largest(t: FloatArray, radii: FloatArray) -> tuple[float, float]:
     """Return the maximum of the parabola through the largest sample and its neighbours, and its t."""
     place = int(np.argmax(radii))
     best, best_t = float(radii[place]), float(t[place])

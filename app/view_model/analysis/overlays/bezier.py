@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.figures import Figure, Floats, Shape, number
+from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
 from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import LineStyle, Mark, Sign
+from curvecore.arrays import FloatArray
 
 SIDES = LineStyle("handle", 0.9, mark=Mark.SQUARE, sign=Sign.LINE_WITH_MARK)
 CONTROL_POINT = LineStyle("handle", mark=Mark.SQUARE)
@@ -36,7 +37,7 @@ def _bezier(scene: Scene) -> Drawn:
             figures += _polygons(controls)
     if figures:
         return figures, ""
-    return [], f"Not drawn: no control points are known of a {view.source.family.title} curve."
+    return [], f"Not drawn: no control points are known of {view.source.family.a_curve}."
 
 
 def _of_polynomial(scene: Scene) -> Drawn:
@@ -59,7 +60,7 @@ def _of_polynomial(scene: Scene) -> Drawn:
     return _polygons(controls[None]), words
 
 
-def _polygons(controls: Floats) -> list[Figure]:
+def _polygons(controls: FloatArray) -> list[Figure]:
     """Return the lines and the inner points of control polygons (k, d + 1, 2)."""
     breaks = np.full((len(controls), 1, 2), np.nan)
     lines = np.concatenate([controls, breaks], axis=1).reshape(-1, 2)

@@ -9,12 +9,13 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.figures import Figure, Floats, Shape
+from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.samples import Samples, unit_tangents
 from app.view_model.analysis.scene import Scene, usual_length
 from app.view_model.analysis.settings import Factor
 from app.view_model.line_styles import LineStyle
+from curvecore.arrays import FloatArray
 
 TEETH = LineStyle("accent", 0.35)
 EDGE = LineStyle("accent", 0.9)
@@ -45,11 +46,11 @@ def _comb(scene: Scene) -> Drawn:
     return figures, ""
 
 
-def _curvature(piece: Samples) -> Floats:
+def _curvature(piece: Samples) -> FloatArray:
     return curvecore.curvature_of(piece.velocities, piece.accelerations)
 
 
-def _normals(piece: Samples) -> Floats:
+def _normals(piece: Samples) -> FloatArray:
     """Return unit normals to the left of the curve, zero where it stands still."""
     tangents = unit_tangents(piece.velocities)
     return np.column_stack([-tangents[:, 1], tangents[:, 0]])

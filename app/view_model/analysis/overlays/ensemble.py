@@ -10,9 +10,9 @@ from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Count, Setting
-from app.view_model.curve_view import Floats
 from app.view_model.line_styles import LineStyle
 from app.view_model.refusals import in_words
+from curvecore.arrays import FloatArray
 
 LINES = LineStyle("muted", 0.3)
 
@@ -46,7 +46,7 @@ def _disturbed_curves(scene: Scene) -> Drawn:
     return [Figure(LINES, Shape.LINE, lines.reshape(-1, 2))], words
 
 
-def _parameters(knots: Floats) -> Floats:
+def _parameters(knots: FloatArray) -> FloatArray:
     """Return parameters for a drawing, the knots among them."""
     count = max(_SAMPLES // (len(knots) - 1), 3)
     inner = knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0.0, 1.0, count, endpoint=False)

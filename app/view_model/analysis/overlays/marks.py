@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.figures import Figure, Floats, Shape
+from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
 from app.view_model.line_styles import GREEN, PURPLE, SKY, VERMILLION, LineStyle, Mark, Sign
+from curvecore.arrays import FloatArray
 
 INFLECTION = LineStyle(SKY, width=1.8, mark=Mark.RING, sign=Sign.MARK)
 SHARPEST = LineStyle(VERMILLION, width=1.4, mark=Mark.DIAMOND, sign=Sign.MARK)
@@ -46,7 +47,7 @@ def _marks(scene: Scene) -> Drawn:
     return figures, f"{', '.join(counts)}.{words}"
 
 
-def _distinct(points: Floats, tolerance: float) -> Floats:
+def _distinct(points: FloatArray, tolerance: float) -> FloatArray:
     """Leave out points at the place of an earlier one: of three branches, each two cross there."""
     kept = np.empty_like(points)
     count = 0

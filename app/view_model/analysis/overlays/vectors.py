@@ -6,11 +6,12 @@ from functools import partial
 
 import numpy as np
 
-from app.view_model.analysis.figures import Figure, Floats, Shape, number
+from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene, usual_length
 from app.view_model.analysis.settings import Factor
 from app.view_model.line_styles import GREEN, VERMILLION, LineStyle
+from curvecore.arrays import FloatArray
 
 VELOCITY = LineStyle(GREEN, width=1.6)
 ACCELERATION = LineStyle(VERMILLION, width=1.6)
@@ -42,12 +43,12 @@ def _vectors(order: int, style: LineStyle, scale: Factor, symbol: str, scene: Sc
     return figures, ""
 
 
-def _figure(style: LineStyle, places: Floats, arrows: Floats, label: str = "") -> Figure:
+def _figure(style: LineStyle, places: FloatArray, arrows: FloatArray, label: str = "") -> Figure:
     points = np.hstack([places, places + arrows]).reshape(-1, 2)
     return Figure(style, Shape.ARROWS, points, label)
 
 
-def _at_knots(scene: Scene, order: int) -> tuple[Floats, Floats]:
+def _at_knots(scene: Scene, order: int) -> tuple[FloatArray, FloatArray]:
     """Return the knots and the derivative there, from both sides where these differ."""
     places, arrows = [], []
     for piece, curve in zip(scene.samples, scene.view.pieces, strict=True):

@@ -7,11 +7,12 @@ from msgspec.structs import replace
 
 from app.document.words import number
 from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import Floats, Level, PlotData, Scale
+from app.view_model.analysis.plot_lines import Level, PlotData, Scale
 from app.view_model.growth import growth_at
+from curvecore.arrays import FloatArray
 
 
-def _values(sampled: Sampled) -> Floats:
+def _values(sampled: Sampled) -> FloatArray:
     return np.maximum(growth_at(sampled.view, sampled.t), 1.0)
 
 

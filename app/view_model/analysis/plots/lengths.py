@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import Floats
+from curvecore.arrays import FloatArray
 from curvecore.vectors import vector_lengths
 
 
-def _length(sampled: Sampled, order: int) -> Floats:
+def _length(sampled: Sampled, order: int) -> FloatArray:
     return vector_lengths(sampled.derivatives[order])
 
 
