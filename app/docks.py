@@ -10,6 +10,7 @@ import msgspec
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
+from app.actions.declaration import marked
 from app.actions.qactions import Actions
 from app.features.curve_list.panel import CurveList
 from app.features.curve_settings.panel import CurveSettings
@@ -60,10 +61,8 @@ class LatePanel(msgspec.Struct, frozen=True):
 
 def late_panels(commands: type) -> Iterator[tuple[LatePanel, Callable[..., QWidget]]]:
     """Yield the panels that a command set declares, and what builds them."""
-    for member in vars(commands).values():
-        panel = getattr(member, _DECLARED, None)
-        if isinstance(panel, LatePanel):
-            yield panel, member
+    for build, panel in marked(commands, _DECLARED):
+        yield panel, build
 
 
 class Docks:

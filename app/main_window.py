@@ -36,7 +36,6 @@ from app.commands.given import Given
 from app.commands.lesson_commands import LessonCommands
 from app.commands.view_commands import ViewCommands
 from app.controllers.parametrization import ParametrizationController
-from app.controllers.rail import RailController
 from app.docks import Docks, late_panels
 from app.features.curve_settings.controller import CurveSettingsController
 from app.features.history.controller import HistoryController
@@ -44,7 +43,6 @@ from app.features.point_table.controller import PointTableController
 from app.features.recovery.autosave import Autosave
 from app.features.recovery.commands import OpenBeside, RecoveryCommands
 from app.features.reference_image.commands import ImageCommands
-from app.features.reference_image.controller import ImageController
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
 from app.menus import Menus
@@ -218,10 +216,8 @@ class MainWindow(Guarded, QMainWindow):
         self._controllers = (
             PointTableController(session, self.table_panel, self._show_points),
             CurveSettingsController(session, self.curve_settings),
-            ImageController(session, self.image_panel),
             HistoryController(session, self.history),
             ParametrizationController(session, self.parametrization_bar),
-            RailController(session, self.basis_panel),
         )
 
     def _connect_end(self) -> None:

@@ -64,7 +64,7 @@ def test_the_window_starts_without_what_is_rarely_used():
         "PySide6.QtPrintSupport",
         "app.canvas.motion_layer",
         "app.commands.motion_stage",
-        "app.panels.analysis_panel",
+        "app.features.overlays.panel",
         "app.panels.motion_bar",
         "app.panels.preferences_dialog",
         "app.panels.shortcut_sheet",

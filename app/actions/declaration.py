@@ -16,8 +16,8 @@ What an action does is said by the docstring of its handler: it is the action's 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial
-from typing import ParamSpec, TypeVar
+from functools import cache, partial
+from typing import Any, ParamSpec, TypeVar
 
 import msgspec
 from msgspec.structs import replace
@@ -89,11 +89,14 @@ class Declared(msgspec.Struct, frozen=True):
 
     Attributes
     ----------
+    commands
+        The command set of the handler.
     handler
-        Called with the command set, and with the record that the action stands for, if any.
+        Called with an instance of that, and with the record that the action stands for, if any.
     """
 
     action: Action
+    commands: type
     handler: Callable[..., object]
     record: tuple[object, ...] = ()
 
@@ -161,29 +164,27 @@ class PlaceAction(msgspec.Struct, frozen=True):
         return handler
 
 
-def place_actions(commands: object) -> Iterator[tuple[PlaceAction, Callable[[float], object]]]:
+def place_actions(kind: type, commands: object) -> Iterator[tuple[PlaceAction, Callable[[float], object]]]:
     """Yield the entries that a command set declares for the menu of a place, with what they do."""
-    for member in vars(type(commands)).values():
-        entry = getattr(member, _AT_PLACE, None)
-        if isinstance(entry, PlaceAction):
-            yield entry, partial(member, commands)
+    for member, entry in marked(kind, _AT_PLACE):
+        yield entry, partial(member, commands)
 
 
-def declared_by(commands: type) -> Iterator[Declared]:
-    """Yield the actions that a command set declares, in the order of its methods."""
-    for member in vars(commands).values():
-        described = getattr(member, _DECLARED, None)
-        if described is not None:
-            tip = _first_line(member)
-            for each, record in described():
-                yield Declared(each if each.tip else replace(each, tip=tip), member, record)
-
-
-def _first_line(handler: Callable[..., object]) -> str:
-    return (handler.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
+@cache
+def marked(commands: type, mark: str) -> tuple[tuple[Callable[..., Any], Any], ...]:
+    """Return the methods of a class that have an attribute `mark`, in order, with its value."""
+    found = ((member, getattr(member, mark, None)) for member in vars(commands).values())
+    return tuple((member, value) for member, value in found if value is not None)
 
 
 def all_declared(command_sets: Iterable[type]) -> list[Declared]:
     """Return the actions of some command sets, in the order of the menus."""
-    found = [each for commands in command_sets for each in declared_by(commands)]
+    found = [each for commands in command_sets for each in _declared_by(commands)]
     return sorted(found, key=lambda each: each.action.section.place)
+
+
+def _declared_by(commands: type) -> Iterator[Declared]:
+    for handler, described in marked(commands, _DECLARED):
+        tip = (handler.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
+        for each, record in described():
+            yield Declared(each if each.tip else replace(each, tip=tip), commands, handler, record)

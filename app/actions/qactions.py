@@ -8,7 +8,7 @@ from functools import cache, partial
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import Action, all_declared, declared_by
+from app.actions.declaration import Action, all_declared
 from app.actions.sections import Menu
 from app.actions.situation import Situation
 from app.icons import icon
@@ -23,7 +23,8 @@ class Actions:
         self.keymap = Keymap(window)
         self._window, self._now = window, now
         self._groups: dict[str, QActionGroup] = {}
-        self._declared = {each.action.name: each.action for each in all_declared(command_sets)}
+        self._handlers = all_declared(command_sets)
+        self._declared = {each.action.name: each.action for each in self._handlers}
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
 
     def _make(self, each: Action) -> QAction:
@@ -46,9 +47,10 @@ class Actions:
 
     def bind(self, commands: object, run: Callable[[Action, Callable[[], object], bool], object]) -> None:
         """Let the actions that a command set declares be carried out by it, each through `run`."""
-        for each in declared_by(type(commands)):
-            act = partial(run, each.action, each.bound_to(commands))
-            self._actions[each.action.name].triggered.connect(act)
+        for each in self._handlers:
+            if each.commands is type(commands):
+                act = partial(run, each.action, each.bound_to(commands))
+                self._actions[each.action.name].triggered.connect(act)
 
     def attach(self, window: QWidget) -> None:
         """Let the window hear the keys: of actions in menus alone they are dead while the menu bar is hidden.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter
 
 from app.canvas.curve_layer import TOLERANCE
 from app.plotting.area import AreaFill
@@ -19,7 +19,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.looks import Look
+from app.view_model.looks import Mark
 from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
@@ -81,23 +81,34 @@ class FigureLayer(Layer):
     def _paint_figures(self, painter: QPainter, shown: PixelMap, figures: Sequence[Figure]) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         for figure in figures:
-            look = figure.style
-            painter.setPen(pen_of(look, self.theme, self.scale))
-            if figure.shape is Shape.AREA:
-                self._paint_area(painter, shown, figure, painter.pen().color())
-                continue
-            _PAINTERS[figure.shape](painter, _pixels(figure.points, shown), shown, look, self.scale)
+            self._paint_figure(painter, shown, figure)
 
-    def _paint_area(self, painter: QPainter, shown: PixelMap, figure: Figure, colour: QColor) -> None:
-        """Fill polygons as one area, so that a translucent one has no seams."""
+    def _paint_figure(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
+        painter.setPen(pen_of(figure.style, self.theme, self.scale))
         pixels = _pixels(figure.points, shown)
+        match figure.shape:
+            case Shape.LINE:
+                draw_line(painter, pixels, figure.style.dashes, shown)
+            case Shape.SEGMENTS:
+                _draw(painter, cut_segments(pixels.reshape(-1, 4), shown.width, shown.height))
+            case Shape.ARROWS:
+                _draw_arrows(painter, pixels, shown)
+            case Shape.TICKS:
+                _draw_ticks(painter, pixels, shown, _TICK * self.scale)
+            case Shape.AREA:
+                self._paint_area(painter, shown, pixels)
+            case Shape.MARKS:
+                _draw_marks(painter, pixels, shown, figure.style.mark, _MARK * self.scale)
+
+    def _paint_area(self, painter: QPainter, shown: PixelMap, pixels: FloatArray) -> None:
+        """Fill polygons as one area, so that a translucent one has no seams."""
         is_corner = ~np.isnan(pixels[:, 0])
         corners = np.clip(pixels[is_corner], -_FAR, _FAR)
         # A corner before a break is not joined to the next; polygons close themselves when they are filled.
         connect = np.append(is_corner[1:], False)[is_corner].astype(np.int32)
         path = pg.arrayToQPath(corners[:, 0], corners[:, 1], connect=connect, finiteCheck=False)
         path.setFillRule(Qt.FillRule.WindingFill)
-        self._area.fill(painter, path, colour, QRectF(0, 0, shown.width, shown.height))
+        self._area.fill(painter, path, painter.pen().color(), QRectF(0, 0, shown.width, shown.height))
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
         if not ghost.is_drawn:
@@ -127,21 +138,13 @@ def _pixels(points: FloatArray, shown: PixelMap) -> FloatArray:
         return np.clip(shown.points(points), -_FARTHEST, _FARTHEST)
 
 
-def _line(painter: QPainter, pixels: FloatArray, shown: PixelMap, look: Look, scale: float) -> None:
-    draw_line(painter, pixels, look.dashes, shown)
-
-
-def _segments(painter: QPainter, pixels: FloatArray, shown: PixelMap, look: Look, scale: float) -> None:
-    _draw(painter, cut_segments(pixels.reshape(-1, 4), shown.width, shown.height))
-
-
 def _draw(painter: QPainter, segments: FloatArray) -> None:
     drawn = Segments()
     drawn.fill(segments)
     drawn.draw(painter)
 
 
-def _arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap, look: Look, scale: float) -> None:
+def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None:
     """Draw segments with heads; short arrows have small heads, so that the shaft is seen."""
     ends = pixels.reshape(-1, 2, 2)
     along, length = _directions(ends)
@@ -152,10 +155,10 @@ def _arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap, look: Look, 
     _draw(painter, cut_segments(np.vstack([ends.reshape(-1, 4), *barbs]), shown.width, shown.height))
 
 
-def _ticks(painter: QPainter, pixels: FloatArray, shown: PixelMap, look: Look, scale: float) -> None:
+def _draw_ticks(painter: QPainter, pixels: FloatArray, shown: PixelMap, half: float) -> None:
     ends = pixels.reshape(-1, 2, 2)
     along, _ = _directions(ends)
-    reach = _TICK * scale * along
+    reach = half * along
     ticks = np.hstack([ends[:, 0] - reach, ends[:, 0] + reach])
     _draw(painter, cut_segments(ticks, shown.width, shown.height))
 
@@ -167,16 +170,7 @@ def _directions(ends: FloatArray) -> tuple[FloatArray, FloatArray]:
     return along / np.where(length > 0, length, 1.0)[:, None], length
 
 
-def _marks(painter: QPainter, pixels: FloatArray, shown: PixelMap, look: Look, scale: float) -> None:
+def _draw_marks(painter: QPainter, pixels: FloatArray, shown: PixelMap, mark: Mark, size: float) -> None:
     near = np.all((pixels >= -MARGIN) & (pixels <= (shown.width + MARGIN, shown.height + MARGIN)), axis=1)
     for x, y in pixels[near].tolist():
-        draw_mark(painter, look.mark, x, y, _MARK * scale)
-
-
-_PAINTERS = {
-    Shape.LINE: _line,
-    Shape.SEGMENTS: _segments,
-    Shape.ARROWS: _arrows,
-    Shape.TICKS: _ticks,
-    Shape.MARKS: _marks,
-}
+        draw_mark(painter, mark, x, y, size)

@@ -22,14 +22,14 @@ _REVEAL_MARGIN = 40.0
 """Pixels between the edge and a point that the view was moved to show."""
 
 
-class Box(NamedTuple):
+class PlaneBox(NamedTuple):
     """Lower left and upper right corner, (2,) each, in the plane."""
 
     low: FloatArray
     high: FloatArray
 
 
-def box_of(views: Sequence[CurveView]) -> Box | None:
+def box_of(views: Sequence[CurveView]) -> PlaneBox | None:
     """Return the box that shows all these curves with a margin; None where there is no point."""
     boxes, size = _limited(views)
     if not len(boxes):
@@ -38,16 +38,16 @@ def box_of(views: Sequence[CurveView]) -> Box | None:
     own = _FIT_MARGIN * size[:, None]
     # A small curve at the edge of a large drawing has the margin of the drawing.
     margin = _FIT_MARGIN * float((high.max(axis=0) - low.min(axis=0)).max())
-    return Box(
+    return PlaneBox(
         np.minimum((low - own).min(axis=0), low.min(axis=0) - margin),
         np.maximum((high + own).max(axis=0), high.max(axis=0) + margin),
     )
 
 
-def with_margin(box: Box) -> Box:
+def with_margin(box: PlaneBox) -> PlaneBox:
     """Return a box with the margin that is left around what is shown."""
     margin = _FIT_MARGIN * float((box.high - box.low).max())
-    return Box(box.low - margin, box.high + margin)
+    return PlaneBox(box.low - margin, box.high + margin)
 
 
 def are_in_sight(views: Sequence[CurveView], shown: PixelMap) -> bool:

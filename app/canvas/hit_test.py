@@ -81,7 +81,7 @@ def _nearest_handle(
 def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:
     if view.curve is None or not view.is_current or len(polyline.points) < 2:
         return None
-    nearest = Segments([shown.points(polyline.points)]).nearest(pixel)
+    nearest = PixelOutline([shown.points(polyline.points)]).nearest(pixel)
     if nearest is None or nearest.distance > CURVE_REACH:
         return None
     t0, t1 = polyline.parameters[nearest.segment : nearest.segment + 2]
@@ -100,13 +100,13 @@ def _slid(curve: CoreCurve, shown: PixelMap, pixel: Vector, between: tuple[float
     share = 0.5
     for _ in range(_SLIDES):
         t = np.linspace(*between, _SAMPLES)
-        nearest = Segments([shown.points(curve.evaluate(t))]).nearest(pixel)
+        nearest = PixelOutline([shown.points(curve.evaluate(t))]).nearest(pixel)
         assert nearest is not None
         between, share = (float(t[nearest.segment]), float(t[nearest.segment + 1])), nearest.share
     return between[0] + share * (between[1] - between[0])
 
 
-class Nearest(NamedTuple):
+class NearestSegment(NamedTuple):
     """The place of some segments that is nearest to a pixel: which one, share of its length, distance."""
 
     segment: int
@@ -114,7 +114,7 @@ class Nearest(NamedTuple):
     distance: float
 
 
-class Segments:
+class PixelOutline:
     """Segments of polylines in pixels, numbered one polyline after the other: one pass finds the nearest."""
 
     def __init__(self, polylines: Sequence[FloatArray]) -> None:
@@ -125,7 +125,7 @@ class Segments:
         squared = (self._along**2).sum(axis=1)
         self._squared = np.where(squared > 0, squared, 1.0)
 
-    def nearest(self, pixel: Vector) -> Nearest | None:
+    def nearest(self, pixel: Vector) -> NearestSegment | None:
         """Return what is nearest to `pixel`, the last where several are; None without segments."""
         if not len(self._starts):
             return None
@@ -134,4 +134,4 @@ class Segments:
         gaps = away - shares[:, None] * self._along
         distances = np.hypot(gaps[:, 0], gaps[:, 1])
         best = len(distances) - 1 - int(np.argmin(distances[::-1]))
-        return Nearest(best, float(shares[best]), float(distances[best]))
+        return NearestSegment(best, float(shares[best]), float(distances[best]))

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 
-from app.canvas.fitting import Box, with_margin
+from app.canvas.fitting import PlaneBox, with_margin
 from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
 from app.plotting.layers import Layer
@@ -59,13 +59,13 @@ class ImageLayer(Layer):
             self._grips.update()
 
     @property
-    def box(self) -> Box | None:
+    def box(self) -> PlaneBox | None:
         """The box that shows the picture with a margin; None without one."""
         image = self._image
         if image is None:
             return None
         corner, size = np.array([image.x, image.y]), np.array([image.width, image.height])
-        return with_margin(Box(corner, corner + size))
+        return with_margin(PlaneBox(corner, corner + size))
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return which part of the picture lies under `pixel`."""

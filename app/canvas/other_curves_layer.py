@@ -11,7 +11,7 @@ from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from app.canvas.curve_layer import CASING, FAINT_WIDTH, TOLERANCE
-from app.canvas.hit_test import CURVE_REACH, Segments
+from app.canvas.hit_test import CURVE_REACH, PixelOutline
 from app.colours import curve_colour
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
@@ -182,7 +182,7 @@ class _Outline:
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
         self.shown = shown
         polylines = [pixels_of(view, shown) for _, view in views]
-        self._segments = Segments(polylines)
+        self._segments = PixelOutline(polylines)
         self._places = np.repeat([place for place, _ in views], [len(each) - 1 for each in polylines])
 
     def hit(self, pixel: Vector) -> Hit | None:

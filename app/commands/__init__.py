@@ -9,7 +9,7 @@
 - ``clipboard_commands``: points on the clipboard.  ``context_menus``: what the right button opens.
 - ``exchange_commands``: import and export.  ``import_series``: of several files.
   ``file_work``: how what takes long is shown and stopped.
-- ``overlay_commands``, ``plot_commands``: what is drawn over the curve, and over t.
+- ``plot_commands``: what is plotted over t.
 - ``laboratory_commands``, ``error_plot``: the stability laboratory, and its errors over t.
 - ``wiggle_commands``, ``teaching_commands``: a wiggle explained; warnings that teach.
 - ``hodograph_commands``, ``joint_commands``: hodograph and joint certificate.

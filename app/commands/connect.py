@@ -26,7 +26,6 @@ from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.lesson_commands import LessonCommands
 from app.commands.messages import Messages
 from app.commands.motion_commands import MotionCommands
-from app.commands.overlay_commands import OverlayCommands
 from app.commands.plot_commands import PlotCommands
 from app.commands.rail_commands import RailCommands
 from app.commands.selection_commands import SelectionCommands
@@ -40,6 +39,7 @@ from app.commands.work_commands import WorkCommands
 from app.docks import late_panels
 from app.document.edits import EditError
 from app.features.file_on_disk.commands import DiskCommands
+from app.features.overlays.commands import OverlayCommands
 from app.features.recovery.commands import RecoveryCommands
 from app.features.reference_image.commands import ImageCommands
 from app.tasks.owner import TaskOwner, close_all
@@ -105,7 +105,7 @@ class Commands:
         laboratory, wiggle = self[LaboratoryCommands], self[WiggleCommands]
         self.drops = Drops(context, self[ExchangeCommands].import_files, images.add)
         self._teaching = TeachingCommands(context, laboratory.open, wiggle.explain_widest)
-        self.context_menus = ContextMenus(context, self._sets.values(), self.attempt)
+        self.context_menus = ContextMenus(context, self._sets, self.attempt)
         self._had_scrub = False
         for each in self._sets.values():
             context.actions.bind(each, self._run)

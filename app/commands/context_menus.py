@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu
@@ -42,11 +42,11 @@ class ContextMenus:
     def __init__(
         self,
         context: WindowContext,
-        command_sets: Iterable[object],
+        command_sets: Mapping[type, object],
         attempt: Callable[[Callable[[], object]], None],
     ) -> None:
         self._context, self._attempt = context, attempt
-        self._at_place = [pair for each in command_sets for pair in place_actions(each)]
+        self._at_place = [pair for kind, each in command_sets.items() for pair in place_actions(kind, each)]
         context.central.canvas.menu_requested.connect(self._open_on_canvas)
         context.docks.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
 

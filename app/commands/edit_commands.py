@@ -129,8 +129,7 @@ class EditCommands:
         if was_closed and not session.active_curve.is_closed:
             closes = next(each.title for each in FAMILIES if each.can_close)
             session.say(
-                f"A {family.title} curve cannot close smoothly; it is shown open, "
-                f"and closes again as {closes}."
+                f"{family.subject} cannot close smoothly; it is shown open, and closes again as {closes}."
             )
 
     @action_for_each(

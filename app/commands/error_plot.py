@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from app.panels.plot_panel import PlotPanel
 from app.view_model import analysis
-from app.view_model.looks import METHOD_LOOKS
 
 if TYPE_CHECKING:
     from app.view_model.analysis.laboratory import Trial
@@ -30,9 +29,7 @@ class ErrorPlot:
             self._panel.hide_lines(TITLE)
             return
         lines = [
-            analysis.plot_lines.PlotLine(
-                each.calculation.label, each.t, each.errors, METHOD_LOOKS[each.calculation]
-            )
+            analysis.plot_lines.PlotLine(each.calculation.label, each.t, each.errors, each.calculation.look)
             for each in analysis.laboratory.error_lines(trial)
         ]
         self._panel.show_lines(lines, analysis.plot_lines.Scale.LOG, TITLE)

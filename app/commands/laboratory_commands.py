@@ -24,7 +24,6 @@ from app.view_model import analysis
 from app.view_model.analysis.laboratory_settings import LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
-from app.view_model.looks import METHOD_LOOKS
 
 if TYPE_CHECKING:
     from app.panels.laboratory_panel import LaboratoryPanel
@@ -220,8 +219,7 @@ class LaboratoryCommands(Guarded, QObject):
         heading = ""
         if trial is not None and self._settings.on and trial.view.source.visible:
             traces = tuple(
-                Trace(each.pieces, METHOD_LOOKS[each.calculation], each.calculation.label)
-                for each in trial.outcomes
+                Trace(each.pieces, each.calculation.look, each.calculation.label) for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)

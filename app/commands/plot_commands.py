@@ -81,7 +81,7 @@ class PlotCommands:
             plot.text,
             PLOTS_OVER_T,
             "",
-            f"plot-{plot.name}",
+            plot.icon,
             plot.tip,
             f"Plot {plot.text}",
             checked=lambda now: plot in now.state.analysis.plots,

@@ -12,6 +12,7 @@ from app.actions.declaration import Action, action, action_for_each
 from app.actions.needs import TWO_POINTS, Need
 from app.actions.sections import CURVE_PARAMETERS, CURVE_STARTS
 from app.commands.context import WindowContext
+from app.controllers.rail import RailController
 from app.document import edits
 from app.document.model import ParametrizationKind
 from app.keymap import action_name
@@ -46,6 +47,7 @@ class RailCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session = context.session
+        self._controller = RailController(context.session, context.central.basis_panel)
         context.central.basis_panel.menu_requested.connect(self._show_menu)
 
     def _show_menu(self, place: QPoint) -> None:

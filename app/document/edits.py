@@ -183,7 +183,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float =
     if closed and not old.family.can_close:
         raise EditError(
             f"Choose {titles(each for each in FAMILIES if each.can_close)} to close the curve: "
-            f"a {old.family.title} curve {old.family.why_open}."
+            f"{old.family.a_curve} {old.family.why_open}."
         )
     if closed and len(old.nodes) < LEAST_TO_CLOSE:
         raise EditError("A closed curve needs at least three points.")

@@ -17,7 +17,7 @@ def why_not_straight(family: Family) -> str:
     if family.derivatives:
         return ""
     is_so = "is one polynomial and" if family.is_one_polynomial else "has no tangents at its points and"
-    return f"A {family.title} curve {is_so} has no segments of its own; choose {titles_with_derivatives()}."
+    return f"{family.subject} {is_so} has no segments of its own; choose {titles_with_derivatives()}."
 
 
 def straighten(

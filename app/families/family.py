@@ -80,6 +80,16 @@ class Family:
         return self.label.partition(" ")[0]
 
     @property
+    def a_curve(self) -> str:
+        """One of its curves, within a sentence: an averaging curve."""
+        return f"{'an' if self.title[0] in 'aeiouAEIOU' else 'a'} {self.title} curve"
+
+    @property
+    def subject(self) -> str:
+        """The same to begin a sentence: An averaging curve."""
+        return f"A{self.a_curve[1:]}"
+
+    @property
     def full_title(self) -> str:
         """What people read where nothing else says which one it is: cubic Hermite."""
         return (self._curve_class.full_title if self._curve_class is not None else "") or self.title

@@ -1,5 +1,4 @@
 # Modules that are imported when they are first used.
-from . import analysis_panel as analysis_panel
 from . import command_palette as command_palette
 from . import crash_dialog as crash_dialog
 from . import hodograph_panel as hodograph_panel

@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.document.words import number
 from app.panels.crest_names import CrestNames
-from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
+from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.colours import colours_of
 from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
@@ -74,7 +74,7 @@ class FunctionLayer(Layer):
         if self._lines is None or not self._lines.are_of(self._basis, shown):
             self._lines = FunctionLines(self._basis, shown, self._lines)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        if way_to_draw(self._basis) is Drawing.EACH:
+        if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.shown_of(self.kinds)
             self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
@@ -101,7 +101,7 @@ class FunctionLayer(Layer):
             outline = QColor(self.theme.ink)
             outline.setAlphaF(_OUTLINE)
             pen = QPen(outline, self.scale)
-            if way_to_draw(basis) is Drawing.SPANS:
+            if way_to_draw(basis) is FunctionDrawing.SPANS:
                 painter.setPen(pen)
                 self._lines.spans(kind).draw(painter)
                 continue

@@ -10,7 +10,6 @@ from app.panels.log_plot import LogLine, LogPlot
 from app.view_model.analysis.cost import Cost, cost_chart
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.analysis.wording import short
-from app.view_model.looks import METHOD_LOOKS
 
 _SMALL = 30
 
@@ -81,8 +80,8 @@ class CostPanel(QWidget):
         chart = cost_chart()
         self.chart.render_lines(
             [
-                LogLine(chart.n, chart.solving, METHOD_LOOKS[Calculation.MONOMIAL], "solving, n³"),
-                LogLine(chart.n, chart.basis, METHOD_LOOKS[Calculation.LAGRANGE], "basis form, n²"),
+                LogLine(chart.n, chart.solving, Calculation.MONOMIAL.look, "solving, n³"),
+                LogLine(chart.n, chart.basis, Calculation.LAGRANGE.look, "basis form, n²"),
             ],
             marker=float(min(cost.count, chart.n[-1])),
         )
@@ -117,7 +116,7 @@ def _note(cost: Cost) -> str:
             f"{cost.count - 1} small systems, {short(cost.piecewise)} operations: its cost grows as n does."
         )
     if cost.other:
-        text += f" All this is about one polynomial through the points; a {cost.other} curve is none."
+        text += f" All this is about one polynomial through the points; {cost.other} is none."
     return text
 
 

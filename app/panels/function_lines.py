@@ -26,7 +26,7 @@ _THINNED = 0.05
 """Pixels that a wide line may leave the samples: it costs by the vertex."""
 
 
-class Drawing(Enum):
+class FunctionDrawing(Enum):
     """Drawing of the functions of a curve."""
 
     EACH = auto()
@@ -34,23 +34,23 @@ class Drawing(Enum):
     ENVELOPE = auto()
 
 
-def way_to_draw(basis: BasisView) -> Drawing:
+def way_to_draw(basis: BasisView) -> FunctionDrawing:
     """Return how to draw these functions: beyond some number, lines side by side say less than an outline."""
     if basis.count <= _MOST_EACH:
-        return Drawing.EACH
+        return FunctionDrawing.EACH
     if basis.first is None or basis.is_coarse:
-        return Drawing.ENVELOPE
-    return Drawing.SPANS
+        return FunctionDrawing.ENVELOPE
+    return FunctionDrawing.SPANS
 
 
 def note_on_drawing(basis: BasisView) -> str:
     """Return what a person must know of a drawing that does not show every function; empty where it does."""
     match way_to_draw(basis):
-        case Drawing.EACH:
+        case FunctionDrawing.EACH:
             return ""
-        case Drawing.SPANS:
+        case FunctionDrawing.SPANS:
             return f"{basis.count} functions: outlines + selection"
-        case Drawing.ENVELOPE:
+        case FunctionDrawing.ENVELOPE:
             return f"{basis.count} functions: envelope + selection"
 
 
@@ -70,7 +70,7 @@ class FunctionLines:
             before._made if before is not None else {}
         )
         self._strokes: dict[tuple[int, int], Stroke] = before._strokes if before is not None else {}
-        self._refined = self._refine() if way_to_draw(basis) is Drawing.SPANS else {}
+        self._refined = self._refine() if way_to_draw(basis) is FunctionDrawing.SPANS else {}
         self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._spans: dict[int, Segments] = {}
         self._envelopes: dict[int, tuple[FloatArray, FloatArray, FloatArray]] = {}
@@ -228,7 +228,7 @@ def _chords(x: FloatArray, y: FloatArray) -> FloatArray:
 
 
 def _needs_all(basis: BasisView) -> bool:
-    return way_to_draw(basis) is not Drawing.ENVELOPE
+    return way_to_draw(basis) is not FunctionDrawing.ENVELOPE
 
 
 def _at_columns(x: FloatArray, values: FloatArray, columns: FloatArray, reduce: np.ufunc) -> FloatArray:

@@ -16,7 +16,6 @@ from app.theme import theme_of
 from app.view_model.analysis.laboratory import Trial
 from app.view_model.analysis.laboratory_settings import Calculation, Rounding
 from app.view_model.analysis.wording import short
-from app.view_model.looks import METHOD_LOOKS
 
 _HEADINGS = (
     ("Method", "Choose what is computed and drawn"),
@@ -121,7 +120,7 @@ class MethodTable(Guarded, QWidget):
     def _dress(self) -> None:
         theme = theme_of(self.palette())
         for method, box in self._boxes.items():
-            box.setIcon(QIcon(sign_pixmap(METHOD_LOOKS[method], theme, self.devicePixelRatioF())))
+            box.setIcon(QIcon(sign_pixmap(method.look, theme, self.devicePixelRatioF())))
 
 
 def _side(column: int) -> Qt.AlignmentFlag:

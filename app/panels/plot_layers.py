@@ -35,7 +35,7 @@ _WIDTH = 1.5
 
 
 @dataclass(frozen=True)
-class Band:
+class PlotBand:
     """Band of one of the plots, in pixels: its title above, its foot below."""
 
     top: float
@@ -52,12 +52,12 @@ class Band:
         return self.foot - shares * self.height
 
 
-def bands(count: int, height: float, scale: float) -> list[Band]:
+def bands(count: int, height: float, scale: float) -> list[PlotBand]:
     """Divide a height among plots."""
     each = height / max(count, 1)
     strip = min(_STRIP * scale, _LARGEST_STRIP * each)
     foot = min(_FOOT, 0.1 * each)
-    return [Band(i * each, i * each + strip, (i + 1) * each - foot) for i in range(count)]
+    return [PlotBand(i * each, i * each + strip, (i + 1) * each - foot) for i in range(count)]
 
 
 class PlotLayer(Layer):
@@ -124,7 +124,7 @@ class PlotLayer(Layer):
         return QPen(colour_of(line.look, self.theme, 0.4 if self.waits else 1.0), _WIDTH * self.scale)
 
     def _paint_jumps(
-        self, painter: QPainter, line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap
+        self, painter: QPainter, line: PlotLine, band: PlotBand, scale: ValueScale, shown: PixelMap
     ) -> None:
         """Mark both ends of every jump."""
         gaps = np.flatnonzero(np.isnan(line.values[1:-1])) + 1
@@ -142,7 +142,7 @@ class PlotLayer(Layer):
     # What stands behind and beside them
 
     def _paint_ground(
-        self, painter: QPainter, band: Band, scale: ValueScale, width: float, *, first: bool
+        self, painter: QPainter, band: PlotBand, scale: ValueScale, width: float, *, first: bool
     ) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
@@ -163,14 +163,14 @@ class PlotLayer(Layer):
             painter.drawLine(place, 0, place, int(shown.height))
 
     def _paint_levels(
-        self, painter: QPainter, plot: PlotData, band: Band, scale: ValueScale, width: float
+        self, painter: QPainter, plot: PlotData, band: PlotBand, scale: ValueScale, width: float
     ) -> None:
         for level in plot.levels:
             y = float(band.y(np.array([scale.share(level.value)]))[0])
             painter.setPen(with_dashes(QPen(self.theme.muted, 1), DASHED))
             painter.drawLine(QPointF(0, round(y)), QPointF(width, round(y)))
 
-    def _paint_title(self, painter: QPainter, plot: PlotData, band: Band, width: float) -> None:
+    def _paint_title(self, painter: QPainter, plot: PlotData, band: PlotBand, width: float) -> None:
         """Write what the plot shows; where it has several lines, a sample and the name of each."""
         strip = QRectF(4, band.top, width - 8, max(band.head - band.top, 11.0))
         middle = int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
@@ -203,7 +203,7 @@ class PlotLayer(Layer):
 
 
 def _stroke(
-    line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap, width: float
+    line: PlotLine, band: PlotBand, scale: ValueScale, shown: PixelMap, width: float
 ) -> Stroke | Segments:
     with np.errstate(over="ignore"):
         x = np.clip(shown.x(line.t), -_FAR, _FAR)

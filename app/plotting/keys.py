@@ -33,18 +33,7 @@ _NAMES = {
 """Keys that tools hear of, and their names."""
 
 _WITH_SHIFT = {Qt.Key.Key_Backtab, Qt.Key.Key_Tab, Qt.Key.Key_Semicolon, Qt.Key.Key_Return, Qt.Key.Key_Enter}
-"""Keys that mean the same with Shift: some keyboards have the semicolon there."""
-
-_SHAPES = {
-    Cursor.ARROW: Qt.CursorShape.ArrowCursor,
-    Cursor.CROSS: Qt.CursorShape.CrossCursor,
-    Cursor.HAND: Qt.CursorShape.PointingHandCursor,
-    Cursor.MOVE: Qt.CursorShape.SizeAllCursor,
-    Cursor.WIDER: Qt.CursorShape.SizeHorCursor,
-    Cursor.HIGHER: Qt.CursorShape.SizeVerCursor,
-    Cursor.RISING: Qt.CursorShape.SizeBDiagCursor,
-    Cursor.FALLING: Qt.CursorShape.SizeFDiagCursor,
-}
+"""Keys that mean the same with Shift: some keyboards have the semicolon there, and a hand may hold it."""
 
 
 def key_name(event: QKeyEvent) -> str | None:
@@ -66,4 +55,4 @@ def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:
     """Return the shape of the pointer."""
     if cursor is Cursor.ROTATE:
         return QCursor(icon("rotate", theme).pixmap(20, 20))
-    return QCursor(_SHAPES[cursor])
+    return QCursor(Qt.CursorShape[cursor.value])

@@ -216,7 +216,7 @@ class Session(QObject):
             document = edit(self._committed)
         except EditError as reason:
             return self._refused(str(reason), raiser_of(reason))
-        return self.commit(document, text, active=active, run=run)
+        return self._make_step(document, text, active, run)
 
     def preview(self, document: Document, *, active: int | None = None) -> bool:
         """Show `document` during a gesture; `commit` or `cancel` ends it. Return whether it is shown.
@@ -236,13 +236,12 @@ class Session(QObject):
         self._show(document)
         return True
 
-    def commit(
-        self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
-    ) -> Change:
-        """End the gesture in flight with `document`, as the step `text` of the history; see `change`.
+    def commit(self, document: Document, text: str, *, active: int | None = None) -> Change:
+        """End the gesture in flight with `document`, as the step `text` of the history; see `change`."""
+        return self._make_step(document, text, active)
 
-        A document in which a locked curve is another one, or that no file could hold, is refused.
-        """
+    def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
+        """Make `document` the current one, unless a locked curve is another one, or no file could hold it."""
         document = plain(document, self._shown)
         if document == self._committed:
             self.cancel()

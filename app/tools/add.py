@@ -131,9 +131,7 @@ class AddTool(Tool):
         """Return what a press here would do, and show it."""
         hit, view, selection = context.hit, context.view, context.host.selection
         act = self._act(context) if hints.is_no_part(hit) else None
-        place = (
-            {PenAct.APPEND: len(view.source.nodes), PenAct.BEGIN: -1}.get(act) if act is not None else None
-        )
+        place = len(view.source.nodes) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         if place is not None:
             context.preview_snap(place)
         self._update_preview(context, act)

@@ -36,12 +36,7 @@ class BendCurve(msgspec.Struct, frozen=True):
 
     def readout_at(self, pointer: Pointer) -> str:
         """Tell where, and what changes."""
-        changing = {
-            BendWith.ALL: "points and derivatives change",
-            BendWith.POINTS: "only points change",
-            BendWith.DERIVATIVES: "only derivatives change",
-        }[self._using(pointer)]
-        return f"Bend at t = {words.number(self.hit.t)}: {changing}"
+        return f"Bend at t = {words.number(self.hit.t)}: {self._using(pointer).value}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Let the grabbed point keep its distance to the pointer."""

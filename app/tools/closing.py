@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.document.edits import LEAST_TO_CLOSE, EditError
+from app.document.edits import LEAST_TO_CLOSE
 from app.tools.drag_machine import EditingHost
 from app.tools.pointer import Hit, Part
 from app.view_model.appending import closed_by_pen
@@ -23,11 +23,8 @@ def closer(host: EditingHost) -> Callable[[], None]:
 
     def close() -> None:
         view = host.active_view
-        try:
-            closed = closed_by_pen(host.document, host.active_index, view)
-        except EditError as reason:
-            host.refuse(str(reason))
-            return
-        host.commit(closed, f"Close {view.source.name}")
+        host.change(
+            f"Close {view.source.name}", lambda document: closed_by_pen(document, host.active_index, view)
+        )
 
     return close

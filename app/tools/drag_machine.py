@@ -55,10 +55,14 @@ class EditingHost(Protocol):
         Return whether it is shown; it is not where that curve is locked.
         """
 
-    def commit(
-        self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
-    ) -> object:
-        """Make it a step of the history; true where it is one. Quick steps of the same run are one."""
+    def commit(self, document: Document, text: str, *, active: int | None = None) -> object:
+        """End the gesture with this document as a step of the history; true where it is one."""
+
+    def change(self, text: str, edit: Callable[[Document], Document], *, run: Hashable = None) -> object:
+        """Make what `edit` returns a step of the history; true where it is one.
+
+        Quick steps of the same run are one.
+        """
 
     def cancel(self) -> None:
         """Drop the preview, and select what was selected before it."""
@@ -188,11 +192,7 @@ class DragMachine:
 
     def nudge(self, pointer: Pointer, drag: Drag, run: Hashable) -> None:
         """Do at once what a drag to `pointer` would do; quick nudges of the same run are one step."""
-        try:
-            is_done = self._host.commit(drag.document_at(pointer), drag.name, run=run)
-        except EditError as reason:
-            self._host.refuse(str(reason))
-            return
+        is_done = self._host.change(drag.name, lambda _document: drag.document_at(pointer), run=run)
         if is_done and isinstance(drag, HasReadout):
             self._host.say(drag.readout_at(pointer))
 

@@ -6,7 +6,6 @@ import math
 
 import msgspec
 
-from app.document.edits import EditError
 from app.document.image_edits import move_image, scale_image
 from app.document.model import Document, ReferenceImage, Vector
 from app.tools.pointer import Cursor, Hint, Part, Pointer
@@ -82,10 +81,7 @@ class MoveImageTool(Tool):
         host, by = context.host, (direction[0] * factor * pixel, direction[1] * factor * pixel)
         if host.document.image is None or host.document.image.locked:
             return True
-        try:
-            host.commit(move_image(host.document, by), "Nudge image", run="image")
-        except EditError as reason:
-            host.refuse(str(reason))
+        host.change("Nudge image", lambda document: move_image(document, by), run="image")
         return True
 
     def hover(self, context: ToolContext) -> Hint:

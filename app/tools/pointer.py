@@ -89,17 +89,17 @@ class Pointer(msgspec.Struct, frozen=True):
 
 
 class Cursor(Enum):
-    """Shape of the pointer: that of a tool, or of what a press would do."""
+    """Shape of the pointer, by its name in Qt: that of a tool, or of what a press would do."""
 
-    ARROW = auto()
-    CROSS = auto()
-    HAND = auto()
-    MOVE = auto()
-    WIDER = auto()
-    HIGHER = auto()
-    RISING = auto()
-    FALLING = auto()
-    ROTATE = auto()
+    ARROW = "ArrowCursor"
+    CROSS = "CrossCursor"
+    HAND = "PointingHandCursor"
+    MOVE = "SizeAllCursor"
+    WIDER = "SizeHorCursor"
+    HIGHER = "SizeVerCursor"
+    RISING = "SizeBDiagCursor"
+    FALLING = "SizeFDiagCursor"
+    ROTATE = ""
 
 
 class Hint(msgspec.Struct, frozen=True):

@@ -68,7 +68,7 @@ def with_snap(text: str, caught: Snap | None) -> str:
     return f"{text} · snapped to: {caught.label}" if caught is not None and text else text
 
 
-class _Points(msgspec.Struct, frozen=True, eq=False):
+class _SnapPoints(msgspec.Struct, frozen=True, eq=False):
     """Points of one curve, (k, 2), with their numbers; `of` names the curve if it is another."""
 
     positions: FloatArray
@@ -113,7 +113,7 @@ class Targets(msgspec.Struct, frozen=True):
         The other curves with their names.
     """
 
-    points: tuple[_Points, ...] = ()
+    points: tuple[_SnapPoints, ...] = ()
     neighbours: tuple[tuple[Vector, str], ...] = ()
     curves: tuple[tuple[NearestPoint, str], ...] = ()
 
@@ -183,9 +183,9 @@ def _name(index: int, of: str) -> str:
     return f"point {index} of {of}" if of else f"point {index}"
 
 
-def _points(view: CurveView, without: Collection[int], of: str = "") -> _Points:
+def _points(view: CurveView, without: Collection[int], of: str = "") -> _SnapPoints:
     numbers = np.setdiff1d(np.arange(len(view.points)), np.array(sorted(without), dtype=np.intp))
-    return _Points(view.points[numbers], numbers, of)
+    return _SnapPoints(view.points[numbers], numbers, of)
 
 
 def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:

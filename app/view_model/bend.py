@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from enum import Enum, auto
+from enum import Enum
 from functools import cached_property
 
 import msgspec
@@ -55,11 +55,11 @@ _FIXED = (ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV, Parametriz
 
 
 class BendWith(Enum):
-    """Which data may change."""
+    """The data that a bend changes, in words."""
 
-    ALL = auto()
-    POINTS = auto()
-    DERIVATIVES = auto()
+    ALL = "points and derivatives change"
+    POINTS = "only points change"
+    DERIVATIVES = "only derivatives change"
 
 
 class _Datum(msgspec.Struct, frozen=True):

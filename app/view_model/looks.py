@@ -9,8 +9,6 @@ import enum
 
 import msgspec
 
-from app.view_model.analysis.laboratory_settings import Calculation
-
 Dashes = tuple[float, ...]
 """Lengths of a dash, a gap, a dash and so on, in widths of the line; empty for a solid line."""
 
@@ -68,11 +66,3 @@ USUAL_LOOK = Look()
 CURVE_LOOK = Look("curve", width=2.0)
 CURE_LOOK = Look("accent", width=2.0, dashes=(4.0, 3.0))
 FILE_LOOK = Look("muted", width=1.5, dashes=(6.0, 4.0))
-
-METHOD_LOOKS = {
-    Calculation.MONOMIAL: Look(VERMILLION, width=2.0, dashes=(5.0, 2.0)),
-    Calculation.NEWTON: Look(PURPLE, width=2.0, dashes=(6.0, 2.0, 1.0, 2.0)),
-    Calculation.LAGRANGE: Look(BLUE, width=2.0, dashes=(2.0, 2.0)),
-    Calculation.BARYCENTRIC: Look(GREEN, width=2.0, dashes=(1.0, 1.5)),
-    Calculation.BASIS: Look(BLUE, width=2.0, dashes=(2.0, 2.0)),
-}

@@ -69,7 +69,7 @@ def split(view: CurveView, t: float) -> Split:
     made = Split(parts, _residual_of_parts(view, parts))
     if not family.is_one_polynomial and not is_kept(made.residual, parts):
         raise EditError(
-            f"A {family.title} curve cannot be split: its parts would be other curves, up to "
+            f"{family.subject} cannot be split: its parts would be other curves, up to "
             f"{number(made.residual, 2)} away. Choose {titles_with_derivatives()} first."
         )
     return made
@@ -79,7 +79,7 @@ def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
     count = len(view.source.nodes)
     if count > MOST_POINTS_SPLIT:
         raise EditError(
-            f"A {view.source.family.title} curve of {count} points cannot be split well: each half needs as "
+            f"{view.source.family.subject} of {count} points cannot be split well: each half needs as "
             f"many points, and beyond {MOST_POINTS_SPLIT} rounding shows. Choose {HERMITE.title} first."
         )
     start, end = view.parameters[[0, -1]].tolist()

@@ -32,6 +32,8 @@ At a break the stencil lies to one side: its polynomial is off by the 7th deriva
 step, and values by their rounding over one.
 """
 _AS_GOOD_AS_EQUAL = 1e-9
+_MOST_POINTS = 2000
+"""All functions are asked for at all parameters to be checked: beyond, that alone takes hundreds of MB."""
 
 
 class Scheme(NamedTuple):
@@ -73,7 +75,8 @@ class BasisCurve(Curve):
     Raises
     ------
     CurveError
-        If an argument does not have the shape or values above, or the functions are not finite, not of the
+        If an argument does not have the shape or values above, there are more than 2000 points, or the
+        functions are not finite, not of the
         shape (m, n), or not 1 at their own parameter and 0 at the others.
 
     Examples
@@ -96,6 +99,8 @@ class BasisCurve(Curve):
         if scheme is None:
             raise CurveError("scheme must be given: this class has no basis functions of its own")
         data = point_array(points)
+        if len(data) > _MOST_POINTS:
+            raise CurveError(f"a curve of {scheme.name} can have {_MOST_POINTS} points, not {len(data)}")
         self._jets = read_only(data[:, None, :])
         self._parameters = read_only(parameter_array(parameters, len(data)))
         self._scheme = scheme

@@ -156,6 +156,11 @@ class Curve(Immutable, ABC):
         return self.jets[:, 0]
 
     @property
+    def joints(self) -> FloatArray:
+        """c(t_i), shape (n, dim): the points, where the curve runs through them."""
+        return self.points if self.interpolates else self.evaluate(self._parameters)
+
+    @property
     def parameters(self) -> FloatArray:
         """The parameters t_i, shape (n,), strictly increasing."""
         return self._parameters
@@ -337,7 +342,8 @@ class Curve(Immutable, ABC):
             data = self.jets.reshape(basis.shape[1], -1)
             values.append(basis @ data)
             scale.append((np.abs(basis) @ np.abs(data)).max(axis=1))
-        values[0] = self.points[1:] if before else self.points[:-1]
+        joints = self.joints
+        values[0] = joints[1:] if before else joints[:-1]
         return JointDerivatives(np.stack(values, axis=1), np.stack(scale, axis=1))
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
+from importlib import import_module
+from pathlib import Path
+from pkgutil import iter_modules
 
 import numpy as np
 import pytest
@@ -10,8 +14,10 @@ import pytest
 from app.cli import main
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE, Family
+from app.families.family import families_of_module
 from app.families.family_file import FamilyFileError, families_in, families_of_files
 from app.storage.format import encode
+from curvecore import families
 
 GAUSSIAN = '''"""Bells that are made cardinal.
 
@@ -233,3 +239,18 @@ def test_an_installed_package_brings_a_family(tmp_path, monkeypatch):
     assert [family.name for family in families] == ["hermite", "stiff"]
     assert len(families.problems) == 1
     assert "“lost”" in families.problems[0]
+
+
+def test_the_file_of_the_readme_is_a_family(write):
+    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    (text,) = (
+        block for block in re.findall(r"```python\n(.*?)```", readme, re.DOTALL) if "def basis" in block
+    )
+    (family,) = families_in(write(text))
+    assert family.name == "gaussian"
+
+
+def test_the_core_s_families_are_found_in_its_folder():
+    modules = [import_module(f"curvecore.families.{each.name}") for each in iter_modules(families.__path__)]
+    found = {each.name for module in modules for each in families_of_module(module)}
+    assert found == {family.name for family in FAMILIES} == {"lagrange", "hermite", "quintic_hermite"}

@@ -9,7 +9,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.canvas.hit_test import Segments
+from app.canvas.hit_test import PixelOutline
 from app.document.edits import EditError
 from app.document.kept_handles import stretched
 from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
@@ -134,12 +134,12 @@ def test_the_nearest_segment_of_several_polylines():
     """Vertices that leave every picture, points that coincide, and a tie, which the last one drawn wins."""
     far = np.array([(0.0, 0.0), (1e300, 0.0), (1e300, 1e300)])
     still = np.array([(5.0, 9.0), (5.0, 9.0)])
-    segments = Segments([far, still, np.array([(0.0, 0.0), (0.0, -8.0)])])
+    segments = PixelOutline([far, still, np.array([(0.0, 0.0), (0.0, -8.0)])])
     assert segments.nearest((4.0, 1.0)) == (0, pytest.approx(4e-9), 1.0)
     assert segments.nearest((5.0, 8.0)) == (2, 0.0, 1.0)
     assert segments.nearest((-1.0, -2.0)) == (3, 0.25, 1.0)
     assert segments.nearest((-3.0, 0.0)).segment == 3
-    assert Segments([np.zeros((1, 2))]).nearest((0.0, 0.0)) is None
+    assert PixelOutline([np.zeros((1, 2))]).nearest((0.0, 0.0)) is None
 
 
 def test_a_line_that_has_too_few_vertices_says_how_far_it_is_off(opened):

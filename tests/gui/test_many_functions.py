@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel
 from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
 from app.document.parameter_edits import set_parameters
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
-from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
+from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.pixel_map import PixelMap
 from app.plotting.stamps import cells_of
 from app.testing import Editor
@@ -34,12 +34,12 @@ def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
 @pytest.mark.parametrize(
     ("n", "family", "way"),
     [
-        (20, LAGRANGE, Drawing.EACH),
-        (65, LAGRANGE, Drawing.ENVELOPE),
-        (600, LAGRANGE, Drawing.ENVELOPE),
-        (60, HERMITE, Drawing.EACH),
-        (80, QUINTIC_HERMITE, Drawing.SPANS),
-        (500, HERMITE, Drawing.ENVELOPE),
+        (20, LAGRANGE, FunctionDrawing.EACH),
+        (65, LAGRANGE, FunctionDrawing.ENVELOPE),
+        (600, LAGRANGE, FunctionDrawing.ENVELOPE),
+        (60, HERMITE, FunctionDrawing.EACH),
+        (80, QUINTIC_HERMITE, FunctionDrawing.SPANS),
+        (500, HERMITE, FunctionDrawing.ENVELOPE),
     ],
 )
 def test_how_many_are_drawn_and_that_the_envelope_holds_them(n, family, way, closed):
@@ -108,7 +108,7 @@ def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
     panel = editor.window.basis_panel
     basis, shown, lines = panel.drawing.basis, panel.pixel_map, panel.drawing.functions._lines
     assert lines.are_of(basis, shown)
-    assert way_to_draw(basis) is Drawing.SPANS
+    assert way_to_draw(basis) is FunctionDrawing.SPANS
     # Of a quintic needle three pixels wide, eight chords cut off the tip.
     narrow = (0, 50, 97, 101, 199) if family is HERMITE else ()
     for kind in range(basis.kinds):

@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QStyle, QStyleOptionSlider
+from PySide6.QtWidgets import QDockWidget, QLabel, QLineEdit, QStyle, QStyleOptionSlider
 
 from app.document import edits
 from app.document.model import (
@@ -21,6 +21,7 @@ from app.document.model import (
 from app.document.several_curves import with_looks
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.view import Spot
+from app.features.point_table.delegate import CellEditor
 from app.storage.format import FormatError, validate
 from app.view_model.curve_view import view_of
 
@@ -406,3 +407,44 @@ def test_what_was_selected_is_selected_again_after_a_gesture_that_is_dropped(two
     assert not session.is_previewing
     assert session.selection == {1, 2}
     two.release((1.5, 3.5))
+
+
+def test_a_number_for_a_locked_curve_stays_with_the_reason_beside_it(two):
+    """The cell's editor closed over a number that was not taken."""
+    two.session.change("Lock", lambda document: with_looks(document, [1], locked=True))
+    two.settle()
+    table, before = two.window.point_table, two.session.document
+    table.setFocus()
+    table.setCurrentIndex(table.model().index(0, 1))
+    QTest.keyClick(table, Qt.Key.Key_F2)
+    line = table.findChild(CellEditor)
+    line.selectAll()
+    QTest.keyClicks(line, "7")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    assert line.isVisible()
+    assert "“Other” is locked" in two.status
+    message = two.window.findChild(QLabel, "pointTableMessage")
+    assert message.isVisible()
+    assert "“Other” is locked" in message.text()
+    assert two.session.document is before
+    QTest.keyClick(line, Qt.Key.Key_Escape)
+    assert not line.isVisible()
+
+
+def test_an_interval_for_a_locked_curve_stays_with_the_reason_below_it(two):
+    two.session.change("Lock", lambda document: with_looks(document, [1], locked=True))
+    dock = two.window.findChild(QDockWidget, "curveDock")
+    dock.show()
+    dock.raise_()
+    two.settle()
+    before, field = two.session.document, two.window.findChild(QLineEdit, "intervalEnd")
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "5")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.text() == "5"
+    assert "is locked" in two.window.findChild(QLabel, "curveProblem").text()
+    assert two.session.document is before
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert field.text() == "1"
+    assert two.window.findChild(QLabel, "curveProblem").text() == ""

@@ -14,14 +14,21 @@ from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.view_model.analysis.cost import cost_of
 from app.view_model.analysis.cures import cures_of
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
+from app.view_model.analysis.ghost import all_ghosts
 from app.view_model.analysis.ghosts import ghost_views
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.joints import as_text, certificate_of
 from app.view_model.analysis.laboratory import Refused, calculations, digits_at, try_methods
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
-from app.view_model.analysis.overlays import live_picture, settled_picture, settles
-from app.view_model.analysis.plots import TITLES, plots_of, values_at
-from app.view_model.analysis.settings import AnalysisSettings, Overlay, Plot, all_ghosts
+from app.view_model.analysis.overlay import OVERLAYS
+from app.view_model.analysis.overlays import marks
+from app.view_model.analysis.picture import live_picture, settled_picture, settling
+from app.view_model.analysis.plot import PLOTS
+from app.view_model.analysis.plots.curvature import CURVATURE
+from app.view_model.analysis.plots.lengths import ACCELERATION, SPEED
+from app.view_model.analysis.plotted import plots_of, values_at
+from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.analysis.teaching import warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.basis_view import basis_view, weights_at
@@ -89,7 +96,9 @@ def test_the_curve_is_the_sum_of_the_functions_of_the_file(own, kind):
     # The bells' system has a condition number of about 10: some dozen roundings of 2⁻⁵³ times 6.
     assert np.abs(view.curve.evaluate(t) - truth).max() < 1e-13 * SIZE
     assert view.curve.degree is None
-    assert np.array_equal(view.curve.evaluate(view.parameters), view.points)
+    assert FAMILIES.named(own).interpolates == np.array_equal(
+        view.curve.evaluate(view.parameters), view.points
+    )
 
 
 def test_the_polyline_is_as_near_as_it_says(name):
@@ -188,7 +197,7 @@ def test_a_split_keeps_the_shape_or_is_refused(name, t):
         family = FAMILIES.named(name)
         assert not family.derivatives
         assert not family.is_one_polynomial
-        assert made.startswith(f"A {family.title} curve cannot be split")
+        assert made.startswith(f"{family.subject} cannot be split")
         assert name != "cosine_steps" or t == 1.9
         return
     assert name != "gaussian"
@@ -230,9 +239,9 @@ def test_closing_is_what_the_family_can(name):
         closed = view_of(with_closed(document, 0, view_of(document.curves[0]), True).curves[0])
         assert closed.curve.evaluate(closed.curve.domain[1]) == pytest.approx(POINTS[0])
         return
-    with pytest.raises(EditError, match=f"a {family.title} curve") as refusal:
+    with pytest.raises(EditError, match=family.a_curve) as refusal:
         edits.set_closed(document, 0, True)
-    assert "Choose Hermite or quintic Hermite to close the curve" in str(refusal.value)
+    assert str(refusal.value).startswith("Choose Hermite, quintic Hermite or cosine steps to close the curve")
 
 
 def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
@@ -250,19 +259,22 @@ def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
 def test_every_overlay_draws_this_curve(name):
     view = view_of(curve_of(name))
     everything = AnalysisSettings(
-        overlays=frozenset(Overlay), point_error=0.01, parameter_error=1e-4, ghosts=frozenset(all_ghosts())
+        overlays=frozenset(OVERLAYS),
+        values=frozenset({POINT_ERROR: 0.01, PARAMETER_ERROR: 1e-4}.items()),
+        ghosts=frozenset(all_ghosts()),
     )
     live = live_picture(view, everything, 2.0)
     settled = settled_picture(view, everything, 2.0)
     drawn = shape(view, 20001)
     for figure in (*live.figures, *settled.figures):
         assert np.isfinite(figure.points[~np.isnan(figure.points)]).all()
-    assert settles(view, everything) <= frozenset(Overlay)
+    assert settling(view, everything) <= frozenset(OVERLAYS)
     assert {ghost for ghost, shown in ghost_views(view, everything.ghosts, {}).items() if shown.is_real} >= {
         ghost for ghost in all_ghosts() if ghost.family is not None and ghost.family.name == name
     }
-    on_curve = [each for each in settled.figures if each.style.name in ("SHARPEST", "FLATTEST", "INFLECTION")]
-    for figure in on_curve:
+    for figure in settled.figures:
+        if figure.style not in (marks.SHARPEST, marks.FLATTEST, marks.INFLECTION):
+            continue
         away = np.abs(figure.points[:, None] - drawn).max(axis=2).min(axis=1)
         assert away.max() < 5e-3
 
@@ -270,18 +282,18 @@ def test_every_overlay_draws_this_curve(name):
 def test_every_plot_is_of_this_curve(name):
     view = view_of(curve_of(name))
     start, end = view.curve.domain
-    shown = plots_of(view, frozenset(Plot), (start, end), 600, view.growth)
-    assert [plot.title for plot in shown] == [TITLES[kind] for kind in Plot]
+    shown = plots_of(view, frozenset(PLOTS), (start, end), 600, view.growth)
+    assert {plot.title for plot in shown} == {plot.title for plot in PLOTS}
     h = 1e-4
     for t in (1.234, 2.345, 3.21):
         before, at, after = view.curve.evaluate(np.array([t - h, t, t + h]))
-        values = values_at(view, frozenset(Plot), t)
+        values = values_at(view, frozenset(PLOTS), t)
         velocity, acceleration = (after - before) / (2 * h), (after - 2 * at + before) / h**2
-        assert values[Plot.SPEED] == pytest.approx(np.hypot(*velocity), rel=1e-5)
-        assert values[Plot.ACCELERATION] == pytest.approx(np.hypot(*acceleration), rel=1e-3, abs=1e-3)
+        assert values[SPEED] == pytest.approx(np.hypot(*velocity), rel=1e-5)
+        assert values[ACCELERATION] == pytest.approx(np.hypot(*acceleration), rel=1e-3, abs=1e-3)
         across = velocity[0] * acceleration[1] - velocity[1] * acceleration[0]
         bend = across / np.hypot(*velocity) ** 3
-        assert values[Plot.CURVATURE] == pytest.approx(bend, rel=1e-3, abs=1e-3)
+        assert values[CURVATURE] == pytest.approx(bend, rel=1e-3, abs=1e-3)
         assert derivative_at(view, t, 1) == pytest.approx(velocity, rel=1e-5, abs=1e-5)
     assert np.isfinite(hodograph_of(view, 1).points[~np.isnan(hodograph_of(view, 1).points)]).all()
 
@@ -311,7 +323,7 @@ def test_the_joints_are_told(name):
     view = view_of(curve_of(name))
     certificate = certificate_of(view)
     assert as_text(certificate)
-    assert len(certificate.rows) == {"lagrange": 0, "gaussian": 0}.get(name, len(POINTS) - 2)
+    assert len(certificate.rows) == {"lagrange": 0, "gaussian": 0, "averaging": 0}.get(name, len(POINTS) - 2)
     if name == "gaussian":
         assert certificate.summary == "No joints: a Gaussian curve has no breaks inside."
     if name == "cosine_steps":
@@ -368,3 +380,10 @@ def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
     assert standing_of(everything, view, view.source).is_met
     assert standing_of(parse_goal(f"family = {name}"), view).is_met
     assert not standing_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
+
+
+def test_too_many_points_are_refused_in_words_and_not_computed(own):
+    points = np.column_stack([np.arange(2001.0), np.sin(np.arange(2001.0))])
+    view = view_of(make_curve(points.tolist(), family=FAMILIES.named(own)))
+    assert view.curve is None
+    assert view.problem == f"A curve of {own} can have 2000 points, not 2001."

@@ -112,7 +112,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
             raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
         if choice.thinning is None and choice.family.is_one_polynomial and rows > MOST_LAGRANGE:
             raise ExchangeError(
-                f"A {choice.family.title} curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
+                f"{choice.family.subject} can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
                 f"{HERMITE.title}, or thin them out."
             )
         return _made(table, choice, part(report, 0.6, 1.0))

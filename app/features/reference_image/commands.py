@@ -15,6 +15,7 @@ from app.canvas.image_file import ImageFileError, read_image
 from app.commands.context import WindowContext
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
+from app.features.reference_image.controller import ImageController
 from app.tools.move_image import MOVE_IMAGE
 from app.view_model.curve_view import CurveView
 from app.window_state import WindowState
@@ -41,6 +42,7 @@ class ImageCommands:
         # What stood in front when the panel came; it comes back when the panel goes.
         self._in_front_before: list[QDockWidget] = []
         names = ("moveImage", "findImage", "removeImage")
+        self._controller = ImageController(context.session, context.docks.image_panel)
         context.docks.image_panel.add_buttons([self._actions[name] for name in names])
         # Another document may name the same file, which may have changed meanwhile.
         context.session.opened.connect(self._reset_file)

@@ -49,7 +49,7 @@ class Cost:
     piecewise
         Operations that a Hermite curve's own small systems take; None for other curves.
     other
-        What the curve is called where it is made of no polynomials.
+        One of the family’s curves in words, where these are made of other functions.
     """
 
     count: int
@@ -99,7 +99,7 @@ def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
     twice = _counts(2 * len(t))
     doubled = (twice[0] / solving, twice[1] / basis)
     piecewise = small.setup if small is not None else None
-    other = "" if calculations(view) else family.title
+    other = "" if calculations(view) else family.a_curve
     return Cost(len(t), solving, basis, further, seconds, doubled, piecewise, other)
 
 

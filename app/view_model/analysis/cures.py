@@ -122,8 +122,10 @@ def _tried(words: tuple[str, str, str], document: Document, curve: int, view: Cu
     nothing = np.empty((0, 2))
     if _shape(document, curve) == _shape(Document((view.source,)), 0):
         return Cure(*words, None, nothing, overshoot(view, knot)[0], _lebesgue(view), _IN_USE)
-    if not document.curves[curve].family.is_local and len(view.parameters) > _MOST_LAGRANGE:
-        return Cure(*words, None, nothing, np.nan, np.nan, "Too many points for one polynomial.")
+    family = document.curves[curve].family
+    if not family.is_local and len(view.parameters) > _MOST_LAGRANGE:
+        what = "for one polynomial" if family.is_one_polynomial else "to try it"
+        return Cure(*words, None, nothing, np.nan, np.nan, f"Too many points {what}.")
     other = view_of(document.curves[curve])
     if not other.is_current or knot > len(other.parameters) - 2:
         return Cure(*words, None, nothing, np.nan, np.nan, other.problem or "There is no such segment.")

@@ -96,7 +96,7 @@ def certificate_of(view: CurveView) -> Certificate:
     breaks = view.curve.breaks
     if len(breaks) == 2 < len(view.parameters) and not view.source.is_closed:
         # What the family says of itself; differences could only tell that they are small.
-        return Certificate((), f"No joints: a {view.source.family.title} curve has no breaks inside.")
+        return Certificate((), f"No joints: {view.source.family.a_curve} has no breaks inside.")
     report = joint_report(view.curve, closed=view.source.is_closed)
     joints = [joint for joint in report if joint.joint == 0 or view.parameters[joint.joint] in breaks]
     if not joints:

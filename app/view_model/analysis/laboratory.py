@@ -153,7 +153,7 @@ def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = 
         return Refused(view.problem or "There is no curve yet.")
     if not calculations(view):
         return Refused(
-            f"The laboratory computes polynomials through the points; a {view.source.family.title} curve is "
+            f"The laboratory computes polynomials through the points; {view.source.family.a_curve} is "
             "made of other functions."
         )
     count = len(view.parameters)

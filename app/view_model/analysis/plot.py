@@ -44,8 +44,8 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     Attributes
     ----------
     name
-        A word in lower case, of which its object names and its icon's are made.
-    text, tip
+        A word in lower case, of which its object names are made.
+    text, tip, icon
         Those of its action.
     title, symbol
         What stands beside the plot, and before its value.
@@ -68,6 +68,7 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     symbol: str
     place: int
     values: Callable[[Sampled], FloatArray]
+    icon: str = ""
     orders: tuple[int, ...] = ()
     scale: Scale = Scale.LINEAR
     follows_points: bool = True

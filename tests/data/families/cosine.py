@@ -7,6 +7,7 @@ import numpy as np
 
 name = "cosine_steps"
 title = "cosine steps"
+can_close = True
 
 
 def breaks(parameters):

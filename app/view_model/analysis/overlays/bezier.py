@@ -37,7 +37,7 @@ def _bezier(scene: Scene) -> Drawn:
             figures += _polygons(controls)
     if figures:
         return figures, ""
-    return [], f"Not drawn: no control points are known of a {view.source.family.title} curve."
+    return [], f"Not drawn: no control points are known of {view.source.family.a_curve}."
 
 
 def _of_polynomial(scene: Scene) -> Drawn:

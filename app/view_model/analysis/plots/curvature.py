@@ -32,6 +32,7 @@ CURVATURE = Plot(
     name="curvature",
     text="Curvature",
     tip="Plot the curvature κ over t, positive where the curve turns left",
+    icon="plot-curvature",
     title="Curvature κ",
     symbol="κ",
     place=40,

@@ -33,6 +33,7 @@ LEBESGUE = Plot(
     name="lebesgue",
     text="Lebesgue Function",
     tip="Plot Λ(t): how many times errors of the points can grow at t",
+    icon="plot-lebesgue",
     title="Lebesgue function Λ(t)",
     symbol="Λ(t)",
     place=50,

@@ -10,6 +10,7 @@ from app.actions.declaration import Action, action, action_for_each
 from app.actions.sections import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
 from app.commands.context import WindowContext
 from app.docks import LatePanel
+from app.features import overlays
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.view_model import analysis
@@ -49,10 +50,7 @@ class OverlayCommands:
     @LatePanel("analysisDock", "Analysis")
     def build_panel(self) -> QWidget:
         """Return the panel; called when its dock is first shown."""
-        # Imported when it is wanted: nobody waits for it at the start.
-        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
-
-        return AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
+        return overlays.panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
 
     # What is shown
 

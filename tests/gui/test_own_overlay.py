@@ -1,0 +1,218 @@
+"""An overlay is one file, and so is a plot: shown by those that only these tests have."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+import pytest
+from pixels import is_colour
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSlider, QToolButton
+
+from app.panels.plot_pane import PlotPane
+from app.view_model.analysis.figures import Figure, Shape
+from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
+from app.view_model.analysis.plot import PLOTS, Plot
+from app.view_model.analysis.settings import Count, Factor
+from app.view_model.looks import Look, Sign
+
+RED, LIME = QColor("#ff0000"), QColor("#00ff00")
+PLATE = Look(RED.name(), sign=Sign.AREA)
+DOTS = Look(LIME.name(), width=3.0, sign=Sign.MARK)
+
+SIZE = Factor("plateSize", "Size of the plate")
+CORNERS = Count("plateCorners", "Number of corners", 4, least=3, most=9)
+
+MAY_END = threading.Event()
+"""What is heavy takes until then."""
+
+
+def _plate(scene):
+    """A polygon around the point at the scrub line, half as large as the curve."""
+    here = scene.at_scrub(0)
+    if here is None:
+        return [], "Put the scrub line somewhere."
+    turn = np.linspace(0.0, 2 * np.pi, int(scene.value(CORNERS)), endpoint=False)
+    corners = here + 0.25 * scene.size * scene.value(SIZE) * np.column_stack([np.cos(turn), np.sin(turn)])
+    return [Figure(PLATE, Shape.AREA, np.vstack([corners, [[np.nan, np.nan]]]))], f"{len(corners)} corners."
+
+
+def _dots(scene):
+    """A mark in the middle between two points each."""
+    assert MAY_END.wait(20.0)
+    points = scene.view.points
+    return [Figure(DOTS, Shape.MARKS, (points[1:] + points[:-1]) / 2)], f"{len(points) - 1} dots."
+
+
+PLATES = Overlay(
+    name="plate",
+    text="Plate",
+    full_name="Plate at the Scrub Line",
+    tip="Draw a plate at the scrub line",
+    group=Group.POLYGONS,
+    place=75,
+    layer=1,
+    draw=_plate,
+    settings=(SIZE, CORNERS),
+    follows_scrub=True,
+    brings_scrub=True,
+    legend=lambda settings: [(PLATE, f"Plate with {settings.value(CORNERS):.0f} corners")],
+)
+MIDDLES = Overlay(
+    name="middles",
+    text="Middles",
+    tip="Mark the middles between points",
+    group=Group.SHAPE,
+    place=1,
+    layer=99,
+    draw=_dots,
+    settles=lambda _view: True,
+    finds=((DOTS, "Middle"),),
+)
+DISTANCE = Plot(
+    name="distance",
+    text="Distance",
+    tip="Plot how far the curve is from the origin",
+    title="Distance |c|",
+    symbol="|c|",
+    place=25,
+    orders=(0,),
+    values=lambda sampled: np.hypot(*sampled.derivatives[0].T),
+)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _own_records(kept_editor):
+    """Have windows that offer these; the one that is kept has fewer."""
+    with (
+        OVERLAYS.with_record(PLATES),
+        OVERLAYS.with_record(MIDDLES),
+        PLOTS.with_record(DISTANCE),
+        kept_editor.another(),
+    ):
+        yield
+    assert PLATES not in OVERLAYS
+    assert DISTANCE not in PLOTS
+
+
+def found(editor, kind, name):
+    widget = editor.window.findChild(kind, name)
+    assert widget is not None, name
+    return widget
+
+
+def entries(editor, submenu):
+    (menu,) = (each for each in editor.window.findChildren(QMenu) if each.title().replace("&", "") == submenu)
+    return [action.objectName() for action in menu.actions() if not action.isSeparator()]
+
+
+def legend(editor):
+    shown = editor.window.canvas.drawing.annotations.legend
+    return [row.text for row in shown.rows] if shown is not None and shown.isVisible() else []
+
+
+def seen(editor, colour):
+    """How much of the drawing has a colour, the legend left out."""
+    editor.settle()
+    canvas = editor.window.canvas
+    shown = canvas.drawing.annotations.legend
+    is_there = is_colour(canvas.grab().toImage(), colour)
+    if shown is not None and shown.isVisible():
+        corner = canvas.viewport().mapTo(canvas, shown.geometry().topLeft())
+        is_there[corner.y() : corner.y() + shown.height(), corner.x() : corner.x() + shown.width()] = False
+    return int(is_there.sum())
+
+
+def test_they_stand_in_menus_and_the_palette(editor):
+    overlays = entries(editor, "Overlays")
+    assert overlays.index("overlayMiddles") == 0
+    assert overlays.index("overlayBezier") + 1 == overlays.index("overlayPlate")
+    assert overlays.index("overlayPlate") + 1 == overlays.index("overlayPolygon")
+    plots = entries(editor, "Plots")
+    assert plots.index("plotAcceleration") + 1 == plots.index("plotDistance") == plots.index("plotJerk") - 1
+    assert editor.find_command("plate at the scrub")[0] == "Plate at the Scrub Line"
+    assert editor.action("overlayPlate").toolTip().startswith("Draw a plate at the scrub line")
+
+
+def test_an_overlay_is_drawn_and_explained_and_follows_drags_and_the_scrub_line(editor):
+    assert not seen(editor, RED)
+    editor.trigger("overlayPlate")
+    assert editor.session.scrub == pytest.approx(0.5)
+    assert seen(editor, RED) > 100
+    assert legend(editor) == ["Plate with 4 corners"]
+    (before,) = editor.window.canvas.drawing.annotations.figures
+    editor.scrub(0.8)
+    (after,) = editor.window.canvas.drawing.annotations.figures
+    here = editor.session.active_view.curve.evaluate(editor.session.scrub)
+    assert after.points[:4].mean(axis=0) == pytest.approx(here)
+    assert not np.array_equal(after.points, before.points, equal_nan=True)
+    x, y = editor.point(3)
+    editor.press((x, y))
+    editor.move((x + 0.3, y + 0.3))
+    (moved,) = editor.window.canvas.drawing.annotations.figures
+    assert not np.array_equal(moved.points, after.points, equal_nan=True)
+    editor.escape()
+    editor.trigger("overlayPlate")
+    assert not seen(editor, RED)
+    assert legend(editor) == []
+
+
+def test_the_dock_has_its_switch_its_settings_and_what_it_says(editor, qtbot):
+    editor.show_dock("analysisDock")
+    qtbot.keyClick(found(editor, QCheckBox, "overlayPlateSwitch"), Qt.Key.Key_Space)
+    assert editor.action("overlayPlate").isChecked()
+    note = found(editor, QLabel, "overlayPlateNote")
+    qtbot.waitUntil(lambda: note.text() == "4 corners.")
+    small = seen(editor, RED)
+    size, corners = found(editor, QSlider, "plateSize"), found(editor, QSlider, "plateCorners")
+    assert not size.parentWidget().geometry().intersects(corners.parentWidget().geometry())
+    for _ in range(4):
+        qtbot.keyClick(size, Qt.Key.Key_Right)
+    assert found(editor, QLabel, "plateSizeValue").text() == "× 1.6"
+    assert seen(editor, RED) > 1.5 * small
+    qtbot.keyClick(corners, Qt.Key.Key_Right)
+    qtbot.waitUntil(lambda: note.text() == "5 corners.")
+    assert legend(editor) == ["Plate with 5 corners"]
+    editor.trigger("toggleScrub")
+    qtbot.waitUntil(lambda: note.text() == "Put the scrub line somewhere.")
+
+
+def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor, qtbot):
+    editor.show_dock("analysisDock")
+    MAY_END.clear()
+    editor.trigger("overlayMiddles")
+    assert legend(editor) == ["Middles …"]
+    MAY_END.set()
+    qtbot.waitUntil(lambda: legend(editor) == ["Middle"])
+    assert seen(editor, LIME) > 10
+    MAY_END.clear()
+    x, y = editor.point(3)
+    editor.press((x, y))
+    editor.move((x + 0.3, y + 0.3))
+    # What belongs to another curve is not shown.
+    assert legend(editor) == ["Middles …"]
+    assert not seen(editor, LIME)
+    MAY_END.set()
+    editor.escape()
+    note = found(editor, QLabel, "overlayMiddlesNote")
+    count = len(editor.session.active_view.points) - 1
+    qtbot.waitUntil(lambda: note.text() == f"{count} dots.")
+
+
+def test_a_plot_is_drawn_chosen_and_read_at_the_scrub_line(editor, qtbot):
+    editor.trigger("plotSpeed")
+    qtbot.mouseClick(found(editor, QToolButton, "plotDistanceChoice"), Qt.MouseButton.LeftButton)
+    assert editor.action("plotDistance").isChecked()
+    pane = found(editor, PlotPane, "plotPane")
+    assert [plot.title for plot in pane.canvas.plots] == ["Speed |c′|", "Distance |c|"]
+    (line,) = pane.canvas.plots[1].lines
+    curve = editor.session.active_view.curve
+    assert line.values == pytest.approx(np.linalg.norm(curve.evaluate(line.t), axis=1))
+    editor.scrub(0.5)
+    distance = np.linalg.norm(curve.evaluate(editor.session.scrub))
+    assert f"|c| {distance:.4g}" in pane.values_text
+    before = line.values
+    editor.drag_point(3, (3.0, 3.0))
+    assert not np.array_equal(pane.canvas.plots[1].lines[0].values, before)
