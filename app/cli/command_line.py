@@ -8,7 +8,7 @@ import os
 import sys
 from collections.abc import Sequence
 
-from app import __version__, cli, storage
+from app import __version__, cli, exchange, storage
 from app.cli.refusals import RefusalError, one_line, reason_of, say
 from app.diagnostics.log import log_options, logged
 from app.exchange import READER_PROCESS
@@ -95,9 +95,8 @@ def _run_with_families(paths: list[str], words: list[str]) -> int:
 def _run(words: list[str]) -> int:
     if words[:1] == [READER_PROCESS] and len(words) == 2:
         # A bundle starts itself for this: it has no interpreter besides.
-        from app.exchange.child import main as read_drawing  # noqa: PLC0415
 
-        read_drawing(words[1])
+        exchange.child.main(words[1])
         return 0
     if words and words[0] in _COMMANDS:
         return cli.commands.run_command(words)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from app import cli
+from app import cli, exchange
 from app.cli.command_line import common_options
 from app.cli.documents import load_document
 from app.cli.options import (
@@ -30,7 +30,7 @@ from app.cli.options import (
     positive_number,
 )
 from app.cli.refusals import RefusalError, one_line, say
-from app.exchange.drawing.animation import FILMS
+from app.exchange.drawing.animation import FILMS, Film, first_round, write_film
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, can_import, endings_of
 from app.exchange.reading import ImportOptions, import_file
@@ -38,6 +38,7 @@ from app.exchange.writing import export
 from app.families import FAMILIES
 from app.lessons import LessonError, find_lesson, lesson_names, load_lesson
 from app.tasks.progress import Report, part
+from app.view_model.motion_settings import Pace, Repeat
 
 if TYPE_CHECKING:
     from app.document.model import Document
@@ -147,8 +148,6 @@ def _picture_endings() -> tuple[str, ...]:
 
 def _render_film(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without at its start.
-    from app.exchange.drawing.animation import Film, first_round, write_film  # noqa: PLC0415
-    from app.view_model.motion_settings import Pace, Repeat  # noqa: PLC0415
 
     document, repeat = _document_of(options), Repeat(options.motion or "loop")
     film = Film(
@@ -165,7 +164,6 @@ def _render_film(options: argparse.Namespace) -> int:
 
 
 def _convert(options: argparse.Namespace) -> int:
-    from app.exchange.parts import rounded_up  # noqa: PLC0415
 
     with _told_on_terminals() as report:
         source = import_file(
@@ -188,7 +186,7 @@ def _convert(options: argparse.Namespace) -> int:
         )
         written = export(source.document, options.output, wanted)
     _tell((*source.remarks, *_on_groups(source, options.only), *written.remarks))
-    total = rounded_up(source.deviation + written.deviation)
+    total = exchange.parts.rounded_up(source.deviation + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
 
@@ -203,11 +201,10 @@ def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
 
 def _info(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without.
-    from app.exchange.facts import facts_of  # noqa: PLC0415
 
     document = _document_of(options)
     with _told_on_terminals() as report:
-        facts = facts_of(document, report)
+        facts = exchange.facts.facts_of(document, report)
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
         say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))

@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from app import exchange, panels
 from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
@@ -20,6 +21,7 @@ from app.commands.import_series import ImportSeries
 from app.document.import_edits import add_imported
 from app.document.model import Document
 from app.document.words import count_of, listed, number
+from app.exchange import table
 from app.exchange.formats import (
     FORMATS,
     Kind,
@@ -167,16 +169,16 @@ class ExchangeCommands:
             self._ask_where(path, found)
 
     def _ask_where(self, path: Path, found: Imported) -> None:
-        from app.panels.import_drawing_dialog import ImportDrawingDialog  # noqa: PLC0415
 
-        dialog = ImportDrawingDialog(path.name, found, self._context.window)
+        dialog = panels.import_drawing_dialog.ImportDrawingDialog(path.name, found, self._context.window)
         dialog.chosen.connect(lambda taken, anew: self._take_in(path, taken.document, taken.deviation, anew))
         self._ask(dialog)
 
     def _ask_about_table(self, path: Path, table: _OpenTable) -> None:
-        from app.panels.import_table_dialog import ImportTableDialog  # noqa: PLC0415
 
-        dialog = ImportTableDialog(path.name, path.stem, table.source, table.preview, self._context.window)
+        dialog = panels.import_table_dialog.ImportTableDialog(
+            path.name, path.stem, table.source, table.preview, self._context.window
+        )
         dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
         self._ask(dialog)
 
@@ -219,11 +221,10 @@ class ExchangeCommands:
     @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
     def _ask_and_export(self) -> None:
         """Export a picture, splines, code or numbers."""
-        from app.exchange.choice import choice_from  # noqa: PLC0415
-        from app.panels.export_dialog import ExportDialog  # noqa: PLC0415
-
         if self._dialog is None:
-            self._dialog = ExportDialog(choice_from(self._preferences.export_choice), self._context.window)
+            self._dialog = panels.export_dialog.ExportDialog(
+                exchange.choice.choice_from(self._preferences.export_choice), self._context.window
+            )
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._release_dialog)
         self._show_in_dialog()
@@ -243,9 +244,8 @@ class ExchangeCommands:
             )
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
-        from app.exchange.choice import text_of  # noqa: PLC0415
 
-        self._preferences.export_choice = text_of(choice)
+        self._preferences.export_choice = exchange.choice.text_of(choice)
         start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
         kind = f"{choice.format.title} (*{choice.ending})"
         name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", str(start), kind)
@@ -297,18 +297,14 @@ class ExchangeCommands:
         document, unit = self._session.document, self._preferences.unit_name
 
         def work(report: Report) -> tuple[bytes, bytes]:
-            from app.exchange.drawing.image import png_file  # noqa: PLC0415
-            from app.exchange.svg.writer import svg_of  # noqa: PLC0415
 
             options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
-            png = png_file(document, options).data
-            return png, svg_of(document, Options(unit=unit, report=part(report, 0.5, 1.0))).data
+            png = exchange.png_file(document, options).data
+            return png, exchange.svg_of(document, Options(unit=unit, report=part(report, 0.5, 1.0))).data
 
         self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
 
     def _put_image(self, pictures: tuple[bytes, bytes]) -> None:
-        from PySide6.QtGui import QImage  # noqa: PLC0415
-
         png, svg = pictures
         data = QMimeData()
         data.setData("image/png", png)
@@ -323,9 +319,8 @@ class ExchangeCommands:
         document = self._session.document
 
         def work(report: Report) -> Written:
-            from app.exchange.formats.formulas import svg_path_data  # noqa: PLC0415
 
-            return svg_path_data(document, Options(report=report))
+            return exchange.svg_path_data(document, Options(report=report))
 
         def done(written: Written) -> None:
             QGuiApplication.clipboard().setText(written.text)
@@ -344,9 +339,8 @@ class _OpenTable:
 
 
 def _opened_table(data: bytes, ending: str) -> _OpenTable:
-    from app.exchange.table.source import TableSource  # noqa: PLC0415
 
-    source = TableSource(data, ending)
+    source = table.source.TableSource(data, ending)
     return _OpenTable(source, source.preview())
 
 

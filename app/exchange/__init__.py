@@ -5,7 +5,8 @@
 - ``drawing``: a document as a picture: SVG's source, PNG, PDF, films.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code_runtime``: what exported Python brings along.
-- ``svg``: SVG out and in.  ``dxf_reader``: DXF in.  ``arcs``, ``cubics_in``: their pieces as Hermite curves.
+- ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
+  ``arcs``, ``cubics_in``: their pieces as Hermite curves.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
 - ``units``: how large a length of one is on paper.
@@ -13,5 +14,9 @@
 - ``facts``: what ``curvebench info`` prints.
 """
 
+import lazy_loader as lazy
+
 READER_PROCESS = "--reader-process"
 """First word of the command line of a bundle that shall read a drawing (see ``child``); not for people."""
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

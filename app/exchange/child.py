@@ -25,6 +25,9 @@ from app.storage.coding import from_plain, to_plain
 from app.storage.format import FormatError, validate
 from app.tasks.progress import Report, silent
 
+if sys.platform == "linux":
+    import resource
+
 SECONDS = 5.0
 """The longest that a file of up to `SMALL` bytes may take to be read."""
 
@@ -212,8 +215,6 @@ def _limit_memory(extra: int) -> None:
     """Let this process take no more than `extra` bytes beyond what it has; only Linux counts that."""
     if sys.platform != "linux":
         return
-    import resource  # noqa: PLC0415
-
     with contextlib.suppress(OSError, ValueError), open("/proc/self/statm", encoding="ascii") as file:  # noqa: PTH123
         pages = int(file.read().split()[0])
         most = pages * resource.getpagesize() + extra

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from app import exchange
 from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
 from app.exchange.cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
 from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
@@ -200,8 +201,7 @@ class _Reader:
         return cubics, max(path.deviation for path in paths)
 
     def _take_path(self, entity: DXFGraphic, number: int) -> None:
-        from ezdxf.path import Command, make_path  # noqa: PLC0415
-
+        library = exchange.dxf_library
         radius = _largest_radius(entity)
         count = PIECES_OF_A_TURN
         while (
@@ -210,16 +210,16 @@ class _Reader:
             and count < _FINEST_TURN
         ):
             count += 1
-        whole = make_path(entity, segments=count)
+        whole = library.make_path(entity, segments=count)
         closed = bool(getattr(entity, "is_closed", False)) or entity.dxftype() in ("CIRCLE",)
         for path in whole.sub_paths() if whole.has_sub_paths else [whole]:
             pieces = []
             pen = _flat(path.start)
             for command in path.commands():
-                if command.type == Command.CURVE4_TO:
+                if command.type == library.Command.CURVE4_TO:
                     controls = (command.ctrl1, command.ctrl2, command.end)  # type: ignore[union-attr]
                     pieces.append(np.array([[pen, *map(_flat, controls)]]))
-                elif command.type == Command.LINE_TO:
+                elif command.type == library.Command.LINE_TO:
                     pieces.append(lines(np.array([pen, _flat(command.end)])))
                 else:
                     raise ExchangeError(f"Entity {number} ({entity.dxftype()}) has a curve of another kind.")
@@ -229,14 +229,12 @@ class _Reader:
                 self._add(entity, _welded(np.concatenate(pieces)), closed, deviation)
 
     def _colour(self, entity: DXFGraphic) -> str:
-        from ezdxf.colors import aci2rgb  # noqa: PLC0415
-
         rgb, index = entity.rgb, int(entity.dxf.color)
         if rgb is None and index in (0, 256) and entity.dxf.layer in self._drawing.layers:
             layer = self._drawing.layers.get(entity.dxf.layer)
             rgb, index = layer.rgb, abs(int(layer.dxf.color))
         if rgb is None and 1 <= index <= 255 and index != WHITE:
-            rgb = aci2rgb(index)
+            rgb = exchange.dxf_library.aci2rgb(index)
         return "" if rgb is None else "#{:02x}{:02x}{:02x}".format(*rgb)
 
 
@@ -249,10 +247,9 @@ def ezdxf_module() -> ModuleType:
         If it is not installed.
     """
     try:
-        import ezdxf  # noqa: PLC0415
+        return exchange.dxf_library.ezdxf
     except ImportError:
         raise ExchangeError("DXF needs the package ezdxf: pip install 'curvebench[dxf]'.") from None
-    return ezdxf
 
 
 def _is_clamped(knots: FloatArray, degree: int, count: int) -> bool:
@@ -270,11 +267,11 @@ def _beziers(points: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
     if len(knots) > 2 and (np.unique(knots[1:-1], return_counts=True)[1] == degree).all():
         starts = np.arange(0, len(points) - 1, degree)
         return np.asarray(points[starts[:, None] + np.arange(degree + 1)])
-    from ezdxf.math import BSpline  # noqa: PLC0415
-
     # ezdxf takes knots for equal that differ by less than 1e-9 of their size.
     unit = (knots - knots[0]) / (knots[-1] - knots[0])
-    spline = BSpline([(x, y, 0.0) for x, y in points.tolist()], order=degree + 1, knots=unit.tolist())
+    spline = exchange.dxf_library.BSpline(
+        [(x, y, 0.0) for x, y in points.tolist()], order=degree + 1, knots=unit.tolist()
+    )
     found = [[_flat(point) for point in piece] for piece in spline.bezier_decomposition()]
     return _welded(np.array(found, dtype=float).reshape(-1, degree + 1, 2))
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from app import exchange
+from app.exchange import table
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import (
     FORMATS,
@@ -21,7 +23,7 @@ from app.families import HERMITE, Family
 from app.storage.files import read
 from app.storage.format import FormatError, decode
 from app.storage.image_path import resolved
-from app.tasks.progress import Report, part, silent
+from app.tasks.progress import Report, silent
 
 if TYPE_CHECKING:
     from app.exchange.cubics_in import Imported
@@ -84,50 +86,11 @@ def import_file(
     return found.called(options.only) if options.only else found
 
 
-# The window starts without the readers.
-
-
 def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, report: Report) -> Imported:
     if form.kind is Kind.DRAWING:
-        from app.exchange.child import limited  # noqa: PLC0415
-
         assert form.read is not None
-        return limited(form.read, data, options.tolerance, report=report)
+        return exchange.child.limited(form.read, data, options.tolerance, report=report)
     if form.kind is Kind.TABLE and not is_document(data):
-        return _table(path, ending_in(path, form), data, options, report)
-    from app.exchange.cubics_in import Imported  # noqa: PLC0415
-
+        return table.read.read_table(path, ending_in(path, form), data, options, report)
     folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
-    return Imported(resolved(decode(data), folder))
-
-
-def _table(path: Path, ending: str, data: bytes, options: ImportOptions, report: Report) -> Imported:
-    from app.exchange.table.columns import mapping_of, words_on  # noqa: PLC0415
-    from app.exchange.table.curves import Missing, TableOptions, document_of_table  # noqa: PLC0415
-    from app.exchange.table.layout import MissingNumber  # noqa: PLC0415
-    from app.exchange.table.source import TableSource  # noqa: PLC0415
-    from app.exchange.table.thinning import Thinning  # noqa: PLC0415
-
-    source, missing = TableSource(data, ending), Missing(options.missing)
-    preview = source.preview()
-    mapping = mapping_of(options.columns, preview.titles) if options.columns else preview.certain_mapping()
-    try:
-        table = source.table(preview.layout, mapping, missing, part(report, 0.0, 0.5))
-        made = document_of_table(
-            table,
-            mapping,
-            TableOptions(
-                name=path.name[: -len(ending)] or TableOptions.name,
-                thin=options.thin,
-                thinning=Thinning.POLYLINE if options.corners else Thinning.CURVE,
-                family=options.family,
-                missing=missing,
-            ),
-            report=part(report, 0.5, 1.0),
-        )
-    except MissingNumber as problem:
-        raise ExchangeError(
-            f"{problem} Leave such rows out with --missing skip, or end the curve there with --missing split."
-        ) from None
-    said = (preview.said, words_on(mapping, preview.titles), table.words_on_blocks, *made.remarks)
-    return replace(made, remarks=tuple(filter(None, said)))
+    return exchange.cubics_in.Imported(resolved(decode(data), folder))

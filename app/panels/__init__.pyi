@@ -1,7 +1,10 @@
 # Modules that are imported when they are first used.
 from . import command_palette as command_palette
 from . import crash_dialog as crash_dialog
+from . import export_dialog as export_dialog
 from . import hodograph_panel as hodograph_panel
+from . import import_drawing_dialog as import_drawing_dialog
+from . import import_table_dialog as import_table_dialog
 from . import joints_panel as joints_panel
 from . import laboratory_panel as laboratory_panel
 from . import lesson_panel as lesson_panel

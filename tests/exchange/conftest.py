@@ -1,5 +1,6 @@
 """Documents to export."""
 
+import sys
 from pathlib import Path
 
 import msgspec
@@ -11,6 +12,17 @@ from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.storage.files import load
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "resources" / "examples").glob("*.curve.json"))
+
+
+@pytest.fixture
+def forget(monkeypatch):
+    """Have a module of a package imported anew when it is next asked for."""
+
+    def forget(package, name):
+        monkeypatch.delitem(sys.modules, f"{package.__name__}.{name}", raising=False)
+        monkeypatch.delattr(package, name, raising=False)
+
+    return forget
 
 
 @pytest.fixture(params=EXAMPLES, ids=lambda path: path.name.partition(".")[0])

@@ -12,6 +12,7 @@ from PIL import Image, ImageSequence
 
 from app.document.model import Document, make_curve
 from app.examples import first_sketch
+from app.exchange import drawing
 from app.exchange.drawing.animation import FILMS, Film, write_film
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
@@ -148,7 +149,8 @@ def test_without_a_curve_there_is_no_motion(tmp_path):
         write_film(first_sketch(), tmp_path / "film.webp", Film(**SMALL))
 
 
-def test_without_pillow_it_is_said_how_to_get_it(tmp_path, monkeypatch):
+def test_without_pillow_it_is_said_how_to_get_it(tmp_path, monkeypatch, forget):
+    forget(drawing, "pillow")
     real = builtins.__import__
 
     def without(name, *arguments, **keywords):

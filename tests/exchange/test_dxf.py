@@ -6,6 +6,7 @@ import sys
 import numpy as np
 import pytest
 
+from app import exchange
 from app.document.model import Document, make_curve
 from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
@@ -216,7 +217,8 @@ def test_numbers_that_are_none_are_refused(sketch):
             read_dxf(broken.encode())
 
 
-def test_without_ezdxf_the_extra_is_named(sketch, monkeypatch):
+def test_without_ezdxf_the_extra_is_named(sketch, monkeypatch, forget):
+    forget(exchange, "dxf_library")
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     for call in (lambda: dxf_text(sketch), lambda: read_dxf(b"0\nEOF\n")):
         with pytest.raises(

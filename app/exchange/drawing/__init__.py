@@ -4,4 +4,9 @@
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
 - ``image``: its SVG as PNG and PDF; needs Qt.
 - ``animation``: motions as GIF, APNG and MP4.  ``motion_frames``: their frames; needs Qt.
+  ``pillow``: what writes some of them.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

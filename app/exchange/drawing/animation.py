@@ -20,6 +20,7 @@ from typing import IO, TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from app.document.model import Document
+from app.exchange import drawing
 from app.exchange.drawing.styles import LIGHT, Style
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import format_of
@@ -146,11 +147,9 @@ def write_film(
     form = format_of(path, FILMS)
     _refuse_size(film)
     # Qt is slow to import, and a mistake in the name is told without.
-    from app.exchange.drawing.image import application  # noqa: PLC0415
-    from app.exchange.drawing.motion_frames import FrameMaker  # noqa: PLC0415
 
-    with application():
-        maker = FrameMaker(document, film)
+    with drawing.image.application():
+        maker = drawing.motion_frames.FrameMaker(document, film)
         if film.frames * maker.width * maker.height > form.most_pixels or maker.height > 2 * LARGEST_WIDTH:
             raise ExchangeError("The film would be too large; make it smaller, shorter or with fewer frames.")
         data = form.write(maker, film, report)
@@ -187,14 +186,14 @@ def _apng(maker: FrameMaker, film: Film, report: Report) -> bytes:
 
 def _images(maker: FrameMaker, film: Film, report: Report) -> Iterator[Image.Image]:
     try:
-        from PIL import Image  # noqa: PLC0415 - an extra
+        new = drawing.pillow.Image.frombytes
     except ImportError:
         raise ExchangeError(
             "GIF and APNG are written by Pillow, which is not installed: pip install 'curvebench[animation]'."
         ) from None
     size = (maker.width, maker.height)
     frames = _watched(maker, film.frames, report)
-    return (Image.frombytes("RGB", size, frame, "raw", "RGBX") for frame in frames)
+    return (new("RGB", size, frame, "raw", "RGBX") for frame in frames)
 
 
 def _saved(images: Iterator[Image.Image], **options: Any) -> bytes:  # noqa: ANN401 - Pillow's
@@ -206,13 +205,11 @@ def _saved(images: Iterator[Image.Image], **options: Any) -> bytes:  # noqa: ANN
 
 def _in_one_palette(images: Iterator[Image.Image]) -> Iterator[Image.Image]:
     """Reduce all images to the colours of the first, so that nothing flickers."""
-    from PIL import Image  # noqa: PLC0415 - an extra
-
     palette = None
     for image in images:
         if palette is None:
-            palette = image.quantize(256, Image.Quantize.MEDIANCUT)
-        yield image.quantize(palette=palette, dither=Image.Dither.NONE)
+            palette = image.quantize(256, drawing.pillow.Image.Quantize.MEDIANCUT)
+        yield image.quantize(palette=palette, dither=drawing.pillow.Image.Dither.NONE)
 
 
 def _video(maker: FrameMaker, film: Film, report: Report) -> bytes:

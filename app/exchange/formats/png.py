@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from app.document.model import Document
+from app.exchange import drawing
 from app.exchange.formats import Format, Written
 from app.exchange.options import PICTURE, SCALE, WIDTH, Options
 
@@ -16,15 +17,13 @@ if TYPE_CHECKING:
 
 
 def _write(document: Document, options: Options) -> Written:
-    from app.exchange.drawing.image import png_file  # noqa: PLC0415
 
-    return png_file(document, options)
+    return drawing.image.png_file(document, options)
 
 
 def _preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
-    from app.exchange.drawing.image import png_preview  # noqa: PLC0415
 
-    return png_preview(document, options, room)
+    return drawing.image.png_preview(document, options, room)
 
 
 FORMATS = (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from app.document.model import Document
+from app.exchange import drawing, svg
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import Format, Kind
 from app.exchange.options import PICTURE, TOLERANCE, Options
@@ -15,16 +16,13 @@ if TYPE_CHECKING:
 
 
 def _preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
-    from app.exchange.drawing.image import svg_preview  # noqa: PLC0415 - Qt
 
-    return svg_preview(document, options, room)
+    return drawing.image.svg_preview(document, options, room)
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:
     """Return the curves of a drawing; see `svg.reader.read_svg`."""
-    from app.exchange.svg.reader import read_svg  # noqa: PLC0415 - parsers of XML and of paths
-
-    return read_svg(data, tolerance)
+    return svg.reader.read_svg(data, tolerance)
 
 
 FORMATS = (

@@ -4,3 +4,7 @@
 - ``reader``: SVG as Hermite curves.  ``path_data``: its paths.  ``properties``: its colours.
 - ``xml_tree``: its elements, without DTD and entities.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

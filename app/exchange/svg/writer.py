@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from app import __version__
 from app.document.model import Document
+from app.exchange import drawing
 from app.exchange.drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
 from app.exchange.drawing.styles import Style
 from app.exchange.formats import Written
@@ -71,13 +72,11 @@ def picture_of(
     report: Report = silent,
 ) -> Drawing:
     """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
-    drawing = drawing_of(document, tolerance, report)
+    plain = drawing_of(document, tolerance, report)
     if extras is None:
-        return drawing
+        return plain
     # Views of basis functions and handles are no business of a plain drawing.
-    from app.exchange.drawing.annotations import annotated  # noqa: PLC0415
-
-    return annotated(drawing, document, extras, style.theme)
+    return drawing.annotations.annotated(plain, document, extras, style.theme)
 
 
 def nominal_width(drawing: Drawing, width: float | None) -> float:

@@ -4,5 +4,10 @@
 - ``text``, ``lines``, ``layout``, ``columns``: tables of text.
 - ``numpy_array``, ``json_table``: arrays of NumPy and JSON, as tables.
 - ``curves``, ``thinning``: tables as curves, thinned out if asked.  ``prepared``: for the window.
+- ``read``: a whole file as curves.
 - ``clipboard``: blocks of numbers on the clipboard.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,12 @@
+# Modules that are imported when they are first used.
+from . import child as child
+from . import choice as choice
+from . import cubics_in as cubics_in
+from . import dxf_library as dxf_library
+from . import facts as facts
+from . import parts as parts
+from .drawing.image import png_file as png_file
+from .formats.formulas import svg_path_data as svg_path_data
+from .svg.writer import svg_of as svg_of
+
+READER_PROCESS: str
