@@ -27,7 +27,7 @@ def curve_colour(code: str, theme: Theme) -> QColor:
     return QColor(colour_on(theme.paper.name(), code)) if code else QColor(theme.curve)
 
 
-def look_colour(code: str, theme: Theme) -> QColor:
+def line_colour(code: str, theme: Theme) -> QColor:
     """Return a colour of marks and lines that are told apart by it: Okabe–Ito, darker on light paper."""
     published = OKABE_ITO["dark"]
     return QColor(OKABE_ITO[theme.name][published.index(code)]) if code in published else QColor(code)

@@ -162,7 +162,8 @@ def test_no_file_names_a_package_host_or_locks_versions():
 
 
 def test_the_readme_example_of_the_core_runs(capsys):
-    code = re.search(r"```python\n(import numpy.+?)```", text_of("README.md"), re.DOTALL)
+    block = r"```python\n(import numpy as np\nfrom curvecore.+?)```"
+    code = re.search(block, text_of("README.md"), re.DOTALL)
     assert code is not None
     exec(code[1], {})
     # Runge's function, interpolated; the weights of the points add up to one.

@@ -15,7 +15,7 @@ from app.plotting.plot_widget import PlotWidget
 from app.view_model import analysis
 from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView
-from app.view_model.looks import FILE_LOOK, Look
+from app.view_model.line_styles import FILE_STYLE, LineStyle
 
 if TYPE_CHECKING:
     from app.canvas.legend import Legend
@@ -69,7 +69,7 @@ class Annotations(QObject):
     def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
         """Show the curves that a file holds, dashed and with this name; none: put them away."""
         self._file_layer.render(views, name)
-        self._explain_lines("file", [(FILE_LOOK, self.file_version)] if self.file_version else ())
+        self._explain_lines("file", [(FILE_STYLE, self.file_version)] if self.file_version else ())
 
     @property
     def file_version(self) -> str:
@@ -81,7 +81,7 @@ class Annotations(QObject):
     ) -> None:
         """Show other versions of the curve over it, explained; none take the group away."""
         self._traces.render(group, traces, faded=faded)
-        named = [(trace.look, trace.label) for trace in traces]
+        named = [(trace.style, trace.label) for trace in traces]
         self._explain_lines(group, named, heading, muted=faded)
 
     def traces(self, group: str) -> tuple[Sequence[Trace], bool]:
@@ -104,7 +104,7 @@ class Annotations(QObject):
         self.legend.render_rows(group, rows)
 
     def _explain_lines(
-        self, group: str, lines: Sequence[tuple[Look, str]], heading: str = "", *, muted: bool = False
+        self, group: str, lines: Sequence[tuple[LineStyle, str]], heading: str = "", *, muted: bool = False
     ) -> None:
         if not lines and self.legend is None:
             return

@@ -19,7 +19,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.looks import Mark
+from app.view_model.line_styles import Mark
 from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
@@ -113,10 +113,10 @@ class FigureLayer(Layer):
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
         if not ghost.is_drawn:
             return
-        look = ghost.ghost.look
-        painter.setPen(pen_of(look, self.theme, self.scale))
+        style = ghost.ghost.style
+        painter.setPen(pen_of(style, self.theme, self.scale))
         line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
-        draw_line(painter, _pixels(line, shown), look.dashes, shown)
+        draw_line(painter, _pixels(line, shown), style.dashes, shown)
 
     def _paint_label(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
         """Write beside the last point, on a plate of paper, inside the drawing."""

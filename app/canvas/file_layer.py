@@ -14,7 +14,7 @@ from app.plotting.pens import draw_line, pen_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.curve_view import CurveView
-from app.view_model.looks import FILE_LOOK
+from app.view_model.line_styles import FILE_STYLE
 
 
 class FileLayer(Layer):
@@ -59,9 +59,9 @@ class FileLayer(Layer):
         picture.fill(Qt.GlobalColor.transparent)
         painter = QPainter(picture)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        painter.setPen(pen_of(FILE_LOOK, self.theme, self.scale))
+        painter.setPen(pen_of(FILE_STYLE, self.theme, self.scale))
         for view in self._views:
             points = view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box).points
-            draw_line(painter, shown.points(points), FILE_LOOK.dashes, shown)
+            draw_line(painter, shown.points(points), FILE_STYLE.dashes, shown)
         painter.end()
         return picture

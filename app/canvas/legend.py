@@ -97,9 +97,9 @@ class Legend(Guarded, QFrame):
     def _add(self, place: int, row: LegendRow) -> None:
         font = QFont(self.font())
         font.setPointSizeF(font.pointSizeF() * 0.92 * self._style.scale)
-        if row.look is not None:
+        if row.style is not None:
             sign = Label()
-            sign.setPixmap(sign_pixmap(row.look, self._style.theme, self.devicePixelRatioF()))
+            sign.setPixmap(sign_pixmap(row.style, self._style.theme, self.devicePixelRatioF()))
             self._grid.addWidget(sign, place, 0)
         if row.ghost is not None:
             choose, hide = self._ghost_buttons(row, row.ghost)
@@ -113,7 +113,7 @@ class Legend(Guarded, QFrame):
         text.setStyleSheet(
             f"color: {(self._style.theme.muted if row.is_muted else self._style.theme.ink).name()}"
         )
-        first = 0 if row.look is None else 1
+        first = 0 if row.style is None else 1
         self._grid.addWidget(text, place, first, 1, 3 - first)
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:

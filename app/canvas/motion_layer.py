@@ -17,7 +17,7 @@ from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.theme import mix
 from app.view_model.arrow import arrow_segments
-from app.view_model.looks import DASHED
+from app.view_model.line_styles import DASHED
 from app.view_model.motion_picture import COLOURS, NAMES, RADII, TRAIL, Dot, Role, colour_of
 from curvecore.arrays import FloatArray
 

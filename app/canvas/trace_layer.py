@@ -13,17 +13,17 @@ from app.plotting.layers import Layer
 from app.plotting.pens import line_in_pixels, pen_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray
 
 _FADED = 0.3
 
 
 class Trace(msgspec.Struct, frozen=True, eq=False):
-    """A curve as polylines (k, 2), in the plane, with its look and its name."""
+    """A curve as polylines (k, 2), in the plane, with its style and its name."""
 
     pieces: Sequence[FloatArray]
-    look: Look
+    style: LineStyle
     label: str
 
 
@@ -35,7 +35,7 @@ class TraceLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self.groups: dict[str, tuple[Sequence[Trace], bool]] = {}
-        self._lines: list[tuple[Look, bool, Stroke | Segments]] = []
+        self._lines: list[tuple[LineStyle, bool, Stroke | Segments]] = []
         self._drawn_at: tuple[PixelMap, float] | None = None
         self.set_visible(False)
 
@@ -59,15 +59,15 @@ class TraceLayer(Layer):
         if self._drawn_at != (shown, self.scale):
             self._drawn_at = shown, self.scale
             self._lines = [
-                (trace.look, faded, self._line(points, trace.look, shown))
+                (trace.style, faded, self._line(points, trace.style, shown))
                 for traces, faded in self.groups.values()
                 for trace in traces
                 for points in trace.pieces
             ]
-        for look, faded, line in self._lines:
-            painter.setPen(pen_of(look, self.theme, self.scale, _FADED if faded else 1.0))
+        for style, faded, line in self._lines:
+            painter.setPen(pen_of(style, self.theme, self.scale, _FADED if faded else 1.0))
             line.draw(painter)
 
-    def _line(self, points: FloatArray, look: Look, shown: PixelMap) -> Stroke | Segments:
+    def _line(self, points: FloatArray, style: LineStyle, shown: PixelMap) -> Stroke | Segments:
         with np.errstate(over="ignore"):
-            return line_in_pixels(shown.points(points), look.dashes, look.width * self.scale, shown)
+            return line_in_pixels(shown.points(points), style.dashes, style.width * self.scale, shown)

@@ -219,7 +219,7 @@ class LaboratoryCommands(Guarded, QObject):
         heading = ""
         if trial is not None and self._settings.on and trial.view.source.visible:
             traces = tuple(
-                Trace(each.pieces, each.calculation.look, each.calculation.label) for each in trial.outcomes
+                Trace(each.pieces, each.calculation.style, each.calculation.label) for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)

@@ -21,7 +21,7 @@ from app.tasks.progress import Report
 from app.tools.explain import EXPLAIN
 from app.view_model import analysis
 from app.view_model.curve_view import CurveView
-from app.view_model.looks import CURE_LOOK
+from app.view_model.line_styles import CURE_STYLE
 
 if TYPE_CHECKING:
     from app.panels.wiggle_panel import WigglePanel
@@ -154,7 +154,7 @@ class WiggleCommands(QObject):
 
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
-        traces = (Trace((cure.points,), CURE_LOOK, cure.label),) if cure is not None else ()
+        traces = (Trace((cure.points,), CURE_STYLE, cure.label),) if cure is not None else ()
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Preview")
 
     def _apply(self, key: str) -> None:

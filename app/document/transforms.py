@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Collection, Sequence
 from decimal import Decimal
 from enum import Enum
+from typing import Self
 
 import msgspec
 from msgspec.structs import replace
@@ -112,41 +113,45 @@ def _at(node: Node, position: Vector) -> Node:
     return replace(node, x=x, y=y)
 
 
-class Edge(Enum):
-    """What points are aligned at."""
-
-    LEFT = "left"
-    CENTRE = "centre"
-    RIGHT = "right"
-    TOP = "top"
-    MIDDLE = "middle"
-    BOTTOM = "bottom"
-
-
-_AXES = {Edge.LEFT: 0, Edge.CENTRE: 0, Edge.RIGHT: 0, Edge.TOP: 1, Edge.MIDDLE: 1, Edge.BOTTOM: 1}
-
-
 def _middle(values: Sequence[float]) -> float:
     return min(values) / 2 + max(values) / 2
 
 
-_TARGETS: dict[Edge, Callable[[Sequence[float]], float]] = {
-    Edge.LEFT: min,
-    Edge.CENTRE: _middle,
-    Edge.RIGHT: max,
-    Edge.TOP: max,
-    Edge.MIDDLE: _middle,
-    Edge.BOTTOM: min,
-}
+class Edge(Enum):
+    """Line that points are aligned at.
+
+    Attributes
+    ----------
+    axis
+        The coordinate that it fixes, 0 for x.
+    place
+        Returns that coordinate from those of the points.
+    """
+
+    axis: int
+    place: Callable[[Sequence[float]], float]
+
+    def __new__(cls, value: str, axis: int, place: Callable[[Sequence[float]], float]) -> Self:
+        """Return a member, whose value is its name in sentences."""
+        member = object.__new__(cls)
+        member._value_, member.axis, member.place = value, axis, place
+        return member
+
+    LEFT = "left", 0, min
+    CENTRE = "centre", 0, _middle
+    RIGHT = "right", 0, max
+    TOP = "top", 1, max
+    MIDDLE = "middle", 1, _middle
+    BOTTOM = "bottom", 1, min
 
 
 def align_nodes(document: Document, curve: int, indices: Collection[int], edge: Edge) -> Document:
     """Give the nodes at `indices` one x (left, centre, right) or one y (top, middle, bottom)."""
     if len(indices) < 2:
         raise EditError("Select at least two points to align them.")
-    nodes, axis = document.curves[curve].nodes, _AXES[edge]
+    nodes, axis = document.curves[curve].nodes, edge.axis
     values = [nodes[index].position[axis] for index in indices]
-    target = _TARGETS[edge](values)
+    target = edge.place(values)
     return with_coordinates(document, curve, dict.fromkeys(indices, target), axis)
 
 

@@ -31,6 +31,7 @@ import numpy.typing as npt
 from app.families.family import Family, families_of_module
 from app.families.registry import Families
 from curvecore import BasisCurve, Curve, CurveError, Scheme, chebyshev, uniform
+from curvecore.arrays import FloatArray
 
 _MODULE = "curvebench_families_of_a_file"
 _COUNTS = (2, 3, 4, 7)
@@ -159,7 +160,7 @@ def _try_out(curve_class: type[Curve], path: Path, line: str) -> None:
             raise FamilyFileError(f"“{path}”{line}: {curve_class.name} makes a curve that is not finite.")
 
 
-def _trials() -> Iterator[npt.NDArray[np.float64]]:
+def _trials() -> Iterator[FloatArray]:
     for count in _COUNTS:
         yield uniform(count)
         yield 10.0 + 3.0 * chebyshev(count)

@@ -22,7 +22,7 @@ from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.theme import mix
 from app.view_model.basis_view import BasisView
-from app.view_model.looks import KIND_DASHES
+from app.view_model.line_styles import KIND_DASHES
 from curvecore.arrays import FloatArray, IntArray
 
 _RAIL_HEIGHT = 34.0

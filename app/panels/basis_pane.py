@@ -19,7 +19,7 @@ from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
-from app.view_model.looks import KIND_DASHES, Look
+from app.view_model.line_styles import KIND_DASHES, LineStyle
 
 _NOTHING = "none while the rule gives no parameters"
 _NAMES = ("position", "velocity", "acceleration")
@@ -180,7 +180,7 @@ class BasisPane(Guarded, QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         for button, dashes in zip(self._kinds, KIND_DASHES, strict=True):
-            button.setIcon(QIcon(sign_pixmap(Look("ink", width=1.5, dashes=dashes), theme, 2.0)))
+            button.setIcon(QIcon(sign_pixmap(LineStyle("ink", width=1.5, dashes=dashes), theme, 2.0)))
         self._estimates.setStyleSheet(choice_style(theme))
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")

@@ -80,8 +80,8 @@ class CostPanel(QWidget):
         chart = cost_chart()
         self.chart.render_lines(
             [
-                LogLine(chart.n, chart.solving, Calculation.MONOMIAL.look, "solving, n³"),
-                LogLine(chart.n, chart.basis, Calculation.LAGRANGE.look, "basis form, n²"),
+                LogLine(chart.n, chart.solving, Calculation.MONOMIAL.style, "solving, n³"),
+                LogLine(chart.n, chart.basis, Calculation.LAGRANGE.style, "basis form, n²"),
             ],
             marker=float(min(cost.count, chart.n[-1])),
         )

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.analysis import Analysis
 from app.document.expression import ExpressionError
+from app.document.words import count_of
 from app.labels import Label
 from app.panels.cost_panel import CostPanel
 from app.panels.digits_table import DigitsTable
@@ -114,7 +115,7 @@ class LaboratoryPanel(QTabWidget):
         box.setToolTip("Round points, parameters and derivatives before anything is computed")
         box.addItem("Data as they are")
         for decimals in range(MOST_DECIMALS + 1):
-            box.addItem(f"Data to {decimals} decimal{'' if decimals == 1 else 's'}")
+            box.addItem(f"Data to {count_of(decimals, 'decimal')}")
         return box
 
     def _make_shift_button(self) -> QPushButton:

@@ -18,7 +18,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.theme import theme_of
 from app.view_model.analysis.wording import power
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray
 
 _MOST_TICKS = 5
@@ -32,7 +32,7 @@ class LogLine:
 
     x: FloatArray
     values: FloatArray
-    look: Look
+    style: LineStyle
     label: str
 
 
@@ -88,8 +88,8 @@ class LogPlot(PlotWidget):
             y = shown.point(0.0, exponent)[1]
             painter.drawLine(QPointF(0, y), QPointF(shown.width, y))
         for place, (points, line) in enumerate(self._lines):
-            painter.setPen(QPen(colour_of(line.look, theme), 1.5))
-            draw_line(painter, shown.points(points), line.look.dashes, shown)
+            painter.setPen(QPen(colour_of(line.style, theme), 1.5))
+            draw_line(painter, shown.points(points), line.style.dashes, shown)
             self._paint_label(painter, shown, points, line, below=place > 0)
         if self._marker is not None:
             self._paint_marker(painter, shown, self._marker)
@@ -99,7 +99,7 @@ class LogPlot(PlotWidget):
     ) -> None:
         """Write a line's name above it to the left, or below it to the right, near its end."""
         x, y = shown.points(points[-len(points) // (2 if below else 5) :])[0].tolist()
-        painter.setPen(colour_of(line.look, self.layers.theme))
+        painter.setPen(colour_of(line.style, self.layers.theme))
         box = QRectF(x + 6, y + 2, 200, 18) if below else QRectF(x - 206, y - 24, 200, 18)
         side = Qt.AlignmentFlag.AlignLeft if below else Qt.AlignmentFlag.AlignRight
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignBottom), line.label)

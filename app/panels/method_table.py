@@ -33,7 +33,7 @@ _CELLS = {"lost": "15.9", "error": "8.9·10⁻¹⁶", "place": "0.55", "conditio
 
 
 class MethodTable(Guarded, QWidget):
-    """A row for each method: a check box with its look, and what came out.
+    """A row for each method: a check box with its style, and what came out.
 
     Signals
     -------
@@ -120,7 +120,7 @@ class MethodTable(Guarded, QWidget):
     def _dress(self) -> None:
         theme = theme_of(self.palette())
         for method, box in self._boxes.items():
-            box.setIcon(QIcon(sign_pixmap(method.look, theme, self.devicePixelRatioF())))
+            box.setIcon(QIcon(sign_pixmap(method.style, theme, self.devicePixelRatioF())))
 
 
 def _side(column: int) -> Qt.AlignmentFlag:

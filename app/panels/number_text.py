@@ -6,10 +6,10 @@ import math
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QLocale
 
 from app.document.words import NOTHING, polished
+from curvecore.arrays import FloatArray
 
 NEGLIGIBLE = 1e-12
 """Share of the greatest number beside it below which a number is a rounding residue, shown as 0."""
@@ -65,7 +65,7 @@ class ColumnNumbers(msgspec.Struct, frozen=True):
         return NEGLIGIBLE * self.greatest
 
 
-def numbers_of_columns(values: npt.NDArray[np.float64]) -> list[ColumnNumbers]:
+def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
     """Return what is known of each column of `values`, (n, columns)."""
     magnitudes = np.abs(values)
     magnitudes[~np.isfinite(magnitudes)] = 0.0
@@ -94,7 +94,7 @@ def _extent_of(seen: list[tuple[int, int]], greatest: float, *, is_signed: bool)
     return Extent(frozenset(kept), _whole_digits(greatest), is_signed)
 
 
-def column_decimals(values: npt.NDArray[np.float64], digits: int) -> int:
+def column_decimals(values: FloatArray, digits: int) -> int:
     """Return how many decimals a column shows, so that its numbers are as short as they can be.
 
     Enough for every number to be shown exactly if `digits` digits of the greatest one allow it.

@@ -16,7 +16,7 @@ from app.plotting.pens import colour_of, line_in_pixels, with_dashes
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.plot_lines import PlotData, PlotLine
-from app.view_model.looks import DASHED
+from app.view_model.line_styles import DASHED
 from curvecore.arrays import FloatArray
 
 _STRIP, _LARGEST_STRIP = 17.0, 0.4
@@ -121,7 +121,7 @@ class PlotLayer(Layer):
         ]
 
     def _pen(self, line: PlotLine) -> QPen:
-        return QPen(colour_of(line.look, self.theme, 0.4 if self.waits else 1.0), _WIDTH * self.scale)
+        return QPen(colour_of(line.style, self.theme, 0.4 if self.waits else 1.0), _WIDTH * self.scale)
 
     def _paint_jumps(
         self, painter: QPainter, line: PlotLine, band: PlotBand, scale: ValueScale, shown: PixelMap
@@ -134,7 +134,7 @@ class PlotLayer(Layer):
         x, y = shown.x(line.t[ends]), band.y(scale.shares(line.values[ends]))
         near = (x > -9) & (x < shown.width + 9) & (y > band.top - 9) & (y < band.foot + 9)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour_of(line.look, self.theme))
+        painter.setBrush(colour_of(line.style, self.theme))
         for place in np.column_stack([x, y])[near].tolist():
             painter.drawEllipse(QPointF(*place), 2.2 * self.scale, 2.2 * self.scale)
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -190,7 +190,7 @@ class PlotLayer(Layer):
     def _paint_legend(self, painter: QPainter, plot: PlotData, strip: QRectF, left: float) -> float:
         for line in plot.lines:
             y = strip.center().y()
-            painter.setPen(with_dashes(self._pen(line), line.look.dashes))
+            painter.setPen(with_dashes(self._pen(line), line.style.dashes))
             painter.drawLine(QPointF(left, y), QPointF(left + 22, y))
             painter.setPen(self.theme.muted)
             painter.drawText(
@@ -210,7 +210,7 @@ def _stroke(
     y = band.y(scale.shares(line.values))
     if len(x) > _MOST_A_COLUMN * shown.width:
         return _by_columns(x, y, shown)
-    return line_in_pixels(np.column_stack([x, y]), line.look.dashes, width, shown)
+    return line_in_pixels(np.column_stack([x, y]), line.style.dashes, width, shown)
 
 
 def _by_columns(x: FloatArray, y: FloatArray, shown: PixelMap) -> Segments:
@@ -259,6 +259,6 @@ class ScrubLayer(Layer):
                 if 0 <= share <= 1:
                     y = float(band.y(np.array([share]))[0])
                     painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
-                    painter.setBrush(colour_of(line.look, self.theme))
+                    painter.setBrush(colour_of(line.style, self.theme))
                     painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)
         painter.setBrush(Qt.BrushStyle.NoBrush)

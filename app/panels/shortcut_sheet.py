@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.words import count_of
 from app.icons import icon
 from app.labels import Label, html_of
 from app.overrides import Guarded
@@ -63,7 +64,7 @@ class Moment(msgspec.Struct, frozen=True):
             return f"Now: {self.curves} curves chosen"
         if not self.selected:
             return "Now: selecting"
-        return f"Now: {self.selected} point{'' if self.selected == 1 else 's'} selected"
+        return f"Now: {count_of(self.selected, 'point')} selected"
 
 
 class _Gesture(msgspec.Struct, frozen=True):

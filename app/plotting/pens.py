@@ -1,35 +1,35 @@
-"""Looks on the screen: pens, lines, marks, and small pictures of them for legends and switches."""
+"""Line styles on the screen: pens, lines, marks, and small pictures of them for legends and switches."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
 
-from app.colours import look_colour
+from app.colours import line_colour
 from app.plotting.dashes import dashed
 from app.plotting.drawing import Segments, Stroke, visible_segments
 from app.plotting.pixel_map import PixelMap
 from app.theme import Theme, mix
-from app.view_model.looks import Dashes, Look, Mark, Sign
+from app.view_model.line_styles import Dashes, LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
 
 SIGN = QSize(30, 14)
 """Size of a sign in pixels."""
 
 
-def colour_of(look: Look, theme: Theme, strength: float = 1.0) -> QColor:
-    """Return the colour of a look under a theme; below a strength of 1 mixed with the paper."""
-    named = look.colour.startswith("#")
-    colour = look_colour(look.colour, theme) if named else QColor(getattr(theme, look.colour))
+def colour_of(style: LineStyle, theme: Theme, strength: float = 1.0) -> QColor:
+    """Return the colour of a line style under a theme; below a strength of 1 mixed with the paper."""
+    named = style.colour.startswith("#")
+    colour = line_colour(style.colour, theme) if named else QColor(getattr(theme, style.colour))
     if strength < 1.0:
         colour = mix(colour, theme.paper, strength)
-    colour.setAlphaF(look.opacity)
+    colour.setAlphaF(style.opacity)
     return colour
 
 
-def pen_of(look: Look, theme: Theme, scale: float = 1.0, strength: float = 1.0) -> QPen:
-    """Return the pen of a look, without the dashes."""
-    return QPen(colour_of(look, theme, strength), look.width * scale)
+def pen_of(style: LineStyle, theme: Theme, scale: float = 1.0, strength: float = 1.0) -> QPen:
+    """Return the pen of a line style, without the dashes."""
+    return QPen(colour_of(style, theme, strength), style.width * scale)
 
 
 def with_dashes(pen: QPen, dashes: Dashes) -> QPen:
@@ -85,7 +85,7 @@ def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) ->
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def sign_pixmap(look: Look, theme: Theme, ratio: float = 1.0) -> QPixmap:
+def sign_pixmap(style: LineStyle, theme: Theme, ratio: float = 1.0) -> QPixmap:
     """Return a small picture of a line, a mark or an area as it is drawn."""
     picture = QPixmap(SIGN * ratio)
     picture.setDevicePixelRatio(ratio)
@@ -93,13 +93,13 @@ def sign_pixmap(look: Look, theme: Theme, ratio: float = 1.0) -> QPixmap:
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
     centre = QPointF(SIGN.width() / 2, SIGN.height() / 2)
-    painter.setPen(pen_of(look, theme))
-    if look.sign is Sign.AREA:
+    painter.setPen(pen_of(style, theme))
+    if style.sign is Sign.AREA:
         painter.fillRect(QRectF(1, 2, SIGN.width() - 2, SIGN.height() - 4), painter.pen().color())
-    if look.sign in (Sign.LINE, Sign.LINE_WITH_MARK):
-        painter.setPen(with_dashes(painter.pen(), look.dashes))
+    if style.sign in (Sign.LINE, Sign.LINE_WITH_MARK):
+        painter.setPen(with_dashes(painter.pen(), style.dashes))
         painter.drawLine(QPointF(1, centre.y()), QPointF(SIGN.width() - 1, centre.y()))
-    if look.sign in (Sign.MARK, Sign.LINE_WITH_MARK):
-        draw_mark(painter, look.mark, centre.x(), centre.y(), 4.5 if look.sign is Sign.MARK else 4.0)
+    if style.sign in (Sign.MARK, Sign.LINE_WITH_MARK):
+        draw_mark(painter, style.mark, centre.x(), centre.y(), 4.5 if style.sign is Sign.MARK else 4.0)
     painter.end()
     return picture

@@ -6,14 +6,13 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen, QPixmap
 
 from app.colours import point_colours
 from app.theme import Theme
-from curvecore.arrays import FloatArray
+from curvecore.arrays import FloatArray, IntArray
 
 _COLOURS = 256
 """Colours that are told apart; with more points, neighbours on the ramp share one."""
@@ -47,7 +46,7 @@ class Stamps:
         self,
         painter: QPainter,
         places: FloatArray,
-        indices: npt.NDArray[np.intp],
+        indices: IntArray,
         count: int,
         theme: Theme,
         radius: float,
@@ -65,7 +64,7 @@ class Stamps:
         fragments, length = self._fragments.drawargs()
         painter.drawPixmapFragments(fragments, length, self._sheet)
 
-    def _fill(self, places: FloatArray, indices: npt.NDArray[np.intp], count: int, ratio: float) -> None:
+    def _fill(self, places: FloatArray, indices: IntArray, count: int, ratio: float) -> None:
         finer = _places_within_a_pixel(count)
         steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
         whole, within = np.divmod(steps, finer)
@@ -115,7 +114,7 @@ def _places_within_a_pixel(count: int) -> int:
     return _PLACES if count <= _FEW else 1
 
 
-def cells_of(indices: npt.NDArray[np.intp], count: int) -> npt.NDArray[np.intp]:
+def cells_of(indices: IntArray, count: int) -> IntArray:
     """Return which of at most 256 colours each point has; the lightness still alternates."""
     if count <= _COLOURS:
         return indices

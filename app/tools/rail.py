@@ -52,6 +52,10 @@ class ScrubTool(Tool):
         if self._function is not None:
             context.host.select([self._function[1]])
 
+    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
+        """Leave arrow keys alone: no point is meant here."""
+        return False
+
     def cancel(self, context: ToolContext) -> None:
         """Bring the scrub line back."""
         if self._scrubbing:

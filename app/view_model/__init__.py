@@ -16,7 +16,7 @@
 - ``pasting``: points carried from one curve to another.
 - ``motion``, ``motion_settings``: from time to parameter; how the dot runs.
   ``motion_picture``, ``arrow``: what is drawn and said of a motion.
-- ``looks``, ``palette``: how lines and marks look; the colours of points.
+- ``line_styles``, ``palette``: how lines and marks look; the colours of points.
 - ``goals``: what a lesson asks for.
 - ``node_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
 - ``analysis``: why the curve goes where it goes.

@@ -8,11 +8,10 @@ from typing import TypeVar
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
 from app.document.kept_handles import DERIVATIVES
 from app.document.model import Node, Vector
-from curvecore.arrays import BoolArray, FloatArray
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 Column = TypeVar("Column", FloatArray, BoolArray)
 
@@ -95,7 +94,7 @@ def _given(node: Node) -> tuple[Vector, Vector, Vector, Vector]:
     return velocity, acceleration, node.velocity_after or _NONE, node.acceleration_after or _NONE
 
 
-def _with_rows(old: Column, rows: npt.NDArray[np.intp], fresh: Column) -> Column:
+def _with_rows(old: Column, rows: IntArray, fresh: Column) -> Column:
     # By their bytes: NaN is NaN, and a comparison of NumPy's takes ten times as long.
     if old[rows].tobytes() == fresh.tobytes():
         return old

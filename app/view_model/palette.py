@@ -8,6 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from curvecore.arrays import FloatArray
+
 PAPER: Final = {"light": "#fafafa", "dark": "#15181c"}
 INK: Final = {"light": "#1f2328", "dark": "#e6e8ea"}
 ACCENT: Final = {"light": "#2563d9", "dark": "#6ea8fe"}
@@ -117,7 +119,7 @@ def _within_srgb(lightness: float, a: float, b: float) -> str:
     return f"#{code & 0xFFFFFF:06x}"
 
 
-def _linear(code: str) -> NDArray[np.float64]:
+def _linear(code: str) -> FloatArray:
     """Return red, green and blue of "#rrggbb" in linear light, (3,), each in [0, 1]."""
     srgb = np.array([channel / 255.0 for channel in bytes.fromhex(code[1:])])
     return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
@@ -149,7 +151,7 @@ def _ramp(n: int, theme: str) -> NDArray[np.int64]:
     return _packed((lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T)
 
 
-def _packed(linear: NDArray[np.float64]) -> NDArray[np.int64]:
+def _packed(linear: FloatArray) -> NDArray[np.int64]:
     """Return colours (k, 3) in linear light as packed sRGB, 0xffRRGGBB; what lies outside is cut off."""
     rgb = np.clip(linear, 0.0, 1.0)
     srgb = np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** (1.0 / 2.4) - 0.055)

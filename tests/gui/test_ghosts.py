@@ -146,7 +146,7 @@ def test_a_ghost_is_painted_in_its_colour(editor):
     editor.window.canvas.drawing.annotations.legend.hide()
     canvas = editor.window.canvas
     image, theme = canvas.grab().toImage(), theme_of(canvas.palette())
-    wanted = colour_of(Ghost(kind=ParametrizationKind.UNIFORM).look, theme)
+    wanted = colour_of(Ghost(kind=ParametrizationKind.UNIFORM).style, theme)
     near = sum(
         abs(image.pixelColor(x, y).red() - wanted.red()) < 12
         and abs(image.pixelColor(x, y).green() - wanted.green()) < 12
@@ -157,10 +157,10 @@ def test_a_ghost_is_painted_in_its_colour(editor):
 
 
 def test_every_ghost_has_a_look_of_its_own():
-    looks = [(look.colour, look.dashes) for look in (ghost.look for ghost in all_ghosts())]
-    assert len({dashes for _, dashes in looks}) == len(looks) >= 7
+    styles = [(style.colour, style.dashes) for style in (ghost.style for ghost in all_ghosts())]
+    assert len({dashes for _, dashes in styles}) == len(styles) >= 7
     # There are no more colours that everybody tells apart.
-    assert len({colour for colour, _ in looks}) == 7
+    assert len({colour for colour, _ in styles}) == 7
 
 
 def test_dashes_run_on_over_corners():

@@ -216,8 +216,8 @@ def test_methods_are_chosen_by_their_boxes(lab, qtbot):
     click(lab, qtbot, find(lab, QCheckBox, "method_barycentric"))
     click(lab, qtbot, find(lab, QCheckBox, "method_monomial"))
     assert set(shown(lab)) == {"Lagrange", "Barycentric"}
-    looks = [(trace.look.colour, trace.look.dashes) for trace in shown(lab).values()]
-    assert len(set(looks)) == 2
+    styles = [(trace.style.colour, trace.style.dashes) for trace in shown(lab).values()]
+    assert len(set(styles)) == 2
     assert text(lab, "lost_monomial") == "–"
 
 

@@ -16,11 +16,11 @@ from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.analysis.settings import Count, Factor
-from app.view_model.looks import Look, Sign
+from app.view_model.line_styles import LineStyle, Sign
 
 RED, LIME = QColor("#ff0000"), QColor("#00ff00")
-PLATE = Look(RED.name(), sign=Sign.AREA)
-DOTS = Look(LIME.name(), width=3.0, sign=Sign.MARK)
+PLATE = LineStyle(RED.name(), sign=Sign.AREA)
+DOTS = LineStyle(LIME.name(), width=3.0, sign=Sign.MARK)
 
 SIZE = Factor("plateSize", "Size of the plate")
 CORNERS = Count("plateCorners", "Number of corners", 4, least=3, most=9)

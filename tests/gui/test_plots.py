@@ -17,7 +17,7 @@ from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
-from app.view_model.looks import DASHED, Look
+from app.view_model.line_styles import DASHED, LineStyle
 from curvecore import lebesgue_function
 
 ACTIONS = {
@@ -245,7 +245,7 @@ def test_others_can_add_lines_of_their_own(editor):
     t = np.linspace(0, 1, 50)
     lines = [
         PlotLine("monomial", t, 1e-3 * (1 + t)),
-        PlotLine("Newton", t, 1e-9 + 0 * t, Look("warning", dashes=DASHED)),
+        PlotLine("Newton", t, 1e-9 + 0 * t, LineStyle("warning", dashes=DASHED)),
     ]
     editor.window.plot_panel.show_lines(lines, Scale.LOG, "Error of each method")
     editor.settle()

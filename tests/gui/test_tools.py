@@ -5,7 +5,8 @@ from __future__ import annotations
 import msgspec
 import pytest
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtWidgets import QLabel, QMenu
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from app.document import edits
 from app.document.model import Document, Node
@@ -175,3 +176,16 @@ def test_every_tool_has_what_its_action_shows(editor):
         assert record.tip in action.toolTip()
         assert record.hint
     editor.trigger(SELECT.action)
+
+
+@pytest.mark.parametrize(("action", "name"), [("plotSpeed", "plotCanvas"), ("plotHodograph", "hodograph")])
+def test_arrow_keys_on_a_plot_move_no_point(editor, action, name):
+    """The plots have tools as the canvas has: those that move selected points are not among them."""
+    editor.select([1])
+    editor.trigger(action)
+    before = editor.session.document
+    plot = editor.window.findChild(QWidget, name)
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Right):
+        QTest.keyClick(plot, key)
+    editor.settle()
+    assert editor.session.document is before

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
 from app.document.model import (
     Curve,
@@ -27,12 +26,12 @@ from app.exchange.table.thinning import Thinning, thinned
 from app.families import FAMILIES, HERMITE, Family
 from app.storage.format import FormatError, validate
 from app.tasks.progress import Report, part, silent
-from curvecore.arrays import FloatArray
+from curvecore.arrays import FloatArray, IntArray
 
 MOST_CURVES = 1_000
 
 _ROWS_AT_ONCE = 5_000
-Group = tuple[str, npt.NDArray[np.intp]]
+Group = tuple[str, IntArray]
 """The name of a curve and the places of its rows."""
 
 CLOSED = "closed "
@@ -182,9 +181,7 @@ def _numbered(groups: list[Group]) -> list[Group]:
     return result
 
 
-def _family_of(
-    table: Table, mapping: ColumnMapping, rows: npt.NDArray[np.intp], default: Family
-) -> tuple[Family, bool]:
+def _family_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Family) -> tuple[Family, bool]:
     """Return the family of the curve through some rows, and whether it is closed."""
     if mapping.family is None or mapping.family not in table.words:
         return default, False
@@ -212,7 +209,7 @@ class Repeats:
     count: int = 0
     first: int = 0
 
-    def and_of(self, rows: npt.NDArray[np.intp], line_of: Callable[[int], int]) -> Repeats:
+    def and_of(self, rows: IntArray, line_of: Callable[[int], int]) -> Repeats:
         """Return these and more, of another curve."""
         first = self.first or (line_of(int(rows[0])) if len(rows) else 0)
         return Repeats(self.count + len(rows), first)
@@ -245,7 +242,7 @@ class _Rows:
 
     table: Table
     columns: dict[str, int]
-    rows: npt.NDArray[np.intp]
+    rows: IntArray
 
     def __post_init__(self) -> None:
         for role in {"t", "x", "y"} & set(self.columns):
@@ -280,11 +277,11 @@ class _Rows:
         return np.column_stack([self.column("x"), self.column("y")])
 
     @property
-    def repeats(self) -> npt.NDArray[np.intp]:
+    def repeats(self) -> IntArray:
         """The rows that hold the same point as the row before."""
         return np.flatnonzero((np.diff(self.points, axis=0) == 0).all(axis=1)) + 1
 
-    def without(self, rows: npt.NDArray[np.intp]) -> _Rows:
+    def without(self, rows: IntArray) -> _Rows:
         """Return all rows but these.
 
         Raises
@@ -342,7 +339,7 @@ def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
             yield Node(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
 
 
-def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: FloatArray) -> Curve:
+def _thinned_curve(name: str, own: _Rows, kept: IntArray, parameters: FloatArray) -> Curve:
     points = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
     nodes = tuple(Node(x, y, t) for (x, y), t in points)
     return Curve(name, HERMITE, _rule(parameters), nodes)

@@ -6,13 +6,12 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from app.document.words import Named
 from app.exchange.errors import ExchangeError
 from app.tasks.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities
-from curvecore.arrays import FloatArray
+from curvecore.arrays import FloatArray, IntArray
 
 MOST_KEPT = 20_000
 """Points beyond which a curve is hardly thinned out."""
@@ -47,7 +46,7 @@ class Thinned:
         Largest distance of any of the points from the natural spline through those kept, at its parameter.
     """
 
-    rows: npt.NDArray[np.intp]
+    rows: IntArray
     parameters: FloatArray
     deviation: float
 
@@ -93,18 +92,21 @@ def thinned(
     if len(distinct) < 2:
         raise ExchangeError("All points coincide; there is no curve through them.")
     points = points[distinct]
-    is_curve = thinning is Thinning.CURVE
-    first = _FIRST if is_curve else 2
+    kept = _kept(points, t, tolerance, thinning is Thinning.CURVE, report)
+    return Thinned(distinct[kept], t[kept], float(_distances(points, t, kept).max()))
+
+
+def _kept(points: FloatArray, t: FloatArray, tolerance: float, is_curve: bool, report: Report) -> IntArray:
+    """Return the points that are enough, distinct ones of parameters t (n,)."""
+    first, began = _FIRST if is_curve else 2, 0.0
     kept = np.unique(np.linspace(0, len(t) - 1, min(first, len(t))).round().astype(np.intp))
-    began = 0.0
     for _ in range(_ROUNDS if is_curve else _DEEPEST):
         distance = _distances(points, t, kept) if is_curve else _from_chords(points, kept)
         worst = float(distance.max())
         began = began or worst
         report(_share(began, worst, tolerance), "Thinning out")
         if worst <= tolerance or len(kept) == len(t):
-            away = worst if is_curve else float(_distances(points, t, kept).max())
-            return Thinned(distinct[kept], t[kept], away)
+            return kept
         kept = np.union1d(kept, _farthest(distance, kept, tolerance))
         if len(kept) > MOST_KEPT:
             break
@@ -120,20 +122,20 @@ def _share(began: float, worst: float, tolerance: float) -> float:
     return math.log(began / worst) / math.log(began / tolerance)
 
 
-def _along(points: FloatArray) -> tuple[FloatArray, npt.NDArray[np.intp]]:
+def _along(points: FloatArray) -> tuple[FloatArray, IntArray]:
     """Return the length of the polyline up to each distinct point, and which points those are."""
     length = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
     distinct = np.flatnonzero(np.append(True, np.diff(length) > 0))
     return length[distinct], distinct
 
 
-def _distances(points: FloatArray, t: FloatArray, kept: npt.NDArray[np.intp]) -> FloatArray:
+def _distances(points: FloatArray, t: FloatArray, kept: IntArray) -> FloatArray:
     knots, at = points[kept], t[kept]
     curve = HermiteCurve(knots, natural_spline_velocities(knots, at), at)
     return np.asarray(np.hypot(*(curve.evaluate(t) - points).T))
 
 
-def _from_chords(points: FloatArray, kept: npt.NDArray[np.intp]) -> FloatArray:
+def _from_chords(points: FloatArray, kept: IntArray) -> FloatArray:
     """Return the distance of every point from the chord of its segment."""
     segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))
     start, along = points[kept[:-1]][segment], np.diff(points[kept], axis=0)[segment]
@@ -144,7 +146,7 @@ def _from_chords(points: FloatArray, kept: npt.NDArray[np.intp]) -> FloatArray:
     return np.append(np.hypot(*(offset - share[:, None] * along).T), 0.0)
 
 
-def _farthest(distance: FloatArray, kept: npt.NDArray[np.intp], tolerance: float) -> npt.NDArray[np.intp]:
+def _farthest(distance: FloatArray, kept: IntArray, tolerance: float) -> IntArray:
     """Return the farthest point of every segment that has one beyond the tolerance."""
     worst = np.maximum.reduceat(distance, kept[:-1])
     segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))

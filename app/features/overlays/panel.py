@@ -180,7 +180,7 @@ class AnalysisPanel(Guarded, QScrollArea):
             label.setStyleSheet(f"color: {theme.muted.name()}")
         self._problem.setStyleSheet(f"color: {theme.warning.name()}")
         for ghost, box in self._ghost_boxes.items():
-            box.setIcon(QIcon(sign_pixmap(ghost.look, theme, self.devicePixelRatioF())))
+            box.setIcon(QIcon(sign_pixmap(ghost.style, theme, self.devicePixelRatioF())))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

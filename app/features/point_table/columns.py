@@ -18,7 +18,6 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.limits import not_after
 from app.document.model import Curve, Document, Vector
-from app.document.words import number
 from app.view_model.curve_view import CurveView
 from app.view_model.jets import explicit_sides
 from curvecore.arrays import BoolArray, FloatArray
@@ -129,13 +128,6 @@ def _parameters_shown(view: CurveView) -> FloatArray:
 
 
 def _set_parameter(document: Document, curve: int, view: CurveView, index: int, t: float) -> Document:
-    if view.source.is_closed and index == len(view.source.nodes) - 1:
-        end = view.source.parametrization.end
-        if t >= end:
-            raise EditError(
-                f"The t of point {index} must be less than {number(end, 6)}, "
-                "where the curve returns to its first point."
-            )
     return edits.set_parameter(document, curve, index, t, knot_parameters(view))
 
 

@@ -7,7 +7,7 @@ import enum
 import msgspec
 
 from app.document.words import with_minus
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray
 
 
@@ -39,7 +39,7 @@ class Figure(msgspec.Struct, frozen=True, eq=False):
         A word beside the last point; empty for none.
     """
 
-    style: Look
+    style: LineStyle
     shape: Shape
     points: FloatArray
     label: str = ""

@@ -6,16 +6,16 @@ import msgspec
 
 from app.document.model import ParametrizationKind
 from app.families import FAMILIES, Family
-from app.view_model.looks import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, Look
+from app.view_model.line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 
 _FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW)
-_RULE_LOOKS = (
-    Look(PURPLE, width=1.5, dashes=(3.3, 2.0)),
-    Look(ORANGE, width=1.5, dashes=(1.3, 2.0)),
-    Look(SKY, width=1.5, dashes=(9.3, 2.7)),
-    Look(YELLOW, width=1.5, dashes=(9.3, 2.7, 1.3, 2.7)),
+_RULE_STYLES = (
+    LineStyle(PURPLE, width=1.5, dashes=(3.3, 2.0)),
+    LineStyle(ORANGE, width=1.5, dashes=(1.3, 2.0)),
+    LineStyle(SKY, width=1.5, dashes=(9.3, 2.7)),
+    LineStyle(YELLOW, width=1.5, dashes=(9.3, 2.7, 1.3, 2.7)),
 )
 
 
@@ -49,13 +49,13 @@ class Ghost(msgspec.Struct, frozen=True):
         return f"Draw the curve with {rule} parameters, too"
 
     @property
-    def look(self) -> Look:
+    def style(self) -> LineStyle:
         """How it looks: no two ghosts have the same dashes."""
         if self.family is None:
-            return _RULE_LOOKS[_rules().index(self)]
+            return _RULE_STYLES[_rules().index(self)]
         place = FAMILIES.index(self.family)
         colour = _FAMILY_COLOURS[place % len(_FAMILY_COLOURS)]
-        return Look(colour, width=1.5, dashes=(6.0, 2.7, *(1.3, 2.7) * place))
+        return LineStyle(colour, width=1.5, dashes=(6.0, 2.7, *(1.3, 2.7) * place))
 
 
 def all_ghosts() -> tuple[Ghost, ...]:

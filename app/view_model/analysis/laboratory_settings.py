@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from app.document.words import Named
-from app.view_model.looks import BLUE, GREEN, PURPLE, USUAL_LOOK, VERMILLION, Look
+from app.view_model.line_styles import BLUE, GREEN, PURPLE, USUAL_STYLE, VERMILLION, LineStyle
 
 LEAST_DIGITS, MOST_DIGITS = 2, 16
 MOST_DECIMALS = 6
@@ -19,43 +19,43 @@ class Calculation(Named):
     ----------
     tip
         How it computes.
-    look
+    style
         Its lines.
     """
 
-    def __init__(self, value: str, label: str = "", tip: str = "", look: Look = USUAL_LOOK) -> None:
+    def __init__(self, value: str, label: str = "", tip: str = "", style: LineStyle = USUAL_STYLE) -> None:
         super().__init__(value, label)
-        self.tip, self.look = tip, look
+        self.tip, self.style = tip, style
 
     MONOMIAL = (
         "monomial",
         "Monomials",
         "Solve the system for the coefficients of 1, t, t², …, then Horner's scheme",
-        Look(VERMILLION, width=2.0, dashes=(5.0, 2.0)),
+        LineStyle(VERMILLION, width=2.0, dashes=(5.0, 2.0)),
     )
     NEWTON = (
         "newton",
         "Newton",
         "Divided differences, then Newton's form",
-        Look(PURPLE, width=2.0, dashes=(6.0, 2.0, 1.0, 2.0)),
+        LineStyle(PURPLE, width=2.0, dashes=(6.0, 2.0, 1.0, 2.0)),
     )
     LAGRANGE = (
         "lagrange",
         "Lagrange",
         "The basis functions Lᵢ as products, times the points",
-        Look(BLUE, width=2.0, dashes=(2.0, 2.0)),
+        LineStyle(BLUE, width=2.0, dashes=(2.0, 2.0)),
     )
     BARYCENTRIC = (
         "barycentric",
         "Barycentric",
         "The second barycentric formula",
-        Look(GREEN, width=2.0, dashes=(1.0, 1.5)),
+        LineStyle(GREEN, width=2.0, dashes=(1.0, 1.5)),
     )
     BASIS = (
         "basis",
         "Hermite basis",
         "The Hermite basis functions of the local parameter",
-        Look(BLUE, width=2.0, dashes=(2.0, 2.0)),
+        LineStyle(BLUE, width=2.0, dashes=(2.0, 2.0)),
     )
 
 

@@ -11,7 +11,7 @@ from app.view_model.analysis.ghosts import GhostView, rules_text
 from app.view_model.analysis.overlay import Overlay
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import CurveView
-from app.view_model.looks import CURVE_LOOK, Look
+from app.view_model.line_styles import CURVE_STYLE, LineStyle
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class LegendRow:
 
     Attributes
     ----------
-    look
+    style
         How what is explained looks; None for the heading of the lines below it.
     is_muted
         Whether nothing is drawn of it now.
@@ -30,7 +30,7 @@ class LegendRow:
         The ghost that it explains, if any: to be chosen and hidden there.
     """
 
-    look: Look | None
+    style: LineStyle | None
     text: str
     is_muted: bool = False
     tip: str = ""
@@ -48,27 +48,27 @@ def legend_rows(
     if not view.is_current:
         return []
     shown = sorted(settings.overlays, key=lambda each: each.order)
-    rows = [LegendRow(look, text) for each in shown for look, text in each.legend(settings)]
+    rows = [LegendRow(style, text) for each in shown for style, text in each.legend(settings)]
     # What is known later stands last, so that nothing moves when it comes.
     for each in shown:
-        rows += [LegendRow(look, text) for look, text in each.finds if _is_drawn(look, settled)]
+        rows += [LegendRow(style, text) for style, text in each.finds if _is_drawn(style, settled)]
         if each.finds and each in busy:
             rows.append(LegendRow(each.finds[0][0], f"{each.name.capitalize()} …", is_muted=True))
     # A ghost that is the curve itself needs no line of its own.
     ghost_rows = [_ghost_row(ghost) for ghost in ghosts if not ghost.is_real]
-    return [LegendRow(CURVE_LOOK, rules_text(view.source)), *ghost_rows, *rows] if ghost_rows else rows
+    return [LegendRow(CURVE_STYLE, rules_text(view.source)), *ghost_rows, *rows] if ghost_rows else rows
 
 
 def line_rows(
-    lines: Sequence[tuple[Look, str]], heading: str = "", *, muted: bool = False
+    lines: Sequence[tuple[LineStyle, str]], heading: str = "", *, muted: bool = False
 ) -> list[LegendRow]:
-    """Return a row for each of some lines, with its look and its name, below a heading if there is one."""
-    rows = [LegendRow(look, name, is_muted=muted) for look, name in lines]
+    """Return a row for each of some lines, with its style and its name, below a heading if there is one."""
+    rows = [LegendRow(style, name, is_muted=muted) for style, name in lines]
     return [LegendRow(None, heading, is_muted=True), *rows] if rows and heading else rows
 
 
-def _is_drawn(look: Look, figures: Iterable[Figure]) -> bool:
-    return any(figure.style is look for figure in figures)
+def _is_drawn(style: LineStyle, figures: Iterable[Figure]) -> bool:
+    return any(figure.style is style for figure in figures)
 
 
 def _ghost_row(view: GhostView) -> LegendRow:
@@ -78,5 +78,5 @@ def _ghost_row(view: GhostView) -> LegendRow:
     elif not view.view.is_current:
         text, tip = f"{ghost.title}: none", view.view.problem
     else:
-        return LegendRow(ghost.look, ghost.title, ghost=ghost)
-    return LegendRow(ghost.look, text, True, tip, ghost)
+        return LegendRow(ghost.style, ghost.title, ghost=ghost)
+    return LegendRow(ghost.style, text, True, tip, ghost)

@@ -15,7 +15,7 @@ import msgspec
 from app.view_model.analysis.figures import Figure
 from app.view_model.analysis.records import Records
 from app.view_model.analysis.settings import AnalysisSettings, Setting
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 
 if TYPE_CHECKING:
     from app.view_model.analysis.scene import Scene
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Drawn = tuple[list[Figure], str]
 """Figures, the first one at the bottom, and what there is to say about them."""
 
-Entry = tuple[Look, str]
+Entry = tuple[LineStyle, str]
 """A style of figures, and what the legend says about it."""
 
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from app.view_model.looks import USUAL_LOOK, Look
+from app.view_model.line_styles import USUAL_STYLE, LineStyle
 from curvecore.arrays import FloatArray
 
 
@@ -31,14 +31,14 @@ class PlotLine(msgspec.Struct, frozen=True, eq=False):
     t, values
         Ascending parameters (m,) and the values there (m,), of any size. At a NaN the line is interrupted,
         and both ends are marked: a jump.
-    look
+    style
         How it is drawn; its width is that of all plots.
     """
 
     name: str
     t: FloatArray
     values: FloatArray
-    look: Look = USUAL_LOOK
+    style: LineStyle = USUAL_STYLE
 
     def value_at(self, t: float) -> float:
         """Return the value of the nearest sample; NaN where there is none near."""

@@ -19,11 +19,11 @@ from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
 from app.view_model.analysis.samples import Samples, unit_tangents
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.looks import Look, Sign
+from app.view_model.line_styles import LineStyle, Sign
 from app.view_model.parameter_slopes import parameter_moves
 from curvecore.arrays import BoolArray, FloatArray
 
-AREA = Look("accent", 0.16, sign=Sign.AREA)
+AREA = LineStyle("accent", 0.16, sign=Sign.AREA)
 
 _MOST = 300
 """Samples of a whole curve; with errors of the parameters half as many, for these cost ten times as much."""

@@ -9,11 +9,11 @@ from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
 from app.view_model.curve_view import CurveView
-from app.view_model.looks import Look, Mark, Sign
+from app.view_model.line_styles import LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
 
-SIDES = Look("handle", 0.9, mark=Mark.SQUARE, sign=Sign.LINE_WITH_MARK)
-CONTROL_POINT = Look("handle", mark=Mark.SQUARE)
+SIDES = LineStyle("handle", 0.9, mark=Mark.SQUARE, sign=Sign.LINE_WITH_MARK)
+CONTROL_POINT = LineStyle("handle", mark=Mark.SQUARE)
 
 _MOST = 32
 """Points of the longest polynomial that is converted; the work grows with the fourth power."""

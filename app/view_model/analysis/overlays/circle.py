@@ -9,10 +9,10 @@ from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.samples import unit_tangents
 from app.view_model.analysis.scene import Scene
-from app.view_model.looks import PURPLE, Look
+from app.view_model.line_styles import PURPLE, LineStyle
 
-LINE = Look(PURPLE, width=1.4)
-CENTRE = Look(PURPLE, 0.8)
+LINE = LineStyle(PURPLE, width=1.4)
+CENTRE = LineStyle(PURPLE, 0.8)
 
 _REACH = 10.0
 """How much of a large circle is drawn to either side, in sizes of the curve."""

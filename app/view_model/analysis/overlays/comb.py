@@ -14,11 +14,11 @@ from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.samples import Samples, unit_tangents
 from app.view_model.analysis.scene import Scene, usual_length
 from app.view_model.analysis.settings import Factor
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray
 
-TEETH = Look("accent", 0.35)
-EDGE = Look("accent", 0.9)
+TEETH = LineStyle("accent", 0.35)
+EDGE = LineStyle("accent", 0.9)
 
 SCALE = Factor("combScale", "Length of the teeth")
 """1 makes the longest a fifth of the curve's size."""

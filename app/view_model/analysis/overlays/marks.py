@@ -8,13 +8,13 @@ import curvecore
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
-from app.view_model.looks import GREEN, PURPLE, SKY, VERMILLION, Look, Mark, Sign
+from app.view_model.line_styles import GREEN, PURPLE, SKY, VERMILLION, LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
 
-INFLECTION = Look(SKY, width=1.8, mark=Mark.RING, sign=Sign.MARK)
-SHARPEST = Look(VERMILLION, width=1.4, mark=Mark.DIAMOND, sign=Sign.MARK)
-FLATTEST = Look(GREEN, width=1.6, mark=Mark.SQUARE, sign=Sign.MARK)
-CROSSING = Look(PURPLE, width=2.0, mark=Mark.CROSS, sign=Sign.MARK)
+INFLECTION = LineStyle(SKY, width=1.8, mark=Mark.RING, sign=Sign.MARK)
+SHARPEST = LineStyle(VERMILLION, width=1.4, mark=Mark.DIAMOND, sign=Sign.MARK)
+FLATTEST = LineStyle(GREEN, width=1.6, mark=Mark.SQUARE, sign=Sign.MARK)
+CROSSING = LineStyle(PURPLE, width=2.0, mark=Mark.CROSS, sign=Sign.MARK)
 
 _TOLERANCE = 1e-6
 """Share of the size within which two places of the curve are one."""
@@ -41,7 +41,7 @@ def _marks(scene: Scene) -> Drawn:
         found.append((CROSSING, "crossing", _distinct(crossings.points, 10 * _TOLERANCE * scene.size)))
         words = "" if crossings.is_complete else _MORE
     figures = [
-        Figure(look, Shape.MARKS, points.reshape(-1, 2)) for look, _, points in found if np.size(points)
+        Figure(style, Shape.MARKS, points.reshape(-1, 2)) for style, _, points in found if np.size(points)
     ]
     counts = [f"{len(points)} {name}{'s' * (len(points) != 1)}" for _, name, points in found]
     return figures, f"{', '.join(counts)}.{words}"

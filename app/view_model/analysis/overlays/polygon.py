@@ -5,9 +5,9 @@ from __future__ import annotations
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 
-SIDES = Look("muted", 0.8, dashes=(2.0, 4.0))
+SIDES = LineStyle("muted", 0.8, dashes=(2.0, 4.0))
 
 
 def _polygon(scene: Scene) -> Drawn:

@@ -9,9 +9,9 @@ from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.samples import unit_tangents
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Count
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 
-TICK = Look("accent", width=1.4)
+TICK = LineStyle("accent", width=1.4)
 
 COUNT = Count("tickCount", "Number of steps", 20, least=2, most=100)
 """Equal steps of t."""

@@ -10,11 +10,11 @@ from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene, usual_length
 from app.view_model.analysis.settings import Factor
-from app.view_model.looks import GREEN, VERMILLION, Look
+from app.view_model.line_styles import GREEN, VERMILLION, LineStyle
 from curvecore.arrays import FloatArray
 
-VELOCITY = Look(GREEN, width=1.6)
-ACCELERATION = Look(VERMILLION, width=1.6)
+VELOCITY = LineStyle(GREEN, width=1.6)
+ACCELERATION = LineStyle(VERMILLION, width=1.6)
 
 VELOCITY_SCALE = Factor("velocityScale", "Length of the arrows")
 ACCELERATION_SCALE = Factor("accelerationScale", "Length of the arrows")
@@ -28,24 +28,24 @@ _EQUAL = 1e-6
 """Vectors on both sides of a point that differ by less, relatively, are one."""
 
 
-def _vectors(order: int, look: Look, scale: Factor, symbol: str, scene: Scene) -> Drawn:
+def _vectors(order: int, style: LineStyle, scale: Factor, symbol: str, scene: Scene) -> Drawn:
     """Return the arrows of a derivative of order 1 or 2; two where it jumps at a point."""
     places, arrows = _at_knots(scene, order)
     if not len(places):
         return [], ""
     longest = usual_length(arrows, _LONGEST)
     unit = _SHARE * scene.size / longest * scene.value(scale) if longest > 0 else 0.0
-    figures = [_figure(look, places, arrows * unit)]
+    figures = [_figure(style, places, arrows * unit)]
     here, arrow = scene.at_scrub(0), scene.at_scrub(order)
     if here is not None and arrow is not None:
         label = f"{symbol} {number(float(np.hypot(*arrow)))}"
-        figures.append(_figure(look, here[None], arrow[None] * unit, label))
+        figures.append(_figure(style, here[None], arrow[None] * unit, label))
     return figures, ""
 
 
-def _figure(look: Look, places: FloatArray, arrows: FloatArray, label: str = "") -> Figure:
+def _figure(style: LineStyle, places: FloatArray, arrows: FloatArray, label: str = "") -> Figure:
     points = np.hstack([places, places + arrows]).reshape(-1, 2)
-    return Figure(look, Shape.ARROWS, points, label)
+    return Figure(style, Shape.ARROWS, points, label)
 
 
 def _at_knots(scene: Scene, order: int) -> tuple[FloatArray, FloatArray]:

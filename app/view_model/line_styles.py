@@ -1,6 +1,6 @@
 """How lines and marks look: one vocabulary for figures, ghosts, methods, plots and their legends. No Qt.
 
-A look names its colour; the theme decides which shade that is.
+A line style names its colour; the theme decides which shade that is.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Sign(enum.Enum):
     AREA = enum.auto()
 
 
-class Look(msgspec.Struct, frozen=True):
+class LineStyle(msgspec.Struct, frozen=True):
     """How something is drawn.
 
     Attributes
@@ -62,7 +62,7 @@ BLUE, VERMILLION, GREEN, PURPLE = "#0072b2", "#d55e00", "#009e73", "#cc79a7"
 ORANGE, SKY, YELLOW = "#e69f00", "#56b4e9", "#f0e442"
 """Okabe–Ito colours."""
 
-USUAL_LOOK = Look()
-CURVE_LOOK = Look("curve", width=2.0)
-CURE_LOOK = Look("accent", width=2.0, dashes=(4.0, 3.0))
-FILE_LOOK = Look("muted", width=1.5, dashes=(6.0, 4.0))
+USUAL_STYLE = LineStyle()
+CURVE_STYLE = LineStyle("curve", width=2.0)
+CURE_STYLE = LineStyle("accent", width=2.0, dashes=(4.0, 3.0))
+FILE_STYLE = LineStyle("muted", width=1.5, dashes=(6.0, 4.0))
