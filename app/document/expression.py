@@ -1,16 +1,18 @@
 """Numbers as people type them: ``0.5``, ``1/3``, ``sqrt(2)/2``, with a decimal comma where that is usual.
 
-The text is computed while it is read, by precedence climbing, from numbers, a closed list of names, + - * / ^
-and parentheses. Every number is a float: no power makes it work for minutes. What is refused is refused with
-a sentence for the person.
+The text is translated into Python's words; simpleeval computes them, with our operators and closed lists of
+names and functions. Every number is a float: no power makes it work for minutes. What is refused is refused
+with a sentence for the person.
 """
 
 from __future__ import annotations
 
+import ast
 import math
 import operator
 import re
 from collections.abc import Callable
+from itertools import pairwise
 from typing import NoReturn
 
 import msgspec
@@ -54,15 +56,13 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
         raise ExpressionError(f"This is too long to be a number; {MAX_LENGTH} characters are read at most.")
     text = text.translate(_SIGNS).strip().removeprefix("=")
     decimal_comma = locale_decimal == "," or _is_plain_with_comma(text)
-    tokens = _tokens(text, decimal_comma=decimal_comma)
-    try:
-        value = _Reader(tokens).whole()
-    except ZeroDivisionError:
-        raise ExpressionError("Division by zero has no value.") from None
-    except OverflowError:
-        raise ExpressionError("The result is too large.") from None
-    except RecursionError:
-        raise ExpressionError("This is nested too deeply.") from None
+    words = _words(text, decimal_comma=decimal_comma)
+    signed = len(words) == 2 and words[0].text in ("-", "+")
+    if words[-1].kind == "number" and (len(words) == 1 or signed):
+        # A pasted block has thousands of these, and no expression.
+        value = float("".join(word.code for word in words))
+    else:
+        value = _computed(words)
     if not abs(value) <= MAX_MAGNITUDE:
         raise ExpressionError("A number here must lie between −1e12 and 1e12.")
     return value
@@ -133,29 +133,31 @@ def _power(base: float, exponent: float) -> float:
         raise ExpressionError("A negative number has no real power with a fraction as exponent.") from None
 
 
-_OPERATORS: dict[str, tuple[int, Callable[[float, float], float]]] = {
-    "+": (1, operator.add),
-    "-": (1, operator.sub),
-    "*": (2, operator.mul),
-    "/": (2, operator.truediv),
-    "^": (4, _power),
-    "**": (4, _power),
+_OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
+    ast.Add: lambda a, b: _finite(a + b),
+    ast.Sub: lambda a, b: _finite(a - b),
+    ast.Mult: lambda a, b: _finite(a * b),
+    ast.Div: lambda a, b: _finite(a / b),
+    ast.Pow: lambda a, b: _finite(_power(a, b)),
+    ast.UAdd: operator.pos,
+    ast.USub: operator.neg,
 }
-"""Tightness of binding and function of each."""
-
-_SIGN, _POWER = 3, 4
-"""A sign binds less than a power, and more than the rest: −2^2 is −4."""
 
 
-# From text to tokens
+# From text to words of Python
 
 
-class _Token(msgspec.Struct, frozen=True):
-    """A piece of the text: its kind, as typed, and what a number or constant is worth."""
+class _Word(msgspec.Struct, frozen=True):
+    """A piece of the text: its kind, as typed, as Python writes it, and where it begins there."""
 
     kind: str
     text: str
-    value: float = 0.0
+    code: str
+    place: int
+
+    @property
+    def ends_operand(self) -> bool:
+        return self.kind in {"number", "constant"} or self.text == ")"
 
     @property
     def starts_operand(self) -> bool:
@@ -173,132 +175,108 @@ _WITH_POINT = re.compile(rf"(?P<number>(?:{_POINT}){_EXPONENT})|{_SYMBOL}", re.D
 _WITH_COMMA = re.compile(rf"(?P<number>(?:{_COMMA}|{_POINT}){_EXPONENT})|{_SYMBOL}", re.DOTALL)
 
 
-def _tokens(text: str, *, decimal_comma: bool) -> list[_Token]:
-    pattern = _WITH_COMMA if decimal_comma else _WITH_POINT
-    found = [
-        _token(str(match.lastgroup), match.group())
-        for match in pattern.finditer(text)
-        if match.lastgroup != "space"
-    ]
-    if not found:
+def _words(text: str, *, decimal_comma: bool) -> list[_Word]:
+    words: list[_Word] = []
+    place = 0
+    for match in (_WITH_COMMA if decimal_comma else _WITH_POINT).finditer(text):
+        kind, typed = str(match.lastgroup), match.group()
+        if kind != "space":
+            kind, code = _translated(kind, typed)
+            words.append(_Word(kind, typed, code, place))
+            place += len(code) + 1
+    if not words:
         raise ExpressionError("A number is missing.")
-    return found
+    return words
 
 
-def _token(kind: str, text: str) -> _Token:
+def _translated(kind: str, text: str) -> tuple[str, str]:
+    """Return the kind of a word, and what Python writes for it."""
     if kind == "number":
-        return _Token(kind, text, _number(text))
+        value = float(text.replace(",", "."))
+        if not math.isfinite(value):
+            raise ExpressionError("A number here must lie between −1e12 and 1e12.")
+        # Never an integer, nor what Python refuses: 007 and 9…9 too.
+        return kind, repr(value)
     if kind == "name":
         if text in FUNCTIONS:
-            return _Token("function", text)
+            return "function", text
         if text in CONSTANTS:
-            return _Token("constant", text, CONSTANTS[text])
+            return "constant", text
         raise ExpressionError(f"“{_short(text)}” is not a number, nor a function or constant known here.")
     if kind == "other":
         raise ExpressionError(f"“{text}” has no place in a number.")
-    return _Token(kind, text)
+    return kind, {"^": "**", ";": ","}.get(text, text)
 
 
-def _number(text: str) -> float:
-    value = float(text.replace(",", "."))
-    if not math.isfinite(value):
-        raise ExpressionError("A number here must lie between −1e12 and 1e12.")
-    return value
+# From words to a number
 
 
-# From tokens to a number
+def _computed(words: list[_Word]) -> float:
+    # The first expression is typed long after the start.
+    from simpleeval import InvalidExpression, SimpleEval  # noqa: PLC0415
+
+    code = " ".join(word.code for word in words)
+    evaluator = SimpleEval(_OPERATORS, FUNCTIONS, CONSTANTS)
+    evaluator.nodes |= {ast.Name: _constant, ast.Tuple: _refuse_tuple}
+    try:
+        return float(evaluator.eval(code))
+    except ZeroDivisionError:
+        raise ExpressionError("Division by zero has no value.") from None
+    except OverflowError:
+        raise ExpressionError("The result is too large.") from None
+    except (RecursionError, MemoryError):
+        raise ExpressionError("This is nested too deeply.") from None
+    except SyntaxError as problem:
+        first = (problem.offset or 0) - 1
+        _refuse(words, first, max((problem.end_offset or 0) - 1, first + 1))
+    except (InvalidExpression, TypeError):
+        # A call of what is no function, or a star before an argument.
+        _refuse(words, 0, len(code))
 
 
-class _Reader:
-    """Reads tokens from the left, and says what is wrong where it stops."""
-
-    def __init__(self, tokens: list[_Token]) -> None:
-        self._tokens, self._place = tokens, 0
-
-    @property
-    def _next(self) -> str:
-        """The text of the next token; empty at the end."""
-        return self._tokens[self._place].text if self._place < len(self._tokens) else ""
-
-    def whole(self) -> float:
-        """Return what all tokens together are worth."""
-        value = self._sum()
-        if self._next:
-            self._refuse()
-        return value
-
-    def _sum(self, tightness: int = 0) -> float:
-        """Return what the next operands are worth that are bound as tightly at least."""
-        value = self._operand()
-        while self._next in _OPERATORS and _OPERATORS[self._next][0] >= tightness:
-            binds, compute = _OPERATORS[self._next]
-            self._place += 1
-            # A tower of powers is read from the right.
-            value = _finite(compute(value, self._sum(binds if binds == _POWER else binds + 1)))
-        return value
-
-    def _operand(self) -> float:
-        if not self._next:
-            raise _incomplete()
-        token = self._tokens[self._place]
-        if token.kind == "symbol" and token.text not in "(+-":
-            self._refuse()
-        self._place += 1
-        if token.kind == "function":
-            return self._call(token)
-        if token.text == "(":
-            value = self._sum()
-            self._close()
-            return value
-        if token.kind == "symbol":
-            value = self._sum(_SIGN)
-            return -value if token.text == "-" else value
-        return token.value
-
-    def _call(self, function: _Token) -> float:
-        if self._next != "(":
-            raise ExpressionError(f"{function.text} needs its number in parentheses, {function.text}(2).")
-        arguments = []
-        self._place += 1
-        while self._next != ")":
-            arguments.append(self._sum())
-            if self._next not in (",", ";"):
-                break
-            self._place += 1
-        self._close()
-        return FUNCTIONS[function.text](*arguments)
-
-    def _close(self) -> None:
-        if self._next != ")":
-            self._refuse()
-        self._place += 1
-
-    def _refuse(self) -> NoReturn:
-        """Say why the next token cannot stand where it does."""
-        if self._next in (",", ";"):
-            # It is somebody's decimal comma or group separator.
-            _refuse_comma(self._tokens, self._place)
-        if self._next and self._place and self._tokens[self._place].starts_operand:
-            _refuse_neighbours(*self._tokens[self._place - 1 : self._place + 1])
-        raise _incomplete()
+def _constant(node: ast.Name) -> float:
+    if node.id not in CONSTANTS:
+        _refuse_bare(node.id)
+    return CONSTANTS[node.id]
 
 
-def _incomplete() -> ExpressionError:
-    return ExpressionError("This is not a complete number or expression.")
+def _refuse_tuple(node: ast.Tuple) -> NoReturn:
+    """Refuse a comma outside of a function, at the end of what is before it."""
+    place = node.elts[0].end_col_offset or 0 if node.elts else 0
+    raise SyntaxError("a tuple", ("", 1, place + 1, "", 1, place + 1))
 
 
-def _refuse_comma(tokens: list[_Token], index: int) -> NoReturn:
-    around = tokens[max(index - 1, 0) : index + 2]
-    if tokens[index].text == "," and [token.kind for token in around] == ["number", "symbol", "number"]:
+def _refuse(words: list[_Word], first: int, end: int) -> NoReturn:
+    """Say what is wrong with the words that begin from `first` to before `end` in Python's text."""
+    for before, after in pairwise(words):
+        if first <= after.place < end:
+            if before.kind == "function" and after.text != "(":
+                _refuse_bare(before.text)
+            if before.ends_operand and after.starts_operand:
+                _refuse_neighbours(before, after)
+    index = next((i for i, word in enumerate(words) if word.place >= first and word.text != ")"), -1)
+    if words[index].code == ",":
+        # It is somebody's decimal comma or group separator.
+        _refuse_comma(words, index)
+    raise ExpressionError("This is not a complete number or expression.")
+
+
+def _refuse_bare(function: str) -> NoReturn:
+    raise ExpressionError(f"{function} needs its number in parentheses, {function}(2).")
+
+
+def _refuse_comma(words: list[_Word], index: int) -> NoReturn:
+    around = words[max(index - 1, 0) : index + 2]
+    if words[index].text == "," and [word.kind for word in around] == ["number", "symbol", "number"]:
         whole, fraction = around[0].text, around[2].text
         typed = _short(f"{whole},{fraction}")
         if "." in whole + fraction:
             raise ExpressionError(f"“{typed}”: write the number without group separators.")
         raise ExpressionError(f"“{typed}” is unclear; write {_short(f'{whole}.{fraction}')} with a point.")
-    raise ExpressionError(f"“{tokens[index].text}” separates the numbers of a function, such as max(1; 2).")
+    raise ExpressionError(f"“{words[index].text}” separates the numbers of a function, such as max(1; 2).")
 
 
-def _refuse_neighbours(before: _Token, after: _Token) -> NoReturn:
+def _refuse_neighbours(before: _Word, after: _Word) -> NoReturn:
     if before.kind == after.kind == "number":
         pair = f"“{_short(before.text)}” and “{_short(after.text)}”"
         raise ExpressionError(f"{pair} are two numbers; write one, without group separators.")
