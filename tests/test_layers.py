@@ -73,6 +73,7 @@ def test_the_window_starts_without_what_is_rarely_used():
         "ezdxf",
         "fractions",
         "simpleeval",
+        "svgelements",
     }
     code = "import sys; import app.cli, app.main_window; print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)

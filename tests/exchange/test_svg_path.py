@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
+import pytest
 from fontTools.svgLib.path.parser import parse_path
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.exchange.errors import ExchangeError
 from app.exchange.svg.path_data import read_path_data
 
 NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "Z": 0}
@@ -64,3 +68,46 @@ def test_it_draws_what_fonttools_draws(data):
         assert tuple(subpath.start) == start
         np.testing.assert_array_equal(subpath.controls, np.array(pieces).reshape(-1, 4, 2))
         assert subpath.closed == closed
+
+
+@pytest.mark.parametrize(
+    ("data", "place"),
+    [
+        (",M0 0", 1),
+        ("M,0 0", 2),
+        ("M0 0L , 1 1", 7),
+        ("M0 0L1 1,,x", 10),
+        ("M0 0x,,", 5),
+        ("M0 0V H1", 7),
+        ("M0 0Az", 6),
+        ("M0 0L1 1 2z", 11),
+        ("M0 0a1 1 0 02 3 4", 13),
+        ("M0 0L1. 2", 7),
+    ],
+)
+def test_the_first_flaw_is_said(data, place):
+    said = f"its data are broken at character {place}: “{data[place - 1 : place + 11]}”."
+    with pytest.raises(ExchangeError, match=re.escape(said)):
+        read_path_data(data)
+
+
+@pytest.mark.parametrize("data", ["M0 0V", "M0 0 a", "M0 0C1 2 3 4 5 ", "M", "M0 0h"])
+def test_data_that_end_too_soon_are_refused(data):
+    with pytest.raises(ExchangeError, match="end in the middle of a command"):
+        read_path_data(data)
+
+
+@pytest.mark.parametrize(
+    ("data", "end"),
+    [
+        ("M007 00.5", (7, 0.5)),
+        ("M0 0-6.5e-1.5", (-0.65, 0.5)),
+        ("m1 1 1 1", (2, 2)),
+        ("M0 0a1 1\n0\n012 3", (2, 3)),
+        ("M0 0a1 1 0 00-.5.25", (-0.5, 0.25)),
+        ("M1 2,L3 4,", (3, 4)),
+        ("M1 1L2 2Zl3 0", (4, 1)),
+    ],
+)
+def test_compact_numbers_and_flags(data, end):
+    assert tuple(read_path_data(data)[-1].end) == end

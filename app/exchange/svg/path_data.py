@@ -1,6 +1,9 @@
 """SVG path data in, as cubic pieces.
 
-Reference: Scalable Vector Graphics 2, section 9.3, with the grammar of 9.3.9 and no recovery from errors.
+svgelements reads the data: its reader stops at the first error, and knows where. The segments that it would
+make are not used, as they mirror the control point of a C for a T, against section 9.3.7.
+
+Reference: Scalable Vector Graphics 2, section 9.3.
 """
 
 from __future__ import annotations
@@ -8,20 +11,21 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
+from svgelements import SVGLexicalParser
 
 from app.exchange.arcs import arc_between
 from app.exchange.cubics_in import lines
 from app.exchange.errors import ExchangeError
 from curvecore.arrays import FloatArray
 
-_NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
-_NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
-_GAP = re.compile(r"[ \t\r\n\f]*,?[ \t\r\n\f]*")
-_FLAGS = (3, 4)  # of the seven numbers of an arc
+_GAP = r"[ \t\r\n\f]*"
+_PASSED_OVER = re.compile(rf"(?:^|[A-Za-z,]){_GAP}(,)|[VAa]{_GAP}([A-Za-z]|\Z)")
+"""What svgelements takes for nothing: a comma that separates no numbers, and V and A without any."""
+_NO_MOVE = re.compile(rf"{_GAP}[ZLHVCSQTAzlhvcsqta]")
 _LONGEST = 50_000_000
 
 
@@ -65,58 +69,23 @@ def read_path_data(data: str, tolerance: float | None = None) -> list[Subpath]:
     ExchangeError
         With the character, from 1, at which the data are not path data.
     """
-    pen = _Pen(tolerance)
-    for letter, numbers in _commands(data):
-        pen.draw(letter, numbers)
-    pen.end()
-    return pen.subpaths
-
-
-def _commands(data: str) -> Iterator[tuple[str, list[float]]]:
-    """Yield every command with the numbers that it takes once, also where its letter is left out."""
     if len(data) > _LONGEST:
         raise ExchangeError("its data are too long.")
-    place = _skip(data, 0, comma=False)
-    command = ""
-    while place < len(data):
-        letter = data[place]
-        if letter.upper() in _NUMBERS:
-            if not command and letter.upper() != "M":
-                raise ExchangeError("its data must begin with M.")
-            command = letter
-            place = _skip(data, place + 1, comma=False)
-        elif not command or command in "Zz":
-            raise _broken(data, place)
-        numbers = []
-        for index in range(_NUMBERS[command.upper()]):
-            number, place = _number(data, place, command in "Aa" and index in _FLAGS)
-            numbers.append(number)
-            place = _skip(data, place, comma=True)
-        yield command, numbers
-        # Further points of a move are those of lines.
-        command = {"M": "L", "m": "l"}.get(command, command)
-
-
-def _skip(data: str, place: int, *, comma: bool) -> int:
-    match = _GAP.match(data, place)
-    end = match.end() if match else place
-    if not comma and "," in data[place:end]:
-        raise _broken(data, place + data[place:end].index(","))
-    return end
-
-
-def _number(data: str, place: int, flag: bool) -> tuple[float, int]:
-    if flag:
-        if data[place : place + 1] not in ("0", "1"):
-            raise _broken(data, place)
-        return float(data[place]), place + 1
-    match = _NUMBER.match(data, place)
-    if match is None:
-        raise _broken(data, place)
-    value = float(match.group())
-    if not math.isfinite(value):
-        raise ExchangeError(f"a number at character {place + 1} of its data is beyond all numbers.")
-    return value, match.end()
+    if _NO_MOVE.match(data):
+        raise ExchangeError("its data must begin with M.")
+    flaw = _PASSED_OVER.search(data)
+    pen, reader = _Pen(tolerance), _Reader()
+    try:
+        reader.parse(pen, data[: flaw.start(flaw.lastindex or 0)] if flaw else data)
+        is_read = flaw is None and reader.pos == len(data)
+    except ExchangeError:
+        raise
+    except ValueError:
+        is_read = False
+    if not is_read:
+        raise _broken(data, reader.pos)
+    pen.end()
+    return pen.subpaths
 
 
 def _broken(data: str, place: int) -> ExchangeError:
@@ -125,11 +94,41 @@ def _broken(data: str, place: int) -> ExchangeError:
     return ExchangeError(f"its data are broken at character {place + 1}: “{data[place : place + 12]}”.")
 
 
+class _Reader(SVGLexicalParser):  # type: ignore[misc]  # that package has no types
+    """Reads commands; a number or flag that is missing is an error, not None or the end of the path."""
+
+    def _number(self) -> float:
+        before = self.pos
+        number = super()._number()
+        if number is None:
+            raise ValueError
+        if not math.isfinite(number):
+            place = self.pos - len(self.pathd[before : self.pos].lstrip(" ,\t\r\n\f"))
+            raise ExchangeError(f"a number at character {place + 1} of its data is beyond all numbers.")
+        return float(number)
+
+    def _flag(self) -> bool:
+        flag = super()._flag()
+        if flag is None:
+            raise ValueError
+        return bool(flag)
+
+
+class _Point(NamedTuple):
+    x: float
+    y: float
+
+
+_Pair = tuple[float, float]
+
+
 class _Pen:
-    """Draws commands; a point is a complex number.
+    """Takes what svgelements reads, whose names these are; points are absolute.
 
     Attributes
     ----------
+    current_point
+        Where the pen is.
     subpaths
         What was drawn; complete after `end`.
     """
@@ -137,46 +136,80 @@ class _Pen:
     def __init__(self, tolerance: float | None) -> None:
         self._tolerance = tolerance
         self.subpaths: list[Subpath] = []
-        self._start = self._at = self._control = 0j
-        self._is_open, self._before = False, ""
+        self.current_point = self._start = _Point(0.0, 0.0)
+        # The degree of the curve before, and its last control point.
+        self._before: tuple[int, _Pair] = (1, self._start)
+        self._is_open = False
         # Where a polyline goes from the end of the last piece: arrays of two points each would take most of
         # the time that a path of very many lines takes.
-        self._corners: list[complex] = []
+        self._corners: list[_Pair] = []
 
-    def draw(self, letter: str, numbers: list[float]) -> None:
-        """Draw one command; with a small letter its points count from where the pen is."""
-        kind, before, self._before = letter.upper(), self._before, letter.upper()
-        base = 0j if letter == kind else self._at
-        if kind == "Z":
-            self._close()
-            return
-        if kind == "H":
-            points = [complex(base.real + numbers[0], self._at.imag)]
-        elif kind == "V":
-            points = [complex(self._at.real, base.imag + numbers[0])]
+    def start(self) -> None:
+        pass
+
+    def move(self, point: _Pair, **_: bool) -> None:
+        self.end()
+        self.subpaths.append(Subpath(np.array(point)))
+        self._start = self._go(point)
+        self._is_open = True
+
+    def line(self, end: _Pair, **_: bool) -> None:
+        self._begin()
+        self._corners.append(end)
+        self._go(end)
+
+    def horizontal(self, x: float, *, relative: bool) -> None:
+        at = self.current_point
+        self.line((at.x + x if relative else x, at.y))
+
+    def vertical(self, y: float, *, relative: bool) -> None:
+        at = self.current_point
+        self.line((at.x, at.y + y if relative else y))
+
+    def cubic(self, first: _Pair, second: _Pair, end: _Pair, **_: bool) -> None:
+        self._begin()
+        current = self._current
+        current.pieces.append(np.array([[current.end, first, second, end]]))
+        self._go(end)
+        self._before = (3, second)
+
+    def smooth_cubic(self, second: _Pair, end: _Pair, **_: bool) -> None:
+        self.cubic(self._mirrored(3), second, end)
+
+    def quad(self, control: _Pair, end: _Pair, **_: bool) -> None:
+        self._begin()
+        current = self._current
+        a, b, c = current.end, np.array(control), np.array(end)
+        current.pieces.append(np.array([[a, a + 2 / 3 * (b - a), c + 2 / 3 * (b - c), c]]))
+        self._go(end)
+        self._before = (2, control)
+
+    def smooth_quad(self, end: _Pair, **_: bool) -> None:
+        self.quad(self._mirrored(2), end)
+
+    def arc(
+        self, rx: float, ry: float, rotation: float, large: bool, sweep: bool, end: _Pair, **_: bool
+    ) -> None:
+        self._begin()
+        current = self._current
+        piece = arc_between(current.end, np.array(end), (rx, ry), rotation, large, sweep, self._tolerance)
+        if piece is None:
+            self._corners.append(end)
         else:
-            pairs = numbers[5:] if kind == "A" else numbers
-            points = [base + complex(x, y) for x, y in zip(pairs[::2], pairs[1::2], strict=True)]
-        if kind == "M":
-            self._move(points[0])
-            return
-        if not self._is_open:
-            self._move(self._start)
-        if kind in "LHV":
-            self._corners.append(points[0])
-        elif kind == "A":
-            self._arc(numbers, points[0])
-        else:
-            if kind in "ST":
-                # The mirror image of the control point of a curve of the same degree, or else the pen.
-                follows = before in ("CS" if kind == "S" else "QT")
-                points.insert(0, 2 * self._at - self._control if follows else self._at)
-            self._control = points[-2]
-            self._curve(*points)
-        self._at = points[-1]
+            current.pieces.append(piece.pieces)
+            current.deviation = max(current.deviation, piece.deviation)
+        self._go(end)
+
+    def closed(self, **_: bool) -> None:
+        if self._is_open:
+            at, start = complex(*self.current_point), complex(*self._start)
+            if not cmath.isclose(at, start, rel_tol=1e-15, abs_tol=1e-15):
+                self._corners.append(self._start)
+            self._current.closed = True
+            self._go(self._start)
+            self._is_open = False
 
     def end(self) -> None:
-        """End an open subpath."""
         if self._is_open:
             # A curve that ends exactly where it begins is meant to be closed; Z is only about line ends.
             current = self._current
@@ -187,47 +220,24 @@ class _Pen:
     @property
     def _current(self) -> Subpath:
         """The subpath, with all its pieces so far."""
+        current = self.subpaths[-1]
         if self._corners:
-            current = self.subpaths[-1]
-            current.pieces.append(
-                lines(np.array([complex(*current.end), *self._corners]).view(float).reshape(-1, 2))
-            )
+            current.pieces.append(lines(np.array([tuple(current.end), *self._corners])))
             self._corners = []
-        return self.subpaths[-1]
+        return current
 
-    def _move(self, point: complex) -> None:
-        self.end()
-        self.subpaths.append(Subpath(_pair(point)))
-        self._start = self._at = point
-        self._is_open = True
+    def _begin(self) -> None:
+        """Begin a subpath anew after a Z."""
+        if not self._is_open:
+            self.move(self._start)
 
-    def _curve(self, *points: complex) -> None:
-        current = self._current
-        a, *controls, d = current.end, *map(_pair, points)
-        if len(controls) == 1:
-            (b,) = controls
-            controls = [a + 2 / 3 * (b - a), d + 2 / 3 * (b - d)]
-        current.pieces.append(np.array([[a, *controls, d]]))
+    def _go(self, point: _Pair) -> _Point:
+        self.current_point = at = _Point(*point)
+        self._before = (1, at)
+        return at
 
-    def _arc(self, numbers: list[float], end: complex) -> None:
-        rx, ry, rotation, large, sweep = numbers[:5]
-        current = self._current
-        shape = ((rx, ry), rotation, large == 1, sweep == 1, self._tolerance)
-        piece = arc_between(current.end, _pair(end), *shape)
-        if piece is None:
-            self._corners.append(end)
-            return
-        current.pieces.append(piece.pieces)
-        current.deviation = max(current.deviation, piece.deviation)
-
-    def _close(self) -> None:
-        if self._is_open:
-            if not cmath.isclose(self._at, self._start, rel_tol=1e-15, abs_tol=1e-15):
-                self._corners.append(self._start)
-            self._current.closed = True
-            self._at = self._start
-            self._is_open = False
-
-
-def _pair(point: complex) -> FloatArray:
-    return np.array([point.real, point.imag])
+    def _mirrored(self, degree: int) -> _Pair:
+        """Return the mirror image of the control point before, of a curve of the same degree, or the pen."""
+        at = self.current_point
+        before, control = self._before
+        return (2 * at.x - control[0], 2 * at.y - control[1]) if before == degree else at
