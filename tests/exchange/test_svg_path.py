@@ -82,7 +82,7 @@ def test_it_draws_what_fonttools_draws(data):
         ("M0 0Az", 6),
         ("M0 0L1 1 2z", 11),
         ("M0 0a1 1 0 02 3 4", 13),
-        ("M0 0L1. 2", 7),
+        ("M0 0L1.. 2", 7),
     ],
 )
 def test_the_first_flaw_is_said(data, place):
@@ -107,6 +107,7 @@ def test_data_that_end_too_soon_are_refused(data):
         ("M0 0a1 1 0 00-.5.25", (-0.5, 0.25)),
         ("M1 2,L3 4,", (3, 4)),
         ("M1 1L2 2Zl3 0", (4, 1)),
+        ("M1.,1.L2.-3.", (2, -3)),
     ],
 )
 def test_compact_numbers_and_flags(data, end):

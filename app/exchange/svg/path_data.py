@@ -25,6 +25,8 @@ from curvecore.arrays import FloatArray
 _GAP = r"[ \t\r\n\f]*"
 _PASSED_OVER = re.compile(rf"(?:^|[A-Za-z,]){_GAP}(,)|[VAa]{_GAP}([A-Za-z]|\Z)")
 """What svgelements takes for nothing: a comma that separates no numbers, and V and A without any."""
+_BARE_POINT = re.compile(r"(?<![\d.eE])(\d+)\.(?![\deE.])")
+"""The point of ``1.``, which SVG 1.1 allowed and programs still write."""
 _NO_MOVE = re.compile(rf"{_GAP}[ZLHVCSQTAzlhvcsqta]")
 _LONGEST = 50_000_000
 
@@ -73,6 +75,8 @@ def read_path_data(data: str, tolerance: float | None = None) -> list[Subpath]:
         raise ExchangeError("its data are too long.")
     if _NO_MOVE.match(data):
         raise ExchangeError("its data must begin with M.")
+    # Of the same length, for the places of flaws.
+    data = _BARE_POINT.sub(r"\1 ", data)
     flaw = _PASSED_OVER.search(data)
     pen, reader = _Pen(tolerance), _Reader()
     try:
