@@ -7,6 +7,7 @@ from collections.abc import Callable, Hashable
 from pathlib import Path
 
 import msgspec
+import shiboken6
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
@@ -123,6 +124,16 @@ class History:
     def _goes_on(self, run: Hashable) -> bool:
         """Whether a change of this run follows the last one closely enough to be the same step."""
         return self._run is not None and self._run[0] == run and self.clock() - self._run[1] <= _RUN_SECONDS
+
+    def drop(self) -> None:
+        """Delete all steps without a word, before the stack goes.
+
+        Where Python's collector takes apart a session and its stack in an unlucky order, the steps go first,
+        and the stack deletes them once more (PySide 6.11): the process dies.
+        """
+        if shiboken6.isValid(self.stack):
+            self.stack.blockSignals(True)
+            self.stack.clear()
 
     def end_run(self) -> None:
         """Let the next change be a step of its own."""

@@ -107,6 +107,9 @@ class Session(QObject):
         self._committed = self._shown = plain(first_sketch())
         self._home: _Home | None = None
 
+    def __del__(self) -> None:
+        self.history.drop()
+
     def _report_clean(self, _clean: bool) -> None:
         self.file_changed.emit()
 
