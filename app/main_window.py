@@ -36,10 +36,11 @@ from app.commands.given import Given
 from app.commands.lesson_commands import LessonCommands
 from app.commands.view_commands import ViewCommands
 from app.controllers.parametrization import ParametrizationController
-from app.docks import Docks, late_panels
-from app.features.curve_settings.controller import CurveSettingsController
-from app.features.history.controller import HistoryController
-from app.features.point_table.controller import PointTableController
+from app.docks import Docks, declared_panels
+from app.features.curve_list.commands import CurveListCommands
+from app.features.curve_settings.commands import CurveSettingsCommands
+from app.features.history.commands import HistoryCommands
+from app.features.point_table.commands import PointTableCommands
 from app.features.recovery.autosave import Autosave
 from app.features.recovery.commands import OpenBeside, RecoveryCommands
 from app.features.reference_image.commands import ImageCommands
@@ -120,6 +121,7 @@ class MainWindow(Guarded, QMainWindow):
         self._work = FileWork(session, self.message_bar.warn, self)
         self._files.beside = self._work.start
         self._commands = Commands(self._context(), self._command_sets)
+        self._fill_docks()
         self._connect()
         self._connect_end()
         restore_layout(self, self.splitter, self.preferences)
@@ -147,24 +149,31 @@ class MainWindow(Guarded, QMainWindow):
         self.plot_panel, self._central = central.plot_panel, central
 
     def _build_docks(self) -> None:
-        panels = [panel for each in self._command_sets for panel, _build in late_panels(each)]
-        docks = self._docks = Docks(self, self.session, self.actions_by_name, panels, self._build_dock)
-        self.table_panel, self.curve_settings = docks.table_panel, docks.curve_settings
-        self.point_table = docks.table_panel.view
-        self.history, self.curve_list = docks.history, docks.curve_list
-        self.image_panel, self.image_dock = docks.image_panel, docks.image
-        self.docks, self.lessons_dock = docks.side, docks.lessons
+        panels = [panel for each in self._command_sets for panel, _build in declared_panels(each)]
+        self._docks = Docks(self, panels, self._build_dock)
+        self.docks = self._docks.side
+        self.image_dock, self.lessons_dock = self._docks["imageDock"], self._docks["lessonsDock"]
 
-    def _build_dock(self, name: str) -> QWidget:
-        # Commands are made later than docks; what they fill is asked of them when it is first shown.
-        return self._commands.build_dock(name)
+    def _build_dock(self, name: str, *parent: QWidget) -> QWidget:
+        # Commands are made later than docks; what they fill is asked of them.
+        return self._commands.build_dock(name, *parent)
+
+    def _fill_docks(self) -> None:
+        self._docks.fill()
+        commands = self._commands
+        self.table_panel = commands[PointTableCommands].panel
+        self.point_table = self.table_panel.view
+        self.curve_list, self.history = commands[CurveListCommands].panel, commands[HistoryCommands].panel
+        self.curve_settings = commands[CurveSettingsCommands].panel
+        self.image_panel = commands[ImageCommands].panel
+        self.curve_list.menu_requested.connect(commands.context_menus.open_on_list)
 
     def _build_bars(self) -> None:
         self.parametrization_bar = ParametrizationBar()
         self.status_line = StatusLine(self)
         self.setStatusBar(self.status_line)
         self.menus = Menus(self, self.actions_by_name)
-        self.menus.fill_with_panels((*self.docks, self.lessons_dock))
+        self.menus.fill_with_panels(self._docks.all)
         self.toolbar = Toolbar(self.actions_by_name, self.parametrization_bar, self)
         self.addToolBar(self.toolbar)
 
@@ -213,12 +222,7 @@ class MainWindow(Guarded, QMainWindow):
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.menus.fill_with_files(self.preferences, self._files.open, self._files.open_example)
         session.history_changed.connect(self._render_file)
-        self._controllers = (
-            PointTableController(session, self.table_panel, self._show_points),
-            CurveSettingsController(session, self.curve_settings),
-            HistoryController(session, self.history),
-            ParametrizationController(session, self.parametrization_bar),
-        )
+        self._parametrization = ParametrizationController(session, self.parametrization_bar)
 
     def _connect_end(self) -> None:
         for end in (self._files.release, self._commands.close, self._remember_layout, self._close_dialogs):
@@ -231,7 +235,6 @@ class MainWindow(Guarded, QMainWindow):
         self.canvas.render_view(view)
         self.canvas.render_others(self.session.views, self.session.active_index, self.session.chosen_curves)
         self.basis_pane.render_view(view)
-        self.table_panel.render_view(view, streaming=self.session.is_previewing)
         self._commands.follow(view)
         if not self.session.is_previewing:
             self._render_panels()
@@ -242,10 +245,6 @@ class MainWindow(Guarded, QMainWindow):
         """Render what need not follow a drag frame by frame."""
         self._panels_due.stop()
         view = self.session.active_view
-        self.curve_settings.render_view(view)
-        self.curve_list.render_document(
-            self.session.document, self.session.active_index, self.session.chosen_curves
-        )
         self.parametrization_bar.render_view(view)
         self._render_growth(view)
         self._commands.render(view)
@@ -260,14 +259,12 @@ class MainWindow(Guarded, QMainWindow):
     def _render_selection(self, selection: frozenset[int]) -> None:
         self.canvas.set_selection(selection)
         self.basis_panel.drawing.set_selection(selection)
-        self.table_panel.set_selection(selection)
         self._render_commands()
 
     def _render_chosen(self, chosen: frozenset[int]) -> None:
         session = self.session
         self.canvas.render_others(session.views, session.active_index, chosen)
         self.canvas.hover_again()
-        self.curve_list.render_document(session.document, session.active_index, chosen)
         self._render_commands()
 
     def _render_commands(self) -> None:
@@ -316,11 +313,6 @@ class MainWindow(Guarded, QMainWindow):
         """
         self.canvas.framing.fit()
         self.basis_pane.fit_again()
-
-    def _show_points(self) -> None:
-        """Fit the view where points of the active curve lie outside it."""
-        if not self.canvas.framing.shows_all_points:
-            self._fit()
 
     # Theme and layout
 
@@ -399,7 +391,7 @@ class MainWindow(Guarded, QMainWindow):
             return
         self._theme = theme
         self.actions_by_name.set_theme(theme)
-        for part in (self.canvas, self.basis_panel, self.basis_pane, self.table_panel, self.message_bar):
+        for part in (self.canvas, self.basis_panel, self.basis_pane, self.message_bar, self._commands):
             part.set_theme(theme)
 
     def changeEvent(self, event: QEvent) -> None:

@@ -4,7 +4,7 @@
   ``context``: what command sets act on.
 - ``document_commands``: new, open, save and quit.  ``work_commands``: stops what is read or written.
 - ``edit_commands``, ``curve_commands``: history, points, family and parameters; whole curves.
-- ``chosen_commands``, ``curve_clipboard``: what is done to all chosen curves.
+- ``curve_clipboard``: whole curves on the clipboard.
 - ``selection_commands``, ``tangent_commands``: transforms of the selected points; their tangents.
 - ``clipboard_commands``: points on the clipboard.  ``context_menus``: what the right button opens.
 - ``exchange_commands``: import and export.  ``import_series``: of several files.

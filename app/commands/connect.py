@@ -8,9 +8,8 @@ from typing import TypeVar
 from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import Action, all_declared
-from app.commands.chosen_commands import ChosenCommands
 from app.commands.clipboard_commands import ClipboardCommands
-from app.commands.context import Closes, Follows, Renders, WindowContext
+from app.commands.context import Closes, Follows, Renders, Themed, WindowContext
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.document_commands import DocumentCommands
@@ -36,26 +35,32 @@ from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
 from app.commands.work_commands import WorkCommands
-from app.docks import late_panels
+from app.docks import declared_panels
 from app.document.edits import EditError
+from app.features.curve_list.commands import CurveListCommands
+from app.features.curve_settings.commands import CurveSettingsCommands
 from app.features.file_on_disk.commands import DiskCommands
+from app.features.history.commands import HistoryCommands
 from app.features.overlays.commands import OverlayCommands
+from app.features.point_table.commands import PointTableCommands
 from app.features.recovery.commands import RecoveryCommands
 from app.features.reference_image.commands import ImageCommands
 from app.tasks.owner import TaskOwner, close_all
+from app.theme import Theme
 from app.view_model.curve_view import CurveView
 
 COMMAND_SETS: tuple[type, ...] = (
+    PointTableCommands,
     DocumentCommands,
     ViewCommands,
     SnapCommands,
     FocusCommands,
-    ImageCommands,
     RecoveryCommands,
     WorkCommands,
     ExchangeCommands,
     CurveCommands,
     TangentCommands,
+    CurveSettingsCommands,
     JointCommands,
     OverlayCommands,
     PlotCommands,
@@ -64,9 +69,11 @@ COMMAND_SETS: tuple[type, ...] = (
     HodographCommands,
     MotionCommands,
     LessonCommands,
+    ImageCommands,
     EditCommands,
     SelectionCommands,
-    ChosenCommands,
+    CurveListCommands,
+    HistoryCommands,
     ClipboardCommands,
     HelpCommands,
     RailCommands,
@@ -140,14 +147,20 @@ class Commands:
         """Take a gesture back, or go to the canvas from a panel; return whether there was either."""
         return self._context.cancel_gesture() or self[FocusCommands].back_to_canvas()
 
-    def build_dock(self, name: str) -> QWidget:
-        """Return the content of a dock that is shown for the first time."""
+    def build_dock(self, name: str, *parent: QWidget) -> QWidget:
+        """Return what stands in a dock; called when the window is built, or when it is first shown."""
         return next(
-            build(commands)
+            build(commands, *parent)
             for kind, commands in self._sets.items()
-            for panel, build in late_panels(kind)
+            for panel, build in declared_panels(kind)
             if panel.name == name
         )
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        for each in self._sets.values():
+            if isinstance(each, Themed):
+                each.set_theme(theme)
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""

@@ -16,6 +16,7 @@ from app.file_commands import FileCommands
 from app.panels.status_line import StatusLine
 from app.session import Session
 from app.settings.preferences import Preferences
+from app.theme import Theme
 from app.view_model.curve_view import CurveView
 from app.window_state import WindowStore
 
@@ -69,6 +70,14 @@ class Renders(Protocol):
 
     def render(self, view: CurveView) -> None:
         """Show what the active curve and the selection have it."""
+
+
+@runtime_checkable
+class Themed(Protocol):
+    """A command set with a panel that takes the colours of a theme."""
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take them."""
 
 
 @runtime_checkable

@@ -48,7 +48,10 @@ class ContextMenus:
         self._context, self._attempt = context, attempt
         self._at_place = [pair for kind, each in command_sets.items() for pair in place_actions(kind, each)]
         context.central.canvas.menu_requested.connect(self._open_on_canvas)
-        context.docks.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
+
+    def open_on_list(self, place: QPoint) -> None:
+        """Open the menu of the list of curves."""
+        self._popup(self._menu(_LIST), place)
 
     def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
         session = self._context.session

@@ -9,7 +9,6 @@ import numpy as np
 from app.actions.declaration import PlaceAction, action
 from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from app.actions.sections import (
-    CURVE_NAME,
     CURVE_NUMBER,
     CURVE_ORDER,
     CURVE_POINTS,
@@ -269,14 +268,6 @@ class CurveCommands:
             return None
         session.say(made[0].sentence)
         return made[0]
-
-    @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
-    def _rename(self) -> None:
-        """Give the curve another name."""
-        dock = self._context.docks["curvesDock"]
-        dock.show()
-        dock.raise_()
-        self._context.docks.curve_list.view.edit_name(self._session.active_index)
 
 
 def _has_curve_beside(now: Situation, end: int) -> bool:

@@ -22,7 +22,7 @@ class FocusCommands:
     def back_to_canvas(self) -> bool:
         """Leave the panel that has the focus for the canvas; return whether one had it."""
         context, here = self._context, QApplication.focusWidget()
-        panels = (*context.docks.side, context.docks.lessons, context.toolbar)
+        panels = (*context.docks.all, context.toolbar)
         if here is None or not any(panel.isAncestorOf(here) for panel in panels):
             return False
         context.central.canvas.setFocus(Qt.FocusReason.ShortcutFocusReason)
@@ -52,7 +52,7 @@ class FocusCommands:
     def _stops(self) -> Iterator[tuple[QWidget, QWidget]]:
         """Yield every panel in sight and what in it takes the focus."""
         context = self._context
-        docks = sorted((*context.docks.side, context.docks.lessons), key=lambda dock: (dock.x(), dock.y()))
+        docks = sorted(context.docks.all, key=lambda dock: (dock.x(), dock.y()))
         panels: list[QWidget] = [
             context.central.canvas,
             context.central.basis_panel,

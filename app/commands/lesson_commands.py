@@ -14,7 +14,8 @@ from app import panels, view_model
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL
 from app.commands.context import WindowContext
-from app.docks import LatePanel
+from app.docks import LEFT, LatePanel
+from app.panels.late_dock import LateDock
 from app.session import Beginning
 from app.storage.files import load
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
@@ -57,7 +58,10 @@ class LessonCommands:
         self._given: Document | None = None
         self._visits: dict[Beginning, _Visit] = {}
         self._switched_on: list[str] = []
-        context.docks.lessons.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
+        dock = context.docks["lessonsDock"]
+        assert isinstance(dock, LateDock)
+        self._dock = dock
+        dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
 
     def render(self, view: CurveView) -> None:
         """Tick the goal when the curve meets it."""
@@ -80,13 +84,12 @@ class LessonCommands:
 
     def open(self, name: str) -> None:
         """Begin the lesson of this name."""
-        dock = self._context.docks.lessons
-        dock.show()
+        self._dock.show()
         # In a window that is not on the screen yet nothing is shown; but the panel follows the document.
-        dock.fill()
+        self._dock.fill()
         self._begin([lesson.name for lesson in self._lessons].index(name))
 
-    @LatePanel("lessonsDock", "Lessons", on_demand=True, at_left=True)
+    @LatePanel("lessonsDock", "Lessons", LEFT, on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the panel; called when the dock is first shown."""
         panel = self._panel = panels.lesson_panel.LessonPanel(self._lessons)
@@ -106,7 +109,7 @@ class LessonCommands:
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
     def _toggle(self) -> None:
         """Learn why a curve goes where it goes, in ten lessons."""
-        self._context.docks.lessons.setVisible(not self._context.store.state.lessons)
+        self._dock.setVisible(not self._context.store.state.lessons)
 
     def _begin(self, number: int) -> None:
         """Open a lesson's document; what was there before stays in the history, or is asked about."""

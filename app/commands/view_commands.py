@@ -241,7 +241,7 @@ class ViewCommands:
         central, docks = self._context.central, self._context.docks
         for plots in (central.canvas, central.basis_panel, central.plot_panel):
             plots.set_scale(scale)
-        late = [dock for dock in (*docks.side, docks.lessons) if isinstance(dock, LateDock)]
+        late = [dock for dock in docks.all if isinstance(dock, LateDock)]
         for dock in late:
             dock.set_scale(scale)
         seen = [dock for dock in late if dock.isVisible() and not dock.visibleRegion().isEmpty()]
@@ -282,7 +282,7 @@ class ViewCommands:
     def _kept_for_a_lesson(self) -> list[QDockWidget]:
         """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""
         docks = self._context.docks
-        is_wanted = docks.lessons.isVisible() and self._store.state.analysis.laboratory.on
+        is_wanted = docks["lessonsDock"].isVisible() and self._store.state.analysis.laboratory.on
         return [docks["laboratoryDock"]] if is_wanted else []
 
     # Theme

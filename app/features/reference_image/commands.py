@@ -6,16 +6,18 @@ from math import ceil, log10
 from pathlib import Path
 
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QDockWidget, QFileDialog
+from PySide6.QtWidgets import QDockWidget, QFileDialog, QWidget
 
 from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import FILE_IMAGE
 from app.canvas.image_file import ImageFileError, read_image
 from app.commands.context import WindowContext
+from app.docks import Panel
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
 from app.features.reference_image.controller import ImageController
+from app.features.reference_image.panel import ImagePanel
 from app.tools.move_image import MOVE_IMAGE
 from app.view_model.curve_view import CurveView
 from app.window_state import WindowState
@@ -29,7 +31,15 @@ _AN_IMAGE = Need("a reference image", lambda now: now.session.document.image is 
 
 
 class ImageCommands:
-    """Reads the picture that the document names, and changes what it names."""
+    """Reads the picture that the document names, and changes what it names.
+
+    Attributes
+    ----------
+    panel
+        Its form, as soon as the docks are filled.
+    """
+
+    panel: ImagePanel
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -41,13 +51,19 @@ class ImageCommands:
         self._shown: ReferenceImage | None = None
         # What stood in front when the panel came; it comes back when the panel goes.
         self._in_front_before: list[QDockWidget] = []
-        names = ("moveImage", "findImage", "removeImage")
-        self._controller = ImageController(context.session, context.docks.image_panel)
-        context.docks.image_panel.add_buttons([self._actions[name] for name in names])
+        self._dock = context.docks["imageDock"]
         # Another document may name the same file, which may have changed meanwhile.
         context.session.opened.connect(self._reset_file)
         context.store.changed.connect(self._show_state)
         self._show_dock(False)
+
+    @Panel("imageDock", "Image")
+    def build_panel(self, parent: QWidget) -> QWidget:
+        """Return the form of the picture, with its buttons."""
+        self.panel = ImagePanel(parent)
+        self._controller = ImageController(self._session, self.panel)
+        self.panel.add_buttons([self._actions[name] for name in ("moveImage", "findImage", "removeImage")])
+        return self.panel
 
     def render(self, view: CurveView) -> None:
         """Show the picture of the document, or say why it cannot be shown."""
@@ -61,8 +77,8 @@ class ImageCommands:
             self._loaded_path, self._pixels, self._problem = "", None, ""
         had_one, self._shown = self._shown is not None, image
         self._context.central.canvas.drawing.set_image(image, self._pixels)
-        self._context.docks.image_panel.render_image(image)
-        self._context.docks.image_panel.show_problem(self._problem)
+        self.panel.render_image(image)
+        self.panel.show_problem(self._problem)
         self._context.store.change(image_problem=self._problem and _MISSING.format(self._problem))
         if image is None or image.locked:
             self._context.store.change(moves_image=False)
@@ -71,7 +87,7 @@ class ImageCommands:
 
     def _show_dock(self, shown: bool) -> None:
         """Show the panel while there is a picture; without one it is disabled and stays away."""
-        dock = self._context.docks.image
+        dock = self._dock
         dock.setEnabled(shown)
         dock.toggleViewAction().setVisible(shown)
         state = self._context.store.state
@@ -119,7 +135,7 @@ class ImageCommands:
         x, y = round(x, decimals) + 0.0, round(y, decimals) + 0.0
         image = ReferenceImage(path, x, y, width, height)
         if self._session.change("Add image", lambda document: set_image(document, image)):
-            self._context.docks.image.raise_()
+            self._dock.raise_()
             self._session.say("File › Move Image drags and scales the image; the panel fades it.")
 
     @action(

@@ -1,25 +1,59 @@
-"""What is done to all chosen curves: duplicate, delete, show, lock, colour; and choosing them."""
+"""The list of curves, and what is done to all that are chosen: duplicate, delete, show, lock, colour."""
 
 from __future__ import annotations
 
+from PySide6.QtWidgets import QWidget
+
 from app.actions.declaration import action
 from app.actions.needs import Need
-from app.actions.sections import CURVE_COLOUR, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
+from app.actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
 from app.actions.situation import Situation
 from app.colours import CURVE_COLOURS
 from app.commands.context import WindowContext
+from app.docks import UPPER, Panel
 from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
 from app.features.curve_list.controller import CurveListController
+from app.features.curve_list.panel import CurveList
+from app.view_model.curve_view import CurveView
+
+_BUTTONS = (
+    "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",
+)  # fmt: skip
+"""The actions that stand as buttons under the list of curves."""
 
 
-class ChosenCommands:
-    """What works on several curves as on one."""
+class CurveListCommands:
+    """What works on several curves as on one, and the list where they are chosen.
+
+    Attributes
+    ----------
+    panel
+        The list with its buttons, as soon as the docks are filled.
+    """
+
+    panel: CurveList
 
     def __init__(self, context: WindowContext) -> None:
-        self._context = context
-        self._session = context.session
-        self._list = CurveListController(context.session, context.docks.curve_list)
-        context.docks.curve_list.view.deletion_wanted.connect(context.actions["deleteCurve"].trigger)
+        self._session, self._actions = context.session, context.actions
+        self._dock = context.docks["curvesDock"]
+
+    @Panel("curvesDock", "Curves", UPPER)
+    def build_panel(self, parent: QWidget) -> QWidget:
+        """Return the list."""
+        self.panel = CurveList(parent)
+        self.panel.add_buttons([self._actions[name] for name in _BUTTONS])
+        self.panel.view.deletion_wanted.connect(self._actions["deleteCurve"].trigger)
+        self._list = CurveListController(self._session, self.panel)
+        self._session.chosen_changed.connect(self._render)
+        return self.panel
+
+    def render(self, view: CurveView) -> None:
+        """Show the curves of the document."""
+        self._render()
+
+    def _render(self) -> None:
+        session = self._session
+        self.panel.render_document(session.document, session.active_index, session.chosen_curves)
 
     # Number
 
@@ -84,7 +118,14 @@ class ChosenCommands:
             used.add(found[-1])
         return found
 
-    # How they are shown
+    # How they are called and shown
+
+    @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
+    def _rename(self) -> None:
+        """Give the curve another name."""
+        self._dock.show()
+        self._dock.raise_()
+        self.panel.view.edit_name(self._session.active_index)
 
     @action(
         "curveVisible",
@@ -115,7 +156,7 @@ class ChosenCommands:
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     def _choose_colour(self) -> None:
         """Choose the colour of the curve, or of all that are chosen."""
-        self._context.docks.curve_list.choose_colour(self._session.active_index)
+        self.panel.choose_colour(self._session.active_index)
 
     # Choosing
 

@@ -1,0 +1,49 @@
+"""The point table in the window: its dock, and what it shows."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from app.commands.context import WindowContext
+from app.docks import UPPER, Panel
+from app.features.point_table.controller import PointTableController
+from app.features.point_table.panel import PointTable
+from app.theme import Theme
+from app.view_model.curve_view import CurveView
+
+
+class PointTableCommands:
+    """Keeps the point table in step with the active curve and its selection.
+
+    Attributes
+    ----------
+    panel
+        The table with its footer, as soon as the docks are filled.
+    """
+
+    panel: PointTable
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+
+    @Panel("pointsDock", "Points", UPPER)
+    def build_panel(self, parent: QWidget) -> QWidget:
+        """Return the table."""
+        self.panel = PointTable(parent)
+        self._controller = PointTableController(self._session, self.panel, self._show_points)
+        self._session.selection_changed.connect(self.panel.set_selection)
+        return self.panel
+
+    def follow(self, view: CurveView) -> None:
+        """Show the points of `view`, as soon as the table's pace allows."""
+        self.panel.render_view(view, streaming=self._session.is_previewing)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self.panel.set_theme(theme)
+
+    def _show_points(self) -> None:
+        """Fit the view where points of the active curve lie outside it."""
+        central = self._context.central
+        if not central.canvas.framing.shows_all_points:
+            central.fit()
