@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from app.features import FEATURES
+
 ROOT = Path(__file__).resolve().parent.parent
 QT = ["PySide6", "shiboken6", "pyqtgraph"]
 
@@ -28,6 +30,12 @@ def test_the_contracts_of_the_layers_are_kept():
     code = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True))"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
+
+
+def test_every_feature_has_its_place():
+    """Where it stands in ``FEATURES`` is the order of tabs and entries, so nothing finds it by itself."""
+    there = {path.parent.name for path in ROOT.glob("app/features/*/__init__.py")}
+    assert sorted(there) == sorted(FEATURES)
 
 
 def packages() -> list[Path]:
@@ -64,7 +72,11 @@ def test_the_window_starts_without_what_is_rarely_used():
         "PySide6.QtPrintSupport",
         "app.canvas.motion_layer",
         "app.commands.motion_stage",
+        "app.features.hodograph.panel",
+        "app.features.joints.panel",
+        "app.features.laboratory.panel",
         "app.features.overlays.panel",
+        "app.features.wiggle.panel",
         "app.panels.motion_bar",
         "app.panels.preferences_dialog",
         "app.panels.shortcut_sheet",

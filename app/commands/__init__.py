@@ -10,9 +10,7 @@
 - ``exchange_commands``: import and export.  ``import_series``: of several files.
   ``file_work``: how what takes long is shown and stopped.
 - ``plot_commands``: what is plotted over t.
-- ``laboratory_commands``, ``error_plot``: the stability laboratory, and its errors over t.
-- ``wiggle_commands``, ``teaching_commands``: a wiggle explained; warnings that teach.
-- ``hodograph_commands``, ``joint_commands``: hodograph and joint certificate.
+- ``teaching_commands``: warnings that teach.
 - ``motion_commands``, ``motion_stage``, ``motion_export``: a dot that runs along the curve; films of it.
 - ``lesson_commands``: lessons, their documents and goals.
 - ``snap_commands``: snapping, the grid's spacing and the unit.

@@ -19,9 +19,6 @@ from app.commands.exchange_commands import ExchangeCommands
 from app.commands.focus_commands import FocusCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
-from app.commands.hodograph_commands import HodographCommands
-from app.commands.joint_commands import JointCommands
-from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.lesson_commands import LessonCommands
 from app.commands.messages import Messages
 from app.commands.motion_commands import MotionCommands
@@ -33,52 +30,36 @@ from app.commands.tangent_commands import TangentCommands
 from app.commands.teaching_commands import TeachingCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
-from app.commands.wiggle_commands import WiggleCommands
 from app.commands.work_commands import WorkCommands
 from app.docks import declared_panels
 from app.document.edits import EditError
-from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_settings.commands import CurveSettingsCommands
-from app.features.file_on_disk.commands import DiskCommands
-from app.features.history.commands import HistoryCommands
-from app.features.overlays.commands import OverlayCommands
-from app.features.point_table.commands import PointTableCommands
-from app.features.recovery.commands import RecoveryCommands
+from app.features import command_sets
+from app.features.laboratory.commands import LaboratoryCommands
 from app.features.reference_image.commands import ImageCommands
+from app.features.wiggle.commands import WiggleCommands
 from app.tasks.owner import TaskOwner, close_all
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 
 COMMAND_SETS: tuple[type, ...] = (
-    PointTableCommands,
     DocumentCommands,
     ViewCommands,
     SnapCommands,
     FocusCommands,
-    RecoveryCommands,
     WorkCommands,
     ExchangeCommands,
     CurveCommands,
     TangentCommands,
-    CurveSettingsCommands,
-    JointCommands,
-    OverlayCommands,
     PlotCommands,
-    LaboratoryCommands,
-    WiggleCommands,
-    HodographCommands,
     MotionCommands,
     LessonCommands,
-    ImageCommands,
     EditCommands,
     SelectionCommands,
-    CurveListCommands,
-    HistoryCommands,
     ClipboardCommands,
     HelpCommands,
     RailCommands,
-    DiskCommands,
     ToolCommands,
+    *command_sets(),
 )
 """What a window can do. Actions in a section of a menu, and tabs, stand in the order of their sets here."""
 

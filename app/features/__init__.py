@@ -2,7 +2,37 @@
 
 - ``point_table``: the points as numbers.  ``curve_list``: the curves.  ``curve_settings``: the active one in
   numbers and rules.  ``history``: undo, as a list.  ``reference_image``: the picture to trace.
-- ``overlays``: what is drawn over the curve, and its ghosts.
+- ``overlays``: what is drawn over the curve, and its ghosts.  ``hodograph``: its velocity, as a curve.
+- ``joints``: how smooth it is.  ``wiggle``: who pulls it where it swings out.  ``laboratory``: few digits.
 - ``recovery``: backups of unsaved work, and what a crash left behind.
 - ``file_on_disk``: the document's file while it is open: changed, gone, or open elsewhere.
+
+To add one is a folder and a name in `FEATURES`. Its module ``commands`` has a tuple `COMMAND_SETS`.
 """
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib import import_module
+
+FEATURES = (
+    "point_table",
+    "curve_list",
+    "history",
+    "curve_settings",
+    "joints",
+    "overlays",
+    "laboratory",
+    "wiggle",
+    "hodograph",
+    "reference_image",
+    "recovery",
+    "file_on_disk",
+)
+"""The packages; tabs stand in this order."""
+
+
+def command_sets() -> Iterator[type]:
+    """Yield the command sets of all features."""
+    for name in FEATURES:
+        yield from import_module(f"{__name__}.{name}.commands").COMMAND_SETS

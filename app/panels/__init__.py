@@ -11,9 +11,7 @@ Beside the canvas:
 In docks:
 
 - ``late_dock``: a dock whose content is built when it is first shown.
-- ``hodograph_panel``; ``joints_panel``, ``joints_model``.
-- ``laboratory_panel``, ``method_table``, ``digits_table``: few digits.  ``cost_panel``, ``log_plot``: costs.
-- ``wiggle_panel``, ``weight_bars``: who pulls the curve.  ``lesson_panel``: lessons.
+- ``lesson_panel``: lessons.
 
 Words and dialogs:
 

@@ -2,14 +2,10 @@
 from . import command_palette as command_palette
 from . import crash_dialog as crash_dialog
 from . import export_dialog as export_dialog
-from . import hodograph_panel as hodograph_panel
 from . import import_drawing_dialog as import_drawing_dialog
 from . import import_table_dialog as import_table_dialog
-from . import joints_panel as joints_panel
-from . import laboratory_panel as laboratory_panel
 from . import lesson_panel as lesson_panel
 from . import plot_canvas as plot_canvas
 from . import plot_pane as plot_pane
 from . import preferences_dialog as preferences_dialog
 from . import shortcut_sheet as shortcut_sheet
-from . import wiggle_panel as wiggle_panel

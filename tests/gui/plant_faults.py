@@ -29,12 +29,12 @@ from app.features.point_table.delegate import PointTableDelegate
 from app.features.point_table.model import PointTableModel
 from app.features.point_table.view import PointTableView
 from app.features.recovery.autosave import snapshot_folder
+from app.features.wiggle.weight_bars import WeightBars
 from app.icons import _IconEngine, icon
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette, _CommandDelegate
 from app.panels.elided_label import ElidedLabel, SteadyLabel
 from app.panels.preferences_dialog import PreferencesDialog
-from app.panels.weight_bars import WeightBars
 from app.plotting.layers import Layer
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.tool_plot import ToolPlot

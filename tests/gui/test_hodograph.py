@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDockWidget, QToolButton
 
 from app.document.edits import set_position
 from app.families import HERMITE
-from app.panels.hodograph_panel import HodographPanel
+from app.features.hodograph.panel import HodographPanel
 
 
 def panel(editor):

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Node, Parametrization, VelocityRule
 from app.families import HERMITE
-from app.panels.joints_panel import JointsPanel
+from app.features.joints.panel import JointsPanel
 from app.view_model.analysis.joints import Kind
 
 

@@ -24,9 +24,9 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.commands.laboratory_commands import LaboratoryCommands
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.features.laboratory.commands import LaboratoryCommands
 from app.tasks.debounced_task import SETTLE_MS
 from app.view_model.analysis.laboratory_settings import Calculation
 

@@ -10,10 +10,10 @@ from PySide6.QtGui import QEnterEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from app.commands.wiggle_commands import WiggleCommands
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.panels.wiggle_panel import WigglePanel
+from app.features.wiggle.commands import WiggleCommands
+from app.features.wiggle.panel import WigglePanel
 
 LEFT = Qt.MouseButton.LeftButton
 HEIGHTS = (0.04, 0.06, 0.1, 0.2, 0.5, 1.0, 0.5, 0.2, 0.1, 0.06, 0.04)

@@ -188,3 +188,6 @@ class CurveListCommands:
 
 def _curves(now: Situation) -> str:
     return f"{len(now.chosen)} Curves" if len(now.chosen) > 1 else "Curve"
+
+
+COMMAND_SETS = (CurveListCommands,)

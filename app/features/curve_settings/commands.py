@@ -38,3 +38,6 @@ class CurveSettingsCommands:
         if view is not self._shown:
             self._shown = view
             self.panel.render_view(view)
+
+
+COMMAND_SETS = (CurveSettingsCommands,)

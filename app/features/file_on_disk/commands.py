@@ -344,3 +344,6 @@ class DiskCommands(QObject):
         self._session.file_changed.emit()
         self._session.say(f"{self._file.path.name} can be saved from here now.")
         self._look()
+
+
+COMMAND_SETS = (DiskCommands,)

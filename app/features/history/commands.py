@@ -30,3 +30,6 @@ class HistoryCommands:
         self.panel = HistoryPanel(self._session.undo_stack, parent)
         self._controller = HistoryController(self._session, self.panel)
         return self.panel
+
+
+COMMAND_SETS = (HistoryCommands,)

@@ -191,3 +191,6 @@ class OverlayCommands:
         session.change(
             text, lambda document: analysis.ghosts.with_ghost_real(document, session.active_index, ghost)
         )
+
+
+COMMAND_SETS = (OverlayCommands,)

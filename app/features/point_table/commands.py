@@ -47,3 +47,6 @@ class PointTableCommands:
         central = self._context.central
         if not central.canvas.framing.shows_all_points:
             central.fit()
+
+
+COMMAND_SETS = (PointTableCommands,)

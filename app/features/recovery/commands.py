@@ -108,3 +108,6 @@ class RecoveryCommands:
     def _later(self, index: int) -> None:
         self._take(index).leave()
         self._context.session.say("It is kept; the next start asks again.")
+
+
+COMMAND_SETS = (RecoveryCommands,)

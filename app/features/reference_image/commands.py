@@ -192,3 +192,6 @@ class ImageCommands:
 
 def _can_move(image: ReferenceImage | None) -> bool:
     return image is not None and not image.locked
+
+
+COMMAND_SETS = (ImageCommands,)

@@ -16,9 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.words import number
+from app.features.joints.model import JointsModel
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.joints_model import JointsModel
 from app.panels.number_text import decimal_mark
 from app.panels.tool_buttons import action_button
 from app.theme import theme_of

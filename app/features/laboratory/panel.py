@@ -21,12 +21,12 @@ from PySide6.QtWidgets import (
 from app.analysis import Analysis
 from app.document.expression import ExpressionError
 from app.document.words import count_of
+from app.features.laboratory.cost_panel import CostPanel
+from app.features.laboratory.digits_table import DigitsTable
+from app.features.laboratory.method_table import MethodTable
 from app.labels import Label
-from app.panels.cost_panel import CostPanel
-from app.panels.digits_table import DigitsTable
 from app.panels.field_edit import NumberEdit, read_number
 from app.panels.fitting import Scrolled
-from app.panels.method_table import MethodTable
 from app.panels.number_text import decimal_mark, exact_text
 from app.view_model.analysis.laboratory import Digits, Trial, calculations
 from app.view_model.analysis.laboratory_settings import (

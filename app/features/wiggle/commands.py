@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from app import panels
 from app.actions.declaration import PlaceAction, action
 from app.actions.needs import CURVE_THROUGH_TWO
 from app.actions.sections import ANALYSIS_EXPLAIN
@@ -16,6 +15,7 @@ from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
 from app.docks import LatePanel
 from app.document.model import Document
+from app.features import wiggle
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.tools.explain import EXPLAIN
@@ -24,7 +24,7 @@ from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import CURE_STYLE
 
 if TYPE_CHECKING:
-    from app.panels.wiggle_panel import WigglePanel
+    from app.features.wiggle.panel import WigglePanel
     from app.view_model.analysis.cures import Cure, Cures
 
 _GROUP = "cure"
@@ -56,7 +56,7 @@ class WiggleCommands(QObject):
     @LatePanel("wiggleDock", "Wiggle", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        self._panel = panels.wiggle_panel.WigglePanel()
+        self._panel = wiggle.panel.WigglePanel()
         self._panel.looked_at.connect(self._preview)
         self._panel.chosen.connect(self._apply)
         return self._panel
@@ -175,3 +175,6 @@ class WiggleCommands(QObject):
 
 def _try(document: Document, curve: int, view: CurveView, knot: int, report: Report) -> Cures | None:
     return analysis.cures.cures_of(document, curve, view, knot, report)
+
+
+COMMAND_SETS = (WiggleCommands,)

@@ -9,9 +9,9 @@ from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from app.document.words import number
+from app.features.wiggle.weight_bars import WeightBars
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.weight_bars import WeightBars
 from app.view_model.analysis.cures import CURES, Cure, Cures
 from app.view_model.analysis.wiggle import Explanation
 from app.view_model.analysis.wording import short

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from app.document.words import number
+from app.features.laboratory.log_plot import LogLine, LogPlot
 from app.labels import Label
-from app.panels.log_plot import LogLine, LogPlot
 from app.view_model.analysis.cost import Cost, cost_chart
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.analysis.wording import short

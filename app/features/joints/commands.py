@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
-from app import panels
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_JOINTS
 from app.commands.context import WindowContext
 from app.docks import LatePanel
+from app.features import joints
 from app.view_model import analysis
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
-    from app.panels.joints_panel import JointsPanel
+    from app.features.joints.panel import JointsPanel
     from app.view_model.analysis.joints import JointRow
 
 _CLOSE_UP = 0.6
@@ -36,7 +36,7 @@ class JointCommands:
     @LatePanel("jointsDock", "Joints")
     def build_panel(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
-        self._panel = panels.joints_panel.JointsPanel(self._context.actions["copyJoints"])
+        self._panel = joints.panel.JointsPanel(self._context.actions["copyJoints"])
         self._panel.visited.connect(self._visit)
         self._panel.shown.connect(lambda: self.render(self._context.session.active_view))
         return self._panel
@@ -72,3 +72,6 @@ class JointCommands:
         self._context.central.canvas.camera.show_box((x - half, x + half), (y - half, y + half))
         self._context.session.select([row.joint])
         self._context.session.say(f"Joint {row.joint} close up; F shows the whole curve again.")
+
+
+COMMAND_SETS = (JointCommands,)

@@ -8,15 +8,15 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from app import panels
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from app.canvas.trace_layer import Trace
 from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
-from app.commands.error_plot import ErrorPlot
 from app.docks import LatePanel
 from app.document.words import number
+from app.features import laboratory
+from app.features.laboratory.error_plot import ErrorPlot
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -26,7 +26,7 @@ from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 
 if TYPE_CHECKING:
-    from app.panels.laboratory_panel import LaboratoryPanel
+    from app.features.laboratory.panel import LaboratoryPanel
     from app.view_model.analysis.cost import Cost
     from app.view_model.analysis.laboratory import Digits, Trial
 
@@ -75,9 +75,7 @@ class LaboratoryCommands(Guarded, QObject):
     @LatePanel("laboratoryDock", "Lab", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        self._panel = panels.laboratory_panel.LaboratoryPanel(
-            self._analysis, self._context.actions["plotErrors"]
-        )
+        self._panel = laboratory.panel.LaboratoryPanel(self._analysis, self._context.actions["plotErrors"])
         self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
         self._panel.render_view(self._session.active_view)
         return self._panel
@@ -262,3 +260,6 @@ def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits |
 def _measure(view: CurveView, report: Report) -> Cost | None:
 
     return analysis.cost.cost_of(view, report)
+
+
+COMMAND_SETS = (LaboratoryCommands,)

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
 
-from app import panels
 from app.actions.declaration import action
 from app.actions.sections import PLOTS_IN_PLANE
 from app.commands.context import WindowContext
 from app.docks import LatePanel
+from app.features import hodograph
 from app.tasks.debounced_task import DebouncedTask
 from app.tools.rail import SCRUB_ALONG
 from app.tools.toolbox import Toolbox
@@ -19,7 +19,7 @@ from app.view_model import analysis
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
-    from app.panels.hodograph_panel import HodographPanel
+    from app.features.hodograph.panel import HodographPanel
     from app.view_model.analysis.hodograph import Hodograph
 
 
@@ -36,7 +36,7 @@ class HodographCommands:
     @LatePanel("hodographDock", "Hodograph", on_demand=True)
     def build_panel(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
-        self._panel = panels.hodograph_panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG))
+        self._panel = hodograph.panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG))
         self._panel.changed.connect(lambda: self.follow(self._context.session.active_view))
         return self._panel
 
@@ -85,3 +85,6 @@ class HodographCommands:
         panel.show_value(
             t, analysis.hodograph.derivative_at(view, t, panel.order) if known and t is not None else None
         )
+
+
+COMMAND_SETS = (HodographCommands,)
