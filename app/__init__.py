@@ -16,7 +16,6 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``settings``: what is remembered between starts, and the ini file that holds it.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
 - ``window_state``: the window's state as a value.  ``analysis``: what is shown over the curve, a part of it.
-- ``player``: a motion, and the clock that drives it.
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``controllers``: what the person did in a panel becomes a change of the document.

@@ -11,7 +11,6 @@
   ``file_work``: how what takes long is shown and stopped.
 - ``plot_commands``: what is plotted over t.
 - ``teaching_commands``: warnings that teach.
-- ``motion_commands``, ``motion_stage``, ``motion_export``: a dot that runs along the curve; films of it.
 - ``lesson_commands``: lessons, their documents and goals.
 - ``snap_commands``: snapping, the grid's spacing and the unit.
 - ``view_commands``, ``dock_room``: tools, zoom, panels, presentation, theme; room for a dock.
@@ -21,7 +20,3 @@
 - ``messages``, ``fresh_hints``: the line on the canvas; the hint in the status line.
 - ``given``, ``drops``: files by what is done with them; those dragged over the window.
 """
-
-import lazy_loader as lazy
-
-__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

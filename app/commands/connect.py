@@ -21,7 +21,6 @@ from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.lesson_commands import LessonCommands
 from app.commands.messages import Messages
-from app.commands.motion_commands import MotionCommands
 from app.commands.plot_commands import PlotCommands
 from app.commands.rail_commands import RailCommands
 from app.commands.selection_commands import SelectionCommands
@@ -51,7 +50,6 @@ COMMAND_SETS: tuple[type, ...] = (
     CurveCommands,
     TangentCommands,
     PlotCommands,
-    MotionCommands,
     LessonCommands,
     EditCommands,
     SelectionCommands,

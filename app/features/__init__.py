@@ -4,6 +4,7 @@
   numbers and rules.  ``history``: undo, as a list.  ``reference_image``: the picture to trace.
 - ``overlays``: what is drawn over the curve, and its ghosts.  ``hodograph``: its velocity, as a curve.
 - ``joints``: how smooth it is.  ``wiggle``: who pulls it where it swings out.  ``laboratory``: few digits.
+- ``motion``: a dot that runs along it.
 - ``recovery``: backups of unsaved work, and what a crash left behind.
 - ``file_on_disk``: the document's file while it is open: changed, gone, or open elsewhere.
 
@@ -25,6 +26,7 @@ FEATURES = (
     "laboratory",
     "wiggle",
     "hodograph",
+    "motion",
     "reference_image",
     "recovery",
     "file_on_disk",

@@ -6,7 +6,7 @@ Beside the canvas:
   ``basis_panel``: the gestures on it.  ``basis_hits``: what lies under the pointer.  ``tick_edit``: a t typed
   at its tick.  ``basis_layers``, ``function_lines``, ``crest_names``: functions, t-rail, scrub line, painted.
 - ``plot_panel``, ``plot_pane``, ``plot_canvas``, ``plot_layers``, ``value_scale``: plots over t.
-- ``motion_bar``: the controls of a motion.  ``parametrization_bar``: the rule for the t_i and its α.
+- ``parametrization_bar``: the rule for the t_i and its α.
 
 In docks:
 
@@ -18,7 +18,7 @@ Words and dialogs:
 - ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``: over
   the canvas.
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
-- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``,
+- ``preferences_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``,
   ``export_fields``: export.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,
   ``group_tree``, ``import_foot``, ``turn``: import.

@@ -23,7 +23,7 @@ from fingerprint import Fingerprint, differences, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
-from app.commands.motion_commands import MotionCommands
+from app.features.motion.commands import MotionCommands
 from app.features.recovery.commands import RecoveryCommands
 from app.panels.command_palette import CommandPalette
 from app.panels.late_dock import LateDock

@@ -21,13 +21,13 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.commands.motion_commands import MotionCommands
 from app.document import edits
 from app.document.model import ParametrizationKind, VelocityRule
 from app.exchange.drawing.animation import write_film
 from app.families import HERMITE
-from app.panels.motion_bar import MotionBar
-from app.player import Player
+from app.features.motion.bar import MotionBar
+from app.features.motion.commands import MotionCommands
+from app.features.motion.player import Player
 from app.view_model.motion_picture import Role
 
 LEFT = Qt.MouseButton.LeftButton
@@ -376,7 +376,7 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
 
         write_film(document, path, film, report=told)
 
-    monkeypatch.setattr("app.commands.motion_export.write_film", write_to_the_beat)
+    monkeypatch.setattr("app.features.motion.export.write_film", write_to_the_beat)
     timer = QTimer(editor.window, interval=1)
     timer.timeout.connect(beat.set)
     timer.start()

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtCore import QSize, QTimer
 from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 
+import app.features
 import app.panels
 from app.document.edits import set_position
 from app.document.model import Document, make_curve
@@ -17,12 +18,12 @@ from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS
 from app.exchange.table.prepared import TableSource
 from app.exchange.table.text import preview_table
+from app.features.motion.dialog import MotionDialog
 from app.panels.crash_dialog import CrashDialog
 from app.panels.export_dialog import ExportDialog
 from app.panels.fitting import FRAME, FittedDialog
 from app.panels.import_drawing_dialog import ImportDrawingDialog
 from app.panels.import_table_dialog import ImportTableDialog
-from app.panels.motion_dialog import MotionDialog
 from app.panels.preferences_dialog import PreferencesDialog
 from app.session import Session
 from app.storage.files import save
@@ -124,8 +125,9 @@ def test_a_question_about_a_long_name_fits_and_is_read_to_its_end(qtbot, type_si
 
 
 def every_dialog():
-    for module in pkgutil.iter_modules(app.panels.__path__):
-        importlib.import_module(f"app.panels.{module.name}")
+    for package in (app.panels, app.features):
+        for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            importlib.import_module(module.name)
 
     def heirs(kind):
         return {kind, *(each for heir in kind.__subclasses__() for each in heirs(heir))}

@@ -6,10 +6,10 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
 
 from app.commands.context import WindowContext
-from app.commands.motion_export import MotionExport
+from app.features.motion.bar import MotionBar
+from app.features.motion.export import MotionExport
+from app.features.motion.player import Player
 from app.overrides import Guarded
-from app.panels.motion_bar import MotionBar
-from app.player import Player
 from app.theme import theme_of
 from app.view_model.curve_view import CurveView
 from app.view_model.motion import Course

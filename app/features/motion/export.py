@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from app.commands.context import WindowContext
 from app.exchange.drawing.animation import Film, FilmFormat, write_film
 from app.exchange.drawing.styles import DARK, LIGHT
+from app.features.motion.dialog import MotionDialog
 from app.file_commands import file_stem
-from app.panels.motion_dialog import MotionDialog
 from app.tasks.progress import Report
 from app.theme import theme_of
 from app.view_model.motion import round_of

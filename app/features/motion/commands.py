@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from app import commands
 from app.actions.declaration import Action, action, action_for_each
 from app.actions.needs import CURVE_THROUGH_TWO, Need
 from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN
 from app.commands.context import WindowContext
+from app.features import motion
 from app.keymap import action_name
 from app.view_model.curve_view import CurveView
 from app.view_model.motion_settings import Pace, Repeat
 
 if TYPE_CHECKING:
-    from app.commands.motion_stage import MotionStage
+    from app.features.motion.stage import MotionStage
 
 
 class _Repeat(NamedTuple):
@@ -71,10 +71,10 @@ class MotionCommands:
             self._stage.settle(view)
 
     @property
-    def stage(self) -> commands.motion_stage.MotionStage:
+    def stage(self) -> motion.stage.MotionStage:
         """What the motion needs in the window; made when it is first asked for."""
         if self._stage is None:
-            self._stage = commands.motion_stage.MotionStage(self._context)
+            self._stage = motion.stage.MotionStage(self._context)
             self._stage.settle(self._context.session.active_view)
         return self._stage
 
@@ -170,3 +170,6 @@ class MotionCommands:
     def _export(self) -> None:
         """Write the motion as GIF, APNG or MP4."""
         self.stage.ask_and_export()
+
+
+COMMAND_SETS = (MotionCommands,)
