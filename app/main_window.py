@@ -33,13 +33,13 @@ from app.commands.drops import OpenWindow, accepted
 from app.commands.exchange_commands import ExchangeCommands
 from app.commands.file_work import FileWork
 from app.commands.given import Given
-from app.commands.lesson_commands import LessonCommands
 from app.commands.view_commands import ViewCommands
 from app.controllers.parametrization import ParametrizationController
 from app.docks import Docks, declared_panels
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_settings.commands import CurveSettingsCommands
 from app.features.history.commands import HistoryCommands
+from app.features.lessons.commands import LessonCommands
 from app.features.point_table.commands import PointTableCommands
 from app.features.recovery.autosave import Autosave
 from app.features.recovery.commands import OpenBeside, RecoveryCommands

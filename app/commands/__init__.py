@@ -11,12 +11,11 @@
   ``file_work``: how what takes long is shown and stopped.
 - ``plot_commands``: what is plotted over t.
 - ``teaching_commands``: warnings that teach.
-- ``lesson_commands``: lessons, their documents and goals.
 - ``snap_commands``: snapping, the grid's spacing and the unit.
 - ``view_commands``, ``dock_room``: tools, zoom, panels, presentation, theme; room for a dock.
 - ``focus_commands``: the keyboard's way from panel to panel.
 - ``rail_commands``: the menu of the t-rail.
-- ``tool_commands``, ``help_commands``: palette, preferences, shortcuts; keys and mouse, about.
+- ``tool_commands``: palette, preferences, shortcuts.
 - ``messages``, ``fresh_hints``: the line on the canvas; the hint in the status line.
 - ``given``, ``drops``: files by what is done with them; those dragged over the window.
 """

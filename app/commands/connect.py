@@ -18,8 +18,6 @@ from app.commands.edit_commands import EditCommands
 from app.commands.exchange_commands import ExchangeCommands
 from app.commands.focus_commands import FocusCommands
 from app.commands.fresh_hints import FreshHints
-from app.commands.help_commands import HelpCommands
-from app.commands.lesson_commands import LessonCommands
 from app.commands.messages import Messages
 from app.commands.plot_commands import PlotCommands
 from app.commands.rail_commands import RailCommands
@@ -50,11 +48,9 @@ COMMAND_SETS: tuple[type, ...] = (
     CurveCommands,
     TangentCommands,
     PlotCommands,
-    LessonCommands,
     EditCommands,
     SelectionCommands,
     ClipboardCommands,
-    HelpCommands,
     RailCommands,
     ToolCommands,
     *command_sets(),

@@ -4,7 +4,7 @@
   numbers and rules.  ``history``: undo, as a list.  ``reference_image``: the picture to trace.
 - ``overlays``: what is drawn over the curve, and its ghosts.  ``hodograph``: its velocity, as a curve.
 - ``joints``: how smooth it is.  ``wiggle``: who pulls it where it swings out.  ``laboratory``: few digits.
-- ``motion``: a dot that runs along it.
+- ``motion``: a dot that runs along it.  ``lessons``: why it goes where it goes.  ``help``: keys and mouse.
 - ``recovery``: backups of unsaved work, and what a crash left behind.
 - ``file_on_disk``: the document's file while it is open: changed, gone, or open elsewhere.
 
@@ -27,11 +27,13 @@ FEATURES = (
     "wiggle",
     "hodograph",
     "motion",
+    "lessons",
+    "help",
     "reference_image",
     "recovery",
     "file_on_disk",
 )
-"""The packages; tabs stand in this order."""
+"""The packages; tabs, and actions in a section of a menu, stand in this order."""
 
 
 def command_sets() -> Iterator[type]:

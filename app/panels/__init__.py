@@ -11,13 +11,12 @@ Beside the canvas:
 In docks:
 
 - ``late_dock``: a dock whose content is built when it is first shown.
-- ``lesson_panel``: lessons.
 
 Words and dialogs:
 
 - ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``: over
   the canvas.
-- ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
+- ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_editor``: keys.
 - ``preferences_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``,
   ``export_fields``: export.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,

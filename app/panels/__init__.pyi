@@ -4,8 +4,6 @@ from . import crash_dialog as crash_dialog
 from . import export_dialog as export_dialog
 from . import import_drawing_dialog as import_drawing_dialog
 from . import import_table_dialog as import_table_dialog
-from . import lesson_panel as lesson_panel
 from . import plot_canvas as plot_canvas
 from . import plot_pane as plot_pane
 from . import preferences_dialog as preferences_dialog
-from . import shortcut_sheet as shortcut_sheet

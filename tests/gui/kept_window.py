@@ -23,12 +23,12 @@ from fingerprint import Fingerprint, differences, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
+from app.features.help.shortcut_sheet import ShortcutSheet
 from app.features.motion.commands import MotionCommands
 from app.features.recovery.commands import RecoveryCommands
 from app.panels.command_palette import CommandPalette
 from app.panels.late_dock import LateDock
 from app.panels.plot_panel import USUAL_HEIGHT
-from app.panels.shortcut_sheet import ShortcutSheet
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings
 

@@ -13,10 +13,10 @@ from app.actions.sections import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
 from app.commands.connect import COMMAND_SETS, all_actions
 from app.docks import LatePanel
 from app.document.edits import EditError
+from app.features.help.shortcut_sheet import ShortcutSheet
 from app.main_window import MainWindow
 from app.mnemonics import plain
 from app.panels.shortcut_editor import ShortcutEditor
-from app.panels.shortcut_sheet import ShortcutSheet
 from app.session import Session
 from app.testing import Editor
 

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication, QGraphicsView, QMenu, QWidget
 from shiboken6 import Shiboken
 
 from app.commands.focus_commands import first_in
+from app.features.lessons.panel import LessonPanel
 from app.mnemonics import plain, with_mnemonics
-from app.panels.lesson_panel import LessonPanel
 from app.theme import theme_of
 
 

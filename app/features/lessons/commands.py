@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 import app
-from app import panels, view_model
+from app import view_model
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL
 from app.commands.context import WindowContext
 from app.docks import LEFT, LatePanel
+from app.features import lessons
 from app.panels.late_dock import LateDock
 from app.session import Beginning
 from app.storage.files import load
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
 
     from app.document.model import Document
+    from app.features.lessons.panel import LessonPanel
     from app.lessons import Lesson, Step
-    from app.panels.lesson_panel import LessonPanel
 
 _GALLERY = -1
 _DESK = ("plotErrors", "toggleLaboratory", "playMotion", "motionCompare", "toggleScrub")
@@ -92,7 +93,7 @@ class LessonCommands:
     @LatePanel("lessonsDock", "Lessons", LEFT, on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the panel; called when the dock is first shown."""
-        panel = self._panel = panels.lesson_panel.LessonPanel(self._lessons)
+        panel = self._panel = lessons.panel.LessonPanel(self._lessons)
         panel.lesson_chosen.connect(self._begin)
         panel.again_wanted.connect(self._begin_again)
         panel.step_chosen.connect(self._go)
@@ -206,3 +207,6 @@ class LessonCommands:
     def _trigger(self, name: str) -> None:
         if name in self._context.actions:
             self._context.actions[name].trigger()
+
+
+COMMAND_SETS = (LessonCommands,)

@@ -6,14 +6,15 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMessageBox
 
-from app import __version__, panels
+from app import __version__
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL, MENUS
 from app.commands.context import WindowContext
+from app.features import help as help_feature
 from app.tools.add import ADD
 
 if TYPE_CHECKING:
-    from app.panels.shortcut_sheet import ShortcutSheet
+    from app.features.help.shortcut_sheet import ShortcutSheet
 
 
 class HelpCommands:
@@ -28,13 +29,13 @@ class HelpCommands:
         """Show what keys and mouse do."""
         context = self._context
         if self._sheet is None:
-            self._sheet = panels.shortcut_sheet.ShortcutSheet(
+            self._sheet = help_feature.shortcut_sheet.ShortcutSheet(
                 context.window, over=context.window.centralWidget() or context.window
             )
         if self._sheet.isVisible():
             self._sheet.put_away()
             return
-        moment = panels.shortcut_sheet.Moment(
+        moment = help_feature.shortcut_sheet.Moment(
             adding=context.store.state.uses(ADD),
             selected=len(context.session.selection),
             has_derivatives=context.session.active_curve.family.derivatives > 0,
@@ -54,3 +55,6 @@ class HelpCommands:
             "MIT licence. Icons: Lucide, ISC licence."
         )
         box.open()
+
+
+COMMAND_SETS = (HelpCommands,)
