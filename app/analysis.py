@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from app.view_model.analysis.ghost import Ghost
 from app.view_model.analysis.overlay import Overlay
 from app.view_model.analysis.plot import Plot
-from app.view_model.analysis.settings import AnalysisSettings, Setting
+from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 from app.window_state import WindowState, WindowStore
 
 
@@ -59,7 +59,7 @@ class Analysis(QObject):
         """Take other values for some of the settings."""
         self._store.change(analysis=replace(self.settings, **fields))
 
-    def set_value(self, setting: Setting, value: float) -> None:
+    def set_value(self, setting: OverlaySetting, value: float) -> None:
         """Take another value for a setting of overlays."""
         self._store.change(analysis=self.settings.with_value(setting, value))
 

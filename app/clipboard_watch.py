@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 
 DERIVATIVES = "application/x-curvebench-derivatives"
-"""MIME type of a node's derivatives: a node of which the position does not count."""
+"""MIME type of a point's derivatives: a point of which the position does not count."""
 
 
 class ClipboardWatch(QObject):

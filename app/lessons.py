@@ -19,14 +19,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.resources import resource
-from app.view_model.analysis.laboratory_settings import Rounding
+from app.view_model.analysis.laboratory_settings import RoundedPart
 from app.view_model.goals import Goal, GoalError, parse_goal
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 _KEYS = ("curve", "show", "set", "goal", "keep")
 
-SETTINGS: dict[str, Callable[[str], float | Rounding]] = {
-    "rounding": Rounding,
+SETTINGS: dict[str, Callable[[str], float | RoundedPart]] = {
+    "rounding": RoundedPart,
     "digits": int,
     "shift": float,
     "methods": int,
@@ -60,7 +60,7 @@ class Step(NamedTuple):
     text: str
     curve: str
     show: tuple[str, ...]
-    settings: dict[str, float | Rounding]
+    settings: dict[str, float | RoundedPart]
     goal: Goal | None
 
 
@@ -126,8 +126,8 @@ def _goal(fields: dict[str, str], place: str) -> Goal:
     return goal
 
 
-def _settings(text: str, place: str) -> dict[str, float | Rounding]:
-    settings: dict[str, float | Rounding] = {}
+def _settings(text: str, place: str) -> dict[str, float | RoundedPart]:
+    settings: dict[str, float | RoundedPart] = {}
     for part in filter(None, (part.strip() for part in text.split(","))):
         name, _, value = part.partition(" ")
         if name not in SETTINGS:

@@ -101,7 +101,7 @@ class MainWindow(Guarded, QMainWindow):
         # What the panels show; behind the session while it tells that what was selected is there no more.
         self._rendered: CurveView | None = None
         # First of all: panels read the palette when they are built.
-        self._dress()
+        self._apply_theme()
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
         self._command_sets = command_sets
@@ -201,7 +201,7 @@ class MainWindow(Guarded, QMainWindow):
         session.document_changed.connect(self._render_document)
         session.active_changed.connect(self._render_document)
         session.selection_changed.connect(self._render_selection)
-        session.chosen_changed.connect(self._render_chosen)
+        session.selected_curves_changed.connect(self._render_selected_curves)
         session.hovered_changed.connect(self.canvas.drawing.set_hovered)
         session.hovered_changed.connect(self.basis_panel.drawing.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
@@ -233,7 +233,7 @@ class MainWindow(Guarded, QMainWindow):
     def _render_document(self) -> None:
         view = self._rendered = self.session.active_view
         self.canvas.render_view(view)
-        self.canvas.render_others(self.session.views, self.session.active_index, self.session.chosen_curves)
+        self.canvas.render_others(self.session.views, self.session.active_index, self.session.selected_curves)
         self.basis_pane.render_view(view)
         self._commands.follow(view)
         if not self.session.is_previewing:
@@ -261,7 +261,7 @@ class MainWindow(Guarded, QMainWindow):
         self.basis_panel.drawing.set_selection(selection)
         self._render_commands()
 
-    def _render_chosen(self, chosen: frozenset[int]) -> None:
+    def _render_selected_curves(self, chosen: frozenset[int]) -> None:
         session = self.session
         self.canvas.render_others(session.views, session.active_index, chosen)
         self.canvas.hover_again()
@@ -300,7 +300,7 @@ class MainWindow(Guarded, QMainWindow):
 
     def _offer(self, text: str, action: str) -> None:
         self._render_commands()
-        self.status_line.forget_said()
+        self.status_line.clear_message()
         self._commands.messages.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:
@@ -318,7 +318,7 @@ class MainWindow(Guarded, QMainWindow):
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.theme_mode is not before.theme_mode:
-            self._dress()
+            self._apply_theme()
             self._render_theme()
 
     def open_file(self, path: Path) -> None:
@@ -378,7 +378,7 @@ class MainWindow(Guarded, QMainWindow):
         """Use light or dark colours, or follow the system, from now on."""
         self.store.change(theme_mode=mode)
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         app = QApplication.instance()
         assert isinstance(app, QApplication)
         apply_theme(app, self.preferences.theme_mode)

@@ -9,12 +9,12 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
-from app.document.words import Named
+from app.document.words import NamedEnum
 from app.resources import resource
 from app.view_model.palette import ACCENT, INK, PAPER
 
 
-class ThemeMode(Named):
+class ThemeMode(NamedEnum):
     """The appearance that the person asked for."""
 
     SYSTEM = "system", "As the system"

@@ -36,9 +36,9 @@ class Situation:
         return self.session.selection
 
     @property
-    def chosen(self) -> frozenset[int]:
-        """The chosen curves."""
-        return self.session.chosen_curves
+    def selected(self) -> frozenset[int]:
+        """The selected curves."""
+        return self.session.selected_curves
 
     @property
     def has_copied_derivatives(self) -> bool:

@@ -138,7 +138,7 @@ class CurveLayer(Layer):
     def _pen(self) -> QPen:
         view = self._view
         colour = view.source.colour if view is not None else None
-        # The last good curve, of nodes or rules that are no more, and a hidden one that is edited.
+        # The last good curve, of points or rules that are no more, and a hidden one that is edited.
         is_faint = view is not None and not (view.is_current and view.source.visible)
         asked = (colour, is_faint, self.theme, self.scale)
         if asked != self._made_for:

@@ -17,7 +17,7 @@ from app.commands.context import WindowContext
 from app.commands.curve_clipboard import CurveClipboard, put_on_clipboard
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.model import Curve, Document, Node
+from app.document.model import Curve, Document, Point
 from app.document.words import count_of
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from app.features.point_table.columns import known_titles
@@ -29,7 +29,7 @@ from app.view_model.pasting import (
     as_new_curve,
     copied,
     copied_as_new_curve,
-    nodes_of_rows,
+    points_of_rows,
     refuse_unordered,
 )
 
@@ -45,7 +45,7 @@ class _Pasted(msgspec.Struct, frozen=True):
     `note` goes on the sentence that tells what was pasted.
     """
 
-    nodes: tuple[Node, ...]
+    points: tuple[Point, ...]
     like: Curve | None = None
     first_row: int = 1
     note: str = ""
@@ -69,19 +69,19 @@ class ClipboardCommands:
         "cutPoints", "Cut", EDIT_CLIPBOARD, "Ctrl+X", "cut", full_name="Cut Points", needs=POINTS_OR_CURVES
     )
     def _cut(self) -> None:
-        """Copy the selected points, or the chosen curves, and delete them."""
-        session, chosen = self._session, self._session.selection
+        """Copy the selected points, or the selected curves, and delete them."""
+        session, selected = self._session, self._session.selection
         if self._curves.has_several:
             self._curves.cut()
-        if not chosen:
+        if not selected:
             return
         self._copy()
         if session.change(
-            f"Cut {count_of(len(chosen), 'point')}",
-            lambda document: edits.delete_nodes(document, session.active_index, chosen),
+            f"Cut {count_of(len(selected), 'point')}",
+            lambda document: edits.delete_points(document, session.active_index, selected),
         ):
             session.select([])
-            session.say(f"Cut {count_of(len(chosen), 'point')}.")
+            session.say(f"Cut {count_of(len(selected), 'point')}.")
 
     @action(
         "copyPoints",
@@ -93,22 +93,22 @@ class ClipboardCommands:
         needs=POINTS_OR_CURVES,
     )
     def _copy(self) -> None:
-        """Copy the selected points with their derivatives, or the chosen curves."""
-        view, chosen = self._session.active_view, self._session.selection
+        """Copy the selected points with their derivatives, or the selected curves."""
+        view, selected = self._session.active_view, self._session.selection
         if self._curves.has_several:
             self._curves.copy()
-        if not chosen:
+        if not selected:
             return
-        clip, mark = copied(view, chosen), decimal_mark()
+        clip, mark = copied(view, selected), decimal_mark()
         rows = [
-            [exact_text(number, mark) for number in _row(node, timed=view.source.is_manual)]
-            for node in clip.nodes
+            [exact_text(number, mark) for number in _row(point, timed=view.source.is_manual)]
+            for point in clip.points
         ]
         data = QMimeData()
         data.setData(POINTS, encode(Document((clip,))))
         data.setText(write_block(rows))
         put_on_clipboard(data)
-        self._session.say(f"Copied {count_of(len(clip.nodes), 'point')}.")
+        self._session.say(f"Copied {count_of(len(clip.points), 'point')}.")
 
     @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V", "paste", full_name="Paste Points")
     def _paste_points(self) -> None:
@@ -129,18 +129,18 @@ class ClipboardCommands:
 
     def _append(self, pasted: _Pasted) -> None:
         session, view = self._session, self._session.active_view
-        count = len(view.source.nodes)
-        if pasted.like is None and pasted.nodes[0].t is not None:
-            curve = appended_with_parameters(view, pasted.nodes, pasted.first_row)
+        count = len(view.source.points)
+        if pasted.like is None and pasted.points[0].t is not None:
+            curve = appended_with_parameters(view, pasted.points, pasted.first_row)
         else:
-            curve = appended(view, pasted.nodes)
+            curve = appended(view, pasted.points)
         if session.change(
-            f"Paste {count_of(len(pasted.nodes), 'point')}",
+            f"Paste {count_of(len(pasted.points), 'point')}",
             lambda document: curve_edits.replace_curve(document, session.active_index, curve),
         ):
-            session.select(range(count, count + len(pasted.nodes)))
+            session.select(range(count, count + len(pasted.points)))
             self._show_points()
-            session.say(f"Pasted {count_of(len(pasted.nodes), 'point')}{pasted.note}.")
+            session.say(f"Pasted {count_of(len(pasted.points), 'point')}{pasted.note}.")
 
     def _add_curve(self, pasted: _Pasted) -> None:
         session, place = self._session, self._session.active_index + 1
@@ -148,13 +148,13 @@ class ClipboardCommands:
         if pasted.like is not None:
             curve = copied_as_new_curve(pasted.like, name)
         else:
-            refuse_unordered(pasted.nodes, pasted.first_row) if pasted.nodes[0].t is not None else None
-            curve = as_new_curve(session.active_curve, pasted.nodes, name)
+            refuse_unordered(pasted.points, pasted.first_row) if pasted.points[0].t is not None else None
+            curve = as_new_curve(session.active_curve, pasted.points, name)
         document = curve_edits.add_curve(session.document, place, curve)
-        edits.set_nodes(document, place, curve.nodes)
+        edits.set_points(document, place, curve.points)
         if session.change(f"Paste as {name}", lambda _: document, active=place):
             self._show_points()
-            session.say(f"Pasted {count_of(len(curve.nodes), 'point')} as “{name}”{pasted.note}.")
+            session.say(f"Pasted {count_of(len(curve.points), 'point')} as “{name}”{pasted.note}.")
 
     def _show_points(self) -> None:
         """Fit the view if points that were pasted lie outside it."""
@@ -178,15 +178,15 @@ class ClipboardCommands:
         view, index = self._session.active_view, self._session.selected
         if index is None or not view.is_current:
             return
-        node = view.source.nodes[index]
-        jet = Node(
+        point = view.source.points[index]
+        jet = Point(
             0.0,
             0.0,
             velocity=view.velocity_of(index, ahead=False),
             acceleration=view.acceleration_of(index, ahead=False),
-            corner=node.corner,
-            velocity_after=view.velocity_of(index) if node.corner else None,
-            acceleration_after=view.acceleration_of(index) if node.corner else None,
+            corner=point.corner,
+            velocity_after=view.velocity_of(index) if point.corner else None,
+            acceleration_after=view.acceleration_of(index) if point.corner else None,
         )
         mark = decimal_mark()
         numbers = (*(jet.velocity or ()), *(jet.acceleration or ()))
@@ -208,25 +208,25 @@ class ClipboardCommands:
     )
     def _paste_derivatives(self) -> None:
         """Give the selected points the velocity and the acceleration that were copied."""
-        session, chosen = self._session, self._session.selection
+        session, selected = self._session, self._session.selection
         jet = _derivatives_on_clipboard()
         if jet is None:
             session.refuse("There are no derivatives on the clipboard; Copy Derivatives puts them there.")
             return
-        nodes = (
-            _with_derivatives(node, jet) if index in chosen else node
-            for index, node in enumerate(session.active_curve.nodes)
+        points = (
+            _with_derivatives(point, jet) if index in selected else point
+            for index, point in enumerate(session.active_curve.points)
         )
-        what = f"point {next(iter(chosen))}" if len(chosen) == 1 else count_of(len(chosen), "point")
+        what = f"point {next(iter(selected))}" if len(selected) == 1 else count_of(len(selected), "point")
         if session.change(
             f"Paste derivatives to {what}",
-            lambda document: edits.set_nodes(document, session.active_index, nodes),
+            lambda document: edits.set_points(document, session.active_index, points),
         ):
             session.say(f"Pasted the derivatives into {what}.")
 
 
-def _row(node: Node, *, timed: bool) -> Sequence[float]:
-    return (node.t, *node.position) if timed and node.t is not None else node.position
+def _row(point: Point, *, timed: bool) -> Sequence[float]:
+    return (point.t, *point.position) if timed and point.t is not None else point.position
 
 
 def _on_clipboard() -> _Pasted:
@@ -237,14 +237,14 @@ def _on_clipboard() -> _Pasted:
             (curve, *_) = decode(bytes(data.data(POINTS).data())).curves
         except FormatError as reason:
             raise EditError(f"The points on the clipboard cannot be read: {reason}.") from None
-        if curve.nodes:
-            return _Pasted(curve.nodes, curve)
+        if curve.points:
+            return _Pasted(curve.points, curve)
     text = data.text() if data.hasText() else ""
     block = read_titled_block(text, decimal_mark(), known_titles())
     # A row of titles was skipped.
     first_row = 1 + len(text.rstrip().splitlines()) - len(block.rows)
     note = "; the row of titles was skipped" if block.titles else ""
-    return _Pasted(nodes_of_rows(_in_order(block)), first_row=first_row, note=note)
+    return _Pasted(points_of_rows(_in_order(block)), first_row=first_row, note=note)
 
 
 def _in_order(block: Block) -> list[list[float]]:
@@ -266,19 +266,19 @@ def _in_order(block: Block) -> list[list[float]]:
     return [[row[place] for place in places] for row in block.rows]
 
 
-def _derivatives_on_clipboard() -> Node | None:
+def _derivatives_on_clipboard() -> Point | None:
     data = QGuiApplication.clipboard().mimeData() or QMimeData()
     if not data.hasFormat(DERIVATIVES):
         return None
     try:
-        return msgspec.json.decode(bytes(data.data(DERIVATIVES).data()), type=Node)
+        return msgspec.json.decode(bytes(data.data(DERIVATIVES).data()), type=Point)
     except (msgspec.DecodeError, UnicodeDecodeError):
         return None
 
 
-def _with_derivatives(node: Node, jet: Node) -> Node:
-    """Return `node` with the derivatives of `jet`; of a higher order it keeps its own."""
-    changed = replace(node, corner=jet.corner, velocity=jet.velocity, velocity_after=jet.velocity_after)
+def _with_derivatives(point: Point, jet: Point) -> Point:
+    """Return `point` with the derivatives of `jet`; of a higher order it keeps its own."""
+    changed = replace(point, corner=jet.corner, velocity=jet.velocity, velocity_after=jet.velocity_after)
     if jet.acceleration is None:
         return changed
     return replace(changed, acceleration=jet.acceleration, acceleration_after=jet.acceleration_after)

@@ -42,7 +42,7 @@ def _take_away() -> None:
 
 
 class CurveClipboard:
-    """Copies, cuts and pastes the chosen curves; with one alone the clipboard is about its points."""
+    """Copies, cuts and pastes the selected curves; with one alone the clipboard is about its points."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -50,18 +50,18 @@ class CurveClipboard:
 
     @property
     def has_several(self) -> bool:
-        """Whether there are curves to copy: several are chosen, and no point is selected."""
-        return len(self._session.chosen_curves) > 1 and not self._session.selection
+        """Whether there are curves to copy: several are selected, and no point is selected."""
+        return len(self._session.selected_curves) > 1 and not self._session.selection
 
     def copy(self) -> None:
-        """Copy all chosen curves."""
+        """Copy all selected curves."""
         session = self._session
-        curves = tuple(session.document.curves[place] for place in sorted(session.chosen_curves))
+        curves = tuple(session.document.curves[place] for place in sorted(session.selected_curves))
         mark = decimal_mark()
         tables = [
-            write_block([[exact_text(number, mark) for number in node.position] for node in curve.nodes])
+            write_block([[exact_text(number, mark) for number in point.position] for point in curve.points])
             for curve in curves
-            if curve.nodes
+            if curve.points
         ]
         data = QMimeData()
         data.setData(CURVES, encode(Document(curves)))
@@ -70,14 +70,14 @@ class CurveClipboard:
         session.say(f"Copied {len(curves)} curves.")
 
     def cut(self) -> None:
-        """Copy all chosen curves and delete them."""
+        """Copy all selected curves and delete them."""
         session, document = self._session, self._session.document
-        chosen = session.chosen_curves
+        selected = session.selected_curves
         self.copy()
         session.change(
-            f"Cut {named(document, chosen)}",
-            lambda document: remove_curves(document, chosen),
-            active=active_after_removal(document, chosen, session.active_index),
+            f"Cut {named(document, selected)}",
+            lambda document: remove_curves(document, selected),
+            active=active_after_removal(document, selected, session.active_index),
         )
 
     def paste(self) -> bool:
@@ -92,6 +92,6 @@ class CurveClipboard:
         session, first = self._session, self._session.active_index + 1
         pasted = add_curves(session.document, curves, first)
         if session.change(f"Paste {len(curves)} curves", lambda _: pasted, active=first):
-            session.choose_curves(range(first, first + len(curves)))
+            session.select_curves(range(first, first + len(curves)))
             session.say(f"Pasted {len(curves)} curves; they are chosen.")
         return True

@@ -75,8 +75,8 @@ class CurveCommands:
         self._step("Lower", -1)
 
     def _step(self, verb: str, step: int) -> None:
-        session, what = self._session, named(self._session.document, self._session.chosen_curves)
-        document = step_curves(session.document, session.chosen_curves, step)
+        session, what = self._session, named(self._session.document, self._session.selected_curves)
+        document = step_curves(session.document, session.selected_curves, step)
         if session.change(
             f"{verb} {what}", lambda _: document, active=place_in(document, session.active_curve)
         ):
@@ -206,10 +206,10 @@ class CurveCommands:
     )
     def _split(self) -> None:
         """Split the curve at the selected point, or at the scrub line."""
-        session, chosen = self._session, self._session.selected
+        session, selected = self._session, self._session.selected
         view = session.active_view
-        if chosen is not None and (view.source.is_closed or 0 < chosen < len(view.source.nodes) - 1):
-            self.split_at(float(view.parameters[chosen]))
+        if selected is not None and (view.source.is_closed or 0 < selected < len(view.source.points) - 1):
+            self.split_at(float(view.parameters[selected]))
         else:
             self._at_scrub(self.split_at)
 
@@ -220,7 +220,7 @@ class CurveCommands:
         "Ctrl+R",
         "reverse",
         full_name="Reverse Curve",
-        needs=Need(TWO_POINTS.words, lambda now: len(now.view.source.nodes) > 1),
+        needs=Need(TWO_POINTS.words, lambda now: len(now.view.source.points) > 1),
     )
     def _reverse(self) -> None:
         """Run through the curve the other way."""
@@ -271,10 +271,10 @@ class CurveCommands:
 
 
 def _has_curve_beside(now: Situation, end: int) -> bool:
-    """Whether a curve can move towards that end of the list, 0 or -1; of several that are chosen some can."""
+    """Whether a curve can move towards that end of the list, 0 or -1; of several selected, some can."""
     count = len(now.session.document.curves)
-    if len(now.chosen) != 1:
-        return len(now.chosen) < count
+    if len(now.selected) != 1:
+        return len(now.selected) < count
     return now.session.active_index != range(count)[end]
 
 

@@ -17,7 +17,7 @@ class DocumentCommands:
     def _new(self) -> None:
         """Start an empty document."""
         self._context.files.new()
-        if not self._context.session.active_curve.nodes:
+        if not self._context.session.active_curve.points:
             self._context.actions["addTool"].trigger()
 
     @action("openDocument", "Open…", FILE_OPEN, "Ctrl+O", "open")

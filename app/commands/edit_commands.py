@@ -180,7 +180,7 @@ class EditCommands:
     @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
     def _select_all(self) -> None:
         """Select all points."""
-        self._session.select(range(len(self._session.active_curve.nodes)))
+        self._session.select(range(len(self._session.active_curve.points)))
 
     @action(
         "deleteSelection",
@@ -193,14 +193,14 @@ class EditCommands:
     )
     def _delete_selection(self) -> None:
         """Delete the selected points."""
-        session, chosen = self._session, self._session.selection
-        if not chosen:
-            if len(session.chosen_curves) > 1:
+        session, selected = self._session, self._session.selection
+        if not selected:
+            if len(session.selected_curves) > 1:
                 self._context.actions["deleteCurve"].trigger()
             return
-        what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
+        what = f"point {next(iter(selected))}" if len(selected) == 1 else f"{len(selected)} points"
         if session.change(
-            f"Delete {what}", lambda document: edits.delete_nodes(document, session.active_index, chosen)
+            f"Delete {what}", lambda document: edits.delete_points(document, session.active_index, selected)
         ):
             session.select([])
 
@@ -213,8 +213,8 @@ class EditCommands:
     )
     def _reset_derivatives(self) -> None:
         """Let the rules estimate the velocities and accelerations of the selected points again."""
-        session, chosen = self._session, self._session.selection
+        session, selected = self._session, self._session.selection
         session.change(
             "Reset derivatives",
-            lambda document: edits.estimate_derivatives(document, session.active_index, chosen),
+            lambda document: edits.estimate_derivatives(document, session.active_index, selected),
         )

@@ -24,7 +24,7 @@ from app.document.words import count_of, listed, number
 from app.exchange import table
 from app.exchange.formats import (
     FORMATS,
-    Kind,
+    ContentKind,
     Written,
     ending_in,
     format_of,
@@ -41,7 +41,7 @@ from app.tasks.progress import Report, part
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
     from app.exchange.cubics_in import Imported
-    from app.exchange.table.prepared import Prepared
+    from app.exchange.table.prepared import PreparedTable
     from app.exchange.table.source import TableSource
     from app.exchange.table.table import Preview
     from app.panels.export_dialog import ExportDialog
@@ -104,7 +104,7 @@ class ExchangeCommands:
     def _begin(self, path: Path) -> None:
         def work(report: Report) -> Imported | _OpenTable:
             form = format_of(path, FORMATS.read)
-            if form.kind is not Kind.TABLE:
+            if form.kind is not ContentKind.TABLE:
                 return import_file(path, report=report)
             report(0.0, "Reading")
             data = read(path)
@@ -182,7 +182,7 @@ class ExchangeCommands:
         dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
         self._ask(dialog)
 
-    def _take_table(self, path: Path, prepared: Prepared, anew: bool) -> None:
+    def _take_table(self, path: Path, prepared: PreparedTable, anew: bool) -> None:
         assert prepared.document is not None
         self._take_in(path, prepared.document, prepared.deviation, anew)
 
@@ -206,12 +206,12 @@ class ExchangeCommands:
             return
         if first > 0:
             # What came to others is put in its place as a whole.
-            self._session.choose_curves(range(first, first + len(new.curves)))
+            self._session.select_curves(range(first, first + len(new.curves)))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         if first == 0 or not self._context.central.canvas.framing.shows_curves_from(first):
             self._context.actions["fitView"].trigger()
-        count = sum(len(curve.nodes) for curve in new.curves)
+        count = sum(len(curve.points) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
         self._session.say(f"Imported {path.name}: {what}, {exact}.")

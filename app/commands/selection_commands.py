@@ -1,4 +1,4 @@
-"""Move, scale and rotate the selected points or chosen curves; align and distribute points."""
+"""Move, scale and rotate the selected points or selected curves; align and distribute points."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from app.actions.sections import (
 )
 from app.commands.context import WindowContext
 from app.document import words
-from app.document.transforms import Edge, align_nodes, distribute_nodes
+from app.document.transforms import Edge, align_points, distribute_points
 from app.tools.transform import TransformKind
 from app.window_state import WindowState
 
@@ -109,10 +109,10 @@ class SelectionCommands:
         ),
     )
     def _align(self, each: _Alignment) -> None:
-        session, chosen = self._session, self._session.selection
+        session, selected = self._session, self._session.selection
         session.change(
-            f"Align {words.points(chosen)} {each.edge.value}",
-            lambda document: align_nodes(document, session.active_index, chosen, each.edge),
+            f"Align {words.points(selected)} {each.edge.value}",
+            lambda document: align_points(document, session.active_index, selected, each.edge),
         )
 
     @action(
@@ -138,10 +138,10 @@ class SelectionCommands:
         self._distribute(1, "vertically")
 
     def _distribute(self, axis: int, way: str) -> None:
-        session, chosen = self._session, self._session.selection
+        session, selected = self._session, self._session.selection
         session.change(
-            f"Distribute {words.points(chosen)} {way}",
-            lambda document: distribute_nodes(document, session.active_index, chosen, axis),
+            f"Distribute {words.points(selected)} {way}",
+            lambda document: distribute_points(document, session.active_index, selected, axis),
         )
 
     @action(
@@ -154,6 +154,6 @@ class SelectionCommands:
         during_gesture=True,
     )
     def _toggle_box(self) -> None:
-        """Show a box with grips around two or more selected points, or around chosen curves."""
+        """Show a box with grips around two or more selected points, or around selected curves."""
         store = self._context.store
         store.change(transform_box=not store.state.transform_box)

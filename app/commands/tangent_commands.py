@@ -13,11 +13,11 @@ from app.commands.context import WindowContext
 from app.document import edits, words
 from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
-from app.document.model import Curve, Document, Node
+from app.document.model import Curve, Document, Point
 from app.document.straight_edits import corners_of, ends_of, why_not_straight
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import with_velocities_pulled
-from app.view_model.smoothness import ENDS_STAY, inner_nodes, made_smooth, with_corners
+from app.view_model.smoothness import ENDS_STAY, inner_points, made_smooth, with_corners
 from app.view_model.straight import segment_at, segments_between, with_straight_segments
 
 _VISIBLE = 16.0
@@ -54,9 +54,9 @@ class TangentCommands:
     )
     def _make_smooth(self) -> None:
         """One velocity on both sides of the selected points."""
-        view, chosen = self._session.active_view, sorted(self._session.selection)
+        view, selected = self._session.active_view, sorted(self._session.selection)
         if self._reshape("Smooth", made_smooth):
-            self._tell(f"Smooth at {_points(chosen)}.", view, chosen)
+            self._tell(f"Smooth at {_points(selected)}.", view, selected)
 
     @action(
         "tangentCorner",
@@ -70,10 +70,10 @@ class TangentCommands:
         checked=lambda now: _tangents(now) == {Tangent.CORNER},
     )
     def _make_corners(self) -> None:
-        view, chosen = self._session.active_view, sorted(self._session.selection)
-        inner = inner_nodes(view.source, chosen)
-        left_out = f"; {ENDS_STAY}" if len(inner) < len(chosen) else ""
-        if self._reshape("Corner at", with_corners, inner or chosen):
+        view, selected = self._session.active_view, sorted(self._session.selection)
+        inner = inner_points(view.source, selected)
+        left_out = f"; {ENDS_STAY}" if len(inner) < len(selected) else ""
+        if self._reshape("Corner at", with_corners, inner or selected):
             self._tell(f"Corner at {_points(inner)}{left_out}.", view, inner)
 
     @action(
@@ -123,18 +123,18 @@ class TangentCommands:
     def _pull_velocities(self) -> None:
         self._reshape("Pull out velocity of", self._pulled)
 
-    def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
+    def _pulled(self, view: CurveView, selected: Collection[int]) -> Curve:
         pixel = self._context.central.canvas.camera.pixel_size
-        pulled = with_velocities_pulled(view, chosen, _VISIBLE * pixel)
+        pulled = with_velocities_pulled(view, selected, _VISIBLE * pixel)
         if pulled == view.source:
-            what = "velocity stands" if len(chosen) == 1 else "velocities stand"
+            what = "velocity stands" if len(selected) == 1 else "velocities stand"
             raise EditError(f"The {what} out already; drag the square handle.")
         return pulled
 
-    def _tell(self, done: str, before: CurveView, chosen: Collection[int]) -> None:
+    def _tell(self, done: str, before: CurveView, selected: Collection[int]) -> None:
         """Say what was done, and which tangents beside it were written down to keep the shape."""
-        nodes = zip(before.source.nodes, self._session.active_curve.nodes, strict=True)
-        kept = [place for place, (old, new) in enumerate(nodes) if place not in chosen and old != new]
+        points = zip(before.source.points, self._session.active_curve.points, strict=True)
+        kept = [place for place, (old, new) in enumerate(points) if place not in selected and old != new]
         if kept:
             which = _points(kept) if len(kept) <= _MOST_NAMED else f"{len(kept)} other points"
             done = f"{done} To keep the shape, the estimates of {which} are set now."
@@ -167,30 +167,30 @@ class TangentCommands:
         self,
         verb: str,
         made: Callable[[CurveView, Collection[int]], Curve],
-        chosen: Sequence[int] | None = None,
+        selected: Sequence[int] | None = None,
     ) -> bool:
         """Put the curve that `made` returns for points, the selected ones, in the place of the active one."""
         session, view = self._session, self._session.active_view
         return self._apply(
             verb,
             lambda document, points: replace_curve(document, session.active_index, made(view, points)),
-            chosen,
+            selected,
         )
 
-    def _estimate(self, document: Document, chosen: Collection[int]) -> Document:
+    def _estimate(self, document: Document, selected: Collection[int]) -> Document:
         curve = self._session.active_index
-        for index in chosen:
+        for index in selected:
             document = edits.make_smooth(document, curve, index, None)
-        return edits.estimate_derivatives(document, curve, chosen)
+        return edits.estimate_derivatives(document, curve, selected)
 
     def _apply(
         self,
         verb: str,
         edit: Callable[[Document, Collection[int]], Document],
-        chosen: Sequence[int] | None = None,
+        selected: Sequence[int] | None = None,
     ) -> bool:
         """Commit an edit of points; return whether the document is another one now."""
-        points = sorted(self._session.selection) if chosen is None else chosen
+        points = sorted(self._session.selection) if selected is None else selected
         if not points:
             return False
         change = self._session.change(
@@ -218,11 +218,11 @@ def _points(indices: Collection[int]) -> str:
 def _tangents(now: Situation) -> set[Tangent]:
     """Return what the tangents at the selected points are."""
     usable = HERMITE_POINTS.is_met(now)
-    return {_tangent_at(now.view.source.nodes[index]) for index in now.selection} if usable else set()
+    return {_tangent_at(now.view.source.points[index]) for index in now.selection} if usable else set()
 
 
-def _tangent_at(node: Node) -> Tangent:
-    if node.corner:
+def _tangent_at(point: Point) -> Tangent:
+    if point.corner:
         return Tangent.CORNER
-    set_by_hand = node.velocity is not None or node.acceleration is not None
+    set_by_hand = point.velocity is not None or point.acceleration is not None
     return Tangent.SMOOTH if set_by_hand else Tangent.ESTIMATED

@@ -31,7 +31,7 @@ class TeachingCommands(QObject):
         self._plain = context.status_line.findChild(Label, "lebesgueConstant")
         self._badge.laboratory_wanted.connect(open_laboratory)
         self._badge.explanation_wanted.connect(explain)
-        self._badge.put_away.connect(self._dismiss)
+        self._badge.dismiss.connect(self._dismiss)
         self._session.opened.connect(self._begin_anew)
 
     def render(self, view: CurveView) -> None:

@@ -82,7 +82,7 @@ class ViewCommands:
         elif session.selection:
             session.select([])
         else:
-            session.choose_curves((session.active_index,))
+            session.select_curves((session.active_index,))
 
     @action_for_each(
         TOOLS,

@@ -139,7 +139,7 @@ class FunctionLayer(Layer):
         without: frozenset[int] = frozenset(),
     ) -> None:
         assert self._lines is not None
-        colours = colours_of(basis.node_count, self.theme)
+        colours = colours_of(basis.point_count, self.theme)
         kinds = basis.shown_of(self.kinds)
         for knot in knots:
             owner = basis.owners[knot]
@@ -185,7 +185,7 @@ class RailLayer(Layer):
         """Draw a tick at every knot from the next paint on."""
         self._parameters = basis.curve.parameters if basis is not None else np.empty(0)
         self._owners = basis.owners if basis is not None else ()
-        self._count = basis.node_count if basis is not None else 0
+        self._count = basis.point_count if basis is not None else 0
         self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

@@ -41,7 +41,7 @@ from shiboken6 import isValid
 from app.keymap import full_name_of, native, why_not
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.fuzzy import Named, ranked
+from app.panels.fuzzy import SearchEntry, ranked
 from app.theme import mix, theme_of
 
 _WIDEST, _ROWS, _ROW_HEIGHT, _TOP = 560, 10, 30, 12
@@ -214,7 +214,7 @@ def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
     """Return the commands that fit, the best first, those of no use now behind the others."""
     if not typed.strip():
         return sorted(commands, key=lambda command: not command.action.isEnabled())
-    things = [Named(command.name, command.path, command.action.statusTip()) for command in commands]
+    things = [SearchEntry(command.name, command.path, command.action.statusTip()) for command in commands]
     found = [commands[place] for place in ranked(typed, things)]
     return sorted(found, key=lambda command: not command.action.isEnabled())
 

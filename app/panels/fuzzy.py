@@ -19,7 +19,7 @@ _ALSO_CALLED: Final = {
 """Synonyms: words that people type, and those of this program for them."""
 
 
-class Named(NamedTuple):
+class SearchEntry(NamedTuple):
     """A command that can be found: name, the menus that lead to it, and words about it."""
 
     name: str
@@ -27,7 +27,7 @@ class Named(NamedTuple):
     tip: str = ""
 
 
-def ranked(typed: str, things: Sequence[Named]) -> list[int]:
+def ranked(typed: str, things: Sequence[SearchEntry]) -> list[int]:
     """Return the places of the things that fit, the best first.
 
     Letters that are only scattered over a name count where no name has them in one piece.
@@ -55,7 +55,7 @@ def fitness(typed: str, name: str, path: str = "", tip: str = "") -> float | Non
     return total - 0.05 * len(name)
 
 
-def _is_whole(typed: str, thing: Named) -> bool:
+def _is_whole(typed: str, thing: SearchEntry) -> bool:
     """Whether every word that was typed is found in one piece."""
     return all(_fitness_of(word, *thing) > 0 for word in typed.casefold().split())
 

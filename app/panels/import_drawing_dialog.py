@@ -86,7 +86,7 @@ def _summary(found: Imported, taken: int = 1, of: int = 1) -> str:
     if not taken:
         return f"None of {of} curves; choose at least one group."
     curves = found.document.curves
-    points = sum(len(curve.nodes) for curve in curves)
+    points = sum(len(curve.points) for curve in curves)
     exact = f"at most {number(found.deviation, 2)} from the file" if found.deviation else "exact"
     some = f"{taken} of {of} curves" if taken < of else count_of(len(curves), "curve")
     return f"{some} with {count_of(points, 'point')}, {exact}."

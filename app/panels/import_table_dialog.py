@@ -18,8 +18,8 @@ from app.document.expression import ExpressionError, parse_number
 from app.document.words import count_of, number
 from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
 from app.exchange.table.curves import Missing
-from app.exchange.table.layout import Layout
-from app.exchange.table.prepared import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, prepare_table
+from app.exchange.table.layout import TextLayout
+from app.exchange.table.prepared import MANY_ROWS, MOST_POINTS, PreparedTable, TableChoice, prepare_table
 from app.exchange.table.source import TableSource
 from app.exchange.table.table import Preview
 from app.exchange.table.thinning import Thinning
@@ -49,7 +49,7 @@ class ImportTableDialog(WorkDialog):
     Signals
     -------
     chosen
-        The person wants the curves: a `Prepared`, and whether they are to become a new document.
+        The person wants the curves: a `PreparedTable`, and whether they are to become a new document.
     """
 
     chosen = Signal(object, bool)
@@ -60,7 +60,7 @@ class ImportTableDialog(WorkDialog):
         super().__init__("importTableDialog", f"Import {title}", "tableProblem", parent)
         self._source, self._stem, self._layout_now = source, stem, preview.layout
         self._preview = preview
-        self._prepared: Prepared | None = None
+        self._prepared: PreparedTable | None = None
         self._tolerance: float | None = None
         self._build()
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
@@ -166,7 +166,7 @@ class ImportTableDialog(WorkDialog):
         comma = self.comma_check.isChecked() and separator != ","
         has_header = self.header_check.isChecked()
         units = self._layout_now.units and has_header
-        self._layout_now = Layout(separator, comma, has_header, self._layout_now.skipped, units)
+        self._layout_now = TextLayout(separator, comma, has_header, self._layout_now.skipped, units)
         self._show_preview(self._source.preview(self._layout_now))
         self._prepare()
 
@@ -186,7 +186,7 @@ class ImportTableDialog(WorkDialog):
             self._tolerance = _distance(text)
         except ExpressionError as reason:
             self.tolerance_edit.keep()
-            self._show(Prepared(problem=str(reason)))
+            self._show(PreparedTable(problem=str(reason)))
             return
         self._prepare()
 
@@ -195,7 +195,7 @@ class ImportTableDialog(WorkDialog):
         try:
             self._tolerance = _distance(self.tolerance_edit.text())
         except ExpressionError as reason:
-            self._show(Prepared(problem=str(reason)))
+            self._show(PreparedTable(problem=str(reason)))
             return
         self._prepare()
 
@@ -227,7 +227,7 @@ class ImportTableDialog(WorkDialog):
         mapping = self._mapping()
         self._say_columns(mapping)
         if mapping is None:
-            self._show(Prepared(problem="Say which columns are x and y."))
+            self._show(PreparedTable(problem="Say which columns are x and y."))
             return
         family = FAMILIES[self.family_box.currentIndex()]
         missing = list(Missing)[self.missing_box.currentIndex()]
@@ -265,7 +265,7 @@ class ImportTableDialog(WorkDialog):
         for before, after in pairwise(chain):
             self.setTabOrder(before, after)
 
-    def _show(self, prepared: Prepared) -> None:
+    def _show(self, prepared: PreparedTable) -> None:
         self._prepared = prepared
         if prepared.tolerance:
             self._tolerance = prepared.tolerance
@@ -287,7 +287,7 @@ class ImportTableDialog(WorkDialog):
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
 
-    def _explain(self, prepared: Prepared) -> None:
+    def _explain(self, prepared: PreparedTable) -> None:
         """Say what there is to say of the curves, where they can be made."""
         lines = list(prepared.remarks)
         if prepared.wider_than:
@@ -318,7 +318,7 @@ def _shown(distance: float) -> str:
     return number(distance, 6, decimal_mark())
 
 
-def _summary(prepared: Prepared) -> str:
+def _summary(prepared: PreparedTable) -> str:
     if prepared.document is None:
         return f"{prepared.rows:,} rows" if prepared.rows else ""
     count = len(prepared.document.curves)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from app.keymap import Keymap, keys_text, native, refusal
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.fuzzy import Named, ranked
+from app.panels.fuzzy import SearchEntry, ranked
 from app.theme import theme_of
 
 _NAME = Qt.ItemDataRole.UserRole
@@ -70,7 +70,7 @@ class ShortcutEditor(Guarded, QWidget):
         layout.addLayout(answer)
         # Two lines of note fit without anything moving.
         self.note.setMinimumHeight(2 * self.note.fontMetrics().lineSpacing())
-        self._forget_wish()
+        self._clear_wish()
 
     def _connect(self) -> None:
         self.search.textEdited.connect(lambda _text: self._filter())
@@ -117,7 +117,7 @@ class ShortcutEditor(Guarded, QWidget):
 
     def _filter(self) -> None:
         typed, rows = self.search.text(), range(self.table.rowCount())
-        things = [Named(self._item(row, 0).text(), self._item(row, 2).text()) for row in rows]
+        things = [SearchEntry(self._item(row, 0).text(), self._item(row, 2).text()) for row in rows]
         keys = [row for row in rows if typed.casefold() in self._item(row, 1).text().casefold()]
         found = list(dict.fromkeys([*ranked(typed, things), *keys])) if typed.strip() else list(rows)
         header = self.table.verticalHeader()
@@ -151,7 +151,7 @@ class ShortcutEditor(Guarded, QWidget):
 
     def _show_current(self) -> None:
         name = self.current
-        self._forget_wish()
+        self._clear_wish()
         self._caption.setText(f"Keys of {self._keymap.bindings[name].text}:")
         keys = self._keymap.keys(name)
         self.recorder.setKeySequence(keys[0] if keys else QKeySequence())
@@ -162,7 +162,7 @@ class ShortcutEditor(Guarded, QWidget):
     # Recording
 
     def _begin_recording_at(self, _row: int, _column: int) -> None:
-        self._forget_wish()
+        self._clear_wish()
         self.note.setText("Press the keys; Escape leaves them as they are.")
         self.recorder.clear()
         self.recorder.setFocus()
@@ -212,7 +212,7 @@ class ShortcutEditor(Guarded, QWidget):
     def _reset_all(self) -> None:
         self._keymap.reset_all()
 
-    def _forget_wish(self) -> None:
+    def _clear_wish(self) -> None:
         self._wanted = None
         self.note.setText("")
         self.note.setStyleSheet("")

@@ -62,7 +62,7 @@ class StatusLine(QStatusBar):
         self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
         # A coarse timer would not know a press's own sentence from an older one.
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.timeout.connect(self.forget_said)
+        self._timer.timeout.connect(self.clear_message)
 
     @property
     def text(self) -> str:
@@ -131,9 +131,9 @@ class StatusLine(QStatusBar):
         """Put away what was said before this press."""
         self._tip = ""
         if self._timer.remainingTime() < _SAID_MS - _SAME_PRESS_MS:
-            self.forget_said()
+            self.clear_message()
 
-    def forget_said(self) -> None:
+    def clear_message(self) -> None:
         """Put away what was said: it has stood long enough."""
         self._said = self._refusal = ""
         self._timer.stop()
@@ -142,13 +142,13 @@ class StatusLine(QStatusBar):
     def unsay(self, text: str) -> None:
         """Put a sentence away before its time, if it still stands: it is true no longer."""
         if text and self._said == text:
-            self.forget_said()
+            self.clear_message()
 
     def forget(self) -> None:
         """Put away all sentences: they were about a document that is another one now."""
         self._progress = self._tip = self._hint = ""
         self._t_here = None
-        self.forget_said()
+        self.clear_message()
 
     def show_place(self, place: Vector | None) -> None:
         """Show where the pointer is on the canvas."""

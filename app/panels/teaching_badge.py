@@ -21,13 +21,13 @@ class TeachingBadge(Guarded, QToolButton):
     -------
     laboratory_wanted, explanation_wanted
         The person follows a link.
-    put_away
+    dismiss
         The person has seen enough of this warning.
     """
 
     laboratory_wanted = Signal()
     explanation_wanted = Signal()
-    put_away = Signal()
+    dismiss = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -38,7 +38,7 @@ class TeachingBadge(Guarded, QToolButton):
         self._popup = _Popup(self)
         self.clicked.connect(self._open)
         self.hide()
-        self._dress()
+        self._apply_theme()
 
     @property
     def sentence(self) -> str:
@@ -67,9 +67,9 @@ class TeachingBadge(Guarded, QToolButton):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self._dress()
+            self._apply_theme()
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         colour = theme_of(self.palette()).warning.name()
         sheet = f"QToolButton {{ color: {colour}; padding: 0px 8px }}"
         if sheet != self.styleSheet():
@@ -101,7 +101,7 @@ class _Popup(Guarded, QFrame):
         for button, signal in (
             (self.laboratory, badge.laboratory_wanted),
             (self.explain, badge.explanation_wanted),
-            (self.away, badge.put_away),
+            (self.away, badge.dismiss),
         ):
             button.clicked.connect(self.hide)
             button.clicked.connect(signal)

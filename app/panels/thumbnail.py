@@ -29,7 +29,7 @@ def thumbnail(document: Document, width: int, height: int, theme: Theme, ratio: 
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     try:
-        if sum(len(curve.nodes) for curve in document.curves) <= _MOST_NODES:
+        if sum(len(curve.points) for curve in document.curves) <= _MOST_NODES:
             _paint_curves(painter, drawing_of(document).fitted(width, height), theme)
         else:
             _paint_points(painter, document, QRectF(0, 0, width, height), theme)
@@ -53,15 +53,15 @@ def _paint_curves(painter: QPainter, drawing: Drawing, theme: Theme) -> None:
         painter.drawPath(path)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
-        for x, y in outline.nodes.tolist():
+        for x, y in outline.points.tolist():
             painter.drawEllipse(QPointF(x, height - y), _POINT, _POINT)
 
 
 def _paint_points(painter: QPainter, document: Document, frame: QRectF, theme: Theme) -> None:
-    curves = [curve for curve in document.curves if curve.visible and curve.nodes]
+    curves = [curve for curve in document.curves if curve.visible and curve.points]
     if not curves:
         return
-    places = np.array([node.position for curve in curves for node in curve.nodes])
+    places = np.array([point.position for curve in curves for point in curve.points])
     low = places.min(axis=0)
     size = np.maximum(places.max(axis=0) - low, np.finfo(float).tiny)
     room = frame.adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
@@ -76,5 +76,5 @@ def _paint_points(painter: QPainter, document: Document, frame: QRectF, theme: T
 
 def _thinned(curve: Curve, total: int) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
     step = max(1, total // _MOST_NODES)
-    nodes = [*curve.nodes[::step], curve.nodes[-1]]
-    return np.array([node.position for node in nodes])
+    points = [*curve.points[::step], curve.points[-1]]
+    return np.array([point.position for point in points])

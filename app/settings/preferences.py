@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtCore import QSettings
 
 from app.settings.file import SettingsFile
-from app.settings.kinds import Choice, Distance, Folder, Height, Keys, Layout, Several, Switch, Text
+from app.settings.kinds import Choice, Distance, Folder, Height, Keys, SavedLayout, Several, Switch, Text
 from app.theme import ThemeMode
 from app.tools.snapping import SnapKind
 
@@ -40,13 +40,13 @@ class Preferences:
     theme_mode = Choice("theme", ThemeMode.SYSTEM)
     """Light, dark, or as the system has it."""
 
-    window_geometry = Layout("window/geometry")
+    window_geometry = SavedLayout("window/geometry")
     """What ``QWidget.saveGeometry`` gave."""
 
-    window_state = Layout("window/state")
+    window_state = SavedLayout("window/state")
     """What ``QMainWindow.saveState`` gave."""
 
-    splitter_state = Layout("window/splitter")
+    splitter_state = SavedLayout("window/splitter")
     """What ``QSplitter.saveState`` gave."""
 
     plot_height = Height("window/plots")

@@ -103,7 +103,7 @@ class Editor(InputDriver):
 
     def point(self, index: int) -> Vector:
         """Return the position of a point."""
-        return self.curve.nodes[index].position
+        return self.curve.points[index].position
 
     @property
     def parameters(self) -> list[float]:

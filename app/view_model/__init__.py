@@ -18,7 +18,7 @@
   ``motion_picture``, ``arrow``: what is drawn and said of a motion.
 - ``line_styles``, ``palette``: how lines and marks look; the colours of points.
 - ``goals``: what a lesson asks for.
-- ``node_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
+- ``point_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
 - ``analysis``: why the curve goes where it goes.
 - ``closing``: curves closed and opened, with the shape kept.  ``appending``: points appended by the pen;
   ``pen_preview``: the curve before it is.

@@ -91,7 +91,7 @@ def test_a_dynamic_action_is_done(editor):
     assert editor.curve.parametrization.kind is ParametrizationKind.CENTRIPETAL
     editor.session.files.give_up_changes()
     editor.run_command("runge uniform")
-    assert len(editor.curve.nodes) > 8
+    assert len(editor.curve.points) > 8
 
 
 def test_up_and_down_choose_and_go_round(editor, palette):

@@ -19,7 +19,7 @@ def history(qtbot):
     panel.controller = HistoryController(session, panel)
     qtbot.addWidget(panel)
     for index in (1, 2, 3):
-        document = edits.move_nodes(session.document, 0, [index], (0.5, 0.0))
+        document = edits.move_points(session.document, 0, [index], (0.5, 0.0))
         session.commit(document, f"Move point {index}")
     panel.resize(300, 240)
     with qtbot.waitExposed(panel):

@@ -161,7 +161,7 @@ def test_tab_goes_from_the_points_to_the_message_over_them_and_on_to_the_functio
     window = editor.window
     editor.session.offer("It may be undone.", "fitView")
     window.canvas.setFocus()
-    editor.select([len(editor.curve.nodes) - 1])
+    editor.select([len(editor.curve.points) - 1])
     passed = []
     for _ in range(3):
         QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)

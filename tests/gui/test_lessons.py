@@ -138,7 +138,7 @@ def drag_to_chebyshev(editor):
 
 
 def type_chord_lengths(editor):
-    points = np.array([(node.x, node.y) for node in editor.curve.nodes])
+    points = np.array([(point.x, point.y) for point in editor.curve.points])
     lengths = np.hypot(*np.diff(points, axis=0).T)
     # From the last to the first, and again: each has to lie between its neighbours as they are then.
     rows = list(enumerate(np.cumsum(lengths)[:-1] / lengths.sum(), start=1))[::-1]

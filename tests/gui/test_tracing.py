@@ -111,7 +111,7 @@ def test_a_point_being_added_says_where_and_how(traced):
     assert traced.status.endswith("Escape cancels")
     traced.escape()
     traced.release((1.0, 3.0))
-    assert not traced.curve.nodes
+    assert not traced.curve.points
 
 
 def test_a_point_being_inserted_and_a_velocity_pulled_out_say_what_they_do(traced):
@@ -131,4 +131,4 @@ def test_a_point_being_inserted_and_a_velocity_pulled_out_say_what_they_do(trace
     assert traced.status.startswith("Velocity of point 1: ")
     traced.escape()
     traced.release((3.5, 1.5))
-    assert traced.curve.nodes[1].velocity is None
+    assert traced.curve.points[1].velocity is None

@@ -72,7 +72,7 @@ class HodographCommands:
     def _show(self, hodograph: Hodograph) -> None:
         panel, session = self._shown, self._context.session
         if panel is not None:
-            owners = len(session.active_curve.nodes)
+            owners = len(session.active_curve.points)
             panel.plot.render_hodograph(hodograph, owners, calm=session.is_previewing)
             self._show_scrub(session.scrub)
 

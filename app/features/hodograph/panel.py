@@ -56,7 +56,7 @@ class HodographPlot(ToolPlot):
         self.camera.steered.connect(self._leave)
 
     def render_hodograph(self, hodograph: Hodograph, owners: int, *, calm: bool) -> None:
-        """Show a hodograph of a curve with so many nodes; while `calm`, the view only grows."""
+        """Show a hodograph of a curve with so many points; while `calm`, the view only grows."""
         self.hodograph, self.owners, self.waits, self.note = hodograph, owners, False, ""
         if self.is_fitted and (not calm or hodograph.reach > self._reach):
             self.fit()

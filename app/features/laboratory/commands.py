@@ -21,13 +21,13 @@ from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.view_model import analysis
-from app.view_model.analysis.laboratory_settings import LaboratorySettings, Rounding
+from app.view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 
 if TYPE_CHECKING:
     from app.features.laboratory.panel import LaboratoryPanel
-    from app.view_model.analysis.cost import Cost
+    from app.view_model.analysis.cost import SolvingCost
     from app.view_model.analysis.laboratory import Digits, Trial
 
 _GROUP = "laboratory"
@@ -49,7 +49,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._asked: tuple[CurveView, LaboratorySettings] | None = None
         self._trial: Trial | None = None
         self._problem = ""
-        self._cost: Cost | None = None
+        self._cost: SolvingCost | None = None
         self._costed: CurveView | None = None
         self._task, self._digits_task, self._cost_task = (
             DebouncedTask(self), DebouncedTask(self, settle_ms=0), DebouncedTask(self)
@@ -231,7 +231,9 @@ class LaboratoryCommands(Guarded, QObject):
 
 
 def _heading(settings: LaboratorySettings) -> str:
-    what = {Rounding.COEFFICIENTS: "Coefficients", Rounding.DATA: "Data"}.get(settings.rounding, "Computed")
+    what = {RoundedPart.COEFFICIENTS: "Coefficients", RoundedPart.DATA: "Data"}.get(
+        settings.rounding, "Computed"
+    )
     text = f"{what} with {settings.digits} digits"
     if settings.decimals is not None:
         text += f", data to {settings.decimals} decimals"
@@ -257,7 +259,7 @@ def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits |
     return analysis.laboratory.digits_at(view, settings, t)
 
 
-def _measure(view: CurveView, report: Report) -> Cost | None:
+def _measure(view: CurveView, report: Report) -> SolvingCost | None:
 
     return analysis.cost.cost_of(view, report)
 

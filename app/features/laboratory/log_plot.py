@@ -51,7 +51,7 @@ class LogPlot(PlotWidget):
         self._marker: float | None = None
         self._lines: list[tuple[FloatArray, LogLine]] = []
         self._layer = Layer(self, self._paint)
-        self._dress()
+        self._apply_theme()
 
     def sizeHint(self) -> QSize:
         return QSize(300, 160)
@@ -119,9 +119,9 @@ class LogPlot(PlotWidget):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_layer"):
-            self._dress()
+            self._apply_theme()
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         self.set_theme(theme_of(self.palette()))
 
 

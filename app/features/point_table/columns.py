@@ -27,7 +27,7 @@ PARAMETER, POSITION = -1, 0
 
 
 def _nothing_estimated(view: CurveView) -> BoolArray:
-    return np.zeros(len(view.source.nodes), dtype=bool)
+    return np.zeros(len(view.source.points), dtype=bool)
 
 
 class Column(msgspec.Struct, frozen=True, kw_only=True):
@@ -119,7 +119,7 @@ def known_titles() -> set[str]:
 
 
 def _parameters_shown(view: CurveView) -> FloatArray:
-    count = len(view.source.nodes)
+    count = len(view.source.points)
     if view.is_current and view.curve is not None:
         return np.array(view.parameters[:count])
     if view.source.is_manual and not view.is_current:
@@ -133,8 +133,8 @@ def _set_parameter(document: Document, curve: int, view: CurveView, index: int, 
 
 def _set_parameters(document: Document, curve: int, view: CurveView, values: Mapping[int, float]) -> Document:
     """Freeze the parameters with the given ones among them; those of points that were appended must be."""
-    count = len(document.curves[curve].nodes)
-    kept = [] if len(values) == count else _parameters_in_force(view)[: len(view.source.nodes)]
+    count = len(document.curves[curve].points)
+    kept = [] if len(values) == count else _parameters_in_force(view)[: len(view.source.points)]
     parameters = [
         edits.checked(float(values[index]), "A t") if index in values else kept[index]
         for index in range(count)
@@ -155,7 +155,7 @@ def _closing(view: CurveView, parameters: Sequence[float]) -> float:
 
 def knot_parameters(view: CurveView) -> list[float]:
     """Return the parameters at the knots: of a closed curve also that of its return to the first point."""
-    own = _parameters_in_force(view)[: len(view.source.nodes)]
+    own = _parameters_in_force(view)[: len(view.source.points)]
     return [*own, view.source.parametrization.end] if view.source.is_closed else own
 
 
@@ -163,8 +163,8 @@ def _parameters_in_force(view: CurveView) -> list[float]:
     """Return the parameters to freeze the others at; of a closed curve, the return included."""
     if view.is_current:
         return [float(t) for t in view.parameters]
-    given = [node.t for node in view.source.nodes if view.source.is_manual and node.t is not None]
-    if len(given) < len(view.source.nodes):
+    given = [point.t for point in view.source.points if view.source.is_manual and point.t is not None]
+    if len(given) < len(view.source.points):
         raise EditError(f"There are no parameters to change. {view.problem}")
     return given
 
@@ -177,7 +177,7 @@ def shows_ahead(view: CurveView, index: int) -> bool:
 
     At every other corner it has those before it.
     """
-    return index == 0 and not view.source.is_closed and view.source.nodes[0].corner
+    return index == 0 and not view.source.is_closed and view.source.points[0].corner
 
 
 def _positions(component: int, view: CurveView) -> FloatArray:
@@ -192,7 +192,7 @@ def with_component(vector: Vector, component: int, value: float) -> Vector:
 def _set_position(
     component: int, document: Document, curve: int, _view: CurveView, index: int, value: float
 ) -> Document:
-    position = document.curves[curve].nodes[index].position
+    position = document.curves[curve].points[index].position
     return edits.set_position(document, curve, index, with_component(position, component, value))
 
 
@@ -200,11 +200,11 @@ def _set_positions(
     component: int, document: Document, curve: int, _view: CurveView, values: Mapping[int, float]
 ) -> Document:
     """Put points elsewhere; unlike one that is typed, they leave the handles of the others to themselves."""
-    nodes = list(document.curves[curve].nodes)
+    points = list(document.curves[curve].points)
     for index, value in values.items():
-        x, y = with_component(nodes[index].position, component, float(value))
-        nodes[index] = replace(nodes[index], x=x, y=y)
-    return edits.set_nodes(document, curve, nodes)
+        x, y = with_component(points[index].position, component, float(value))
+        points[index] = replace(points[index], x=x, y=y)
+    return edits.set_points(document, curve, points)
 
 
 def _given(order: int, component: int, view: CurveView) -> FloatArray:
@@ -219,7 +219,7 @@ def _given(order: int, component: int, view: CurveView) -> FloatArray:
 def _derivatives(order: int, component: int, view: CurveView) -> FloatArray:
     if not view.is_current:
         return _given(order, component, view)
-    count = len(view.source.nodes)
+    count = len(view.source.points)
     if view.curve is None or view.sides is None:
         return np.full(count, np.nan)
     shown = np.array(view.sides.before[:count, order, component])
@@ -240,16 +240,16 @@ def _set_derivatives(
     order: int, component: int, document: Document, curve: int, view: CurveView, values: Mapping[int, float]
 ) -> Document:
     """Fix one component of derivatives; the other one becomes what is shown, set or estimated."""
-    nodes = list(document.curves[curve].nodes)
+    points = list(document.curves[curve].points)
     estimate = view.velocity_of if order == 1 else view.acceleration_of
     for index, value in values.items():
         ahead = shows_ahead(view, index)
-        shown = explicit_sides(nodes[index], order)[ahead] or estimate(index, ahead=ahead)
+        shown = explicit_sides(points[index], order)[ahead] or estimate(index, ahead=ahead)
         if shown is None:
             raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
         name = ("velocity" if order == 1 else "acceleration") + ("_after" if ahead else "")
-        nodes[index] = replace(nodes[index], **{name: with_component(shown, component, float(value))})
-    return edits.set_nodes(document, curve, nodes)
+        points[index] = replace(points[index], **{name: with_component(shown, component, float(value))})
+    return edits.set_points(document, curve, points)
 
 
 def _set_derivative(

@@ -84,7 +84,7 @@ class PointTableController:
         if self._is_refused(change.refusal):
             return
         session.say(f"Pasted {what}.")
-        overwritten = range(top, min(top + height, len(view.source.nodes)))
+        overwritten = range(top, min(top + height, len(view.source.points)))
         session.select(range(top, top + height))
         self._panel.tell_who_kept(*keepers(view, overwritten, columns))
         self._show_points()

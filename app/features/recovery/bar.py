@@ -81,7 +81,7 @@ class RecoveryBar(Guarded, QFrame):
         layout.addLayout(head)
         layout.addWidget(self._rows)
         parent.installEventFilter(self)
-        self._dress()
+        self._apply_theme()
 
     def render(self, offers: Sequence[Offer], note: str = "") -> None:  # type: ignore[override]
         """Show `offers`, and above them `note`; hide where there is neither.
@@ -196,9 +196,9 @@ class RecoveryBar(Guarded, QFrame):
         super().changeEvent(event)
         # A style sheet of one's own is a change of the palette too.
         if event.type() == QEvent.Type.PaletteChange and theme_of(QApplication.palette()) is not self._theme:
-            self._dress()
+            self._apply_theme()
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         theme = self._theme = theme_of(QApplication.palette())
         line = mix(theme.ink, theme.paper, 0.14).name()
         self._close.setIcon(icon("close", theme))

@@ -122,7 +122,7 @@ class WiggleCommands(QObject):
 
         t = self._session.scrub
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
-        panel.render_explanation(explanation, len(view.source.nodes), view.problem)
+        panel.render_explanation(explanation, len(view.source.points), view.problem)
         if explanation is None:
             self._preview("")
             self._asked = self._cures = None
