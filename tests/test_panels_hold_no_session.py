@@ -15,9 +15,9 @@ def shows_something(path: Path) -> bool:
     """Whether a module makes widgets, or a model for one."""
     bases = [
         base.id
-        for point in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(point, ast.ClassDef)
-        for base in point.bases
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef)
+        for base in node.bases
         if isinstance(base, ast.Name)
     ]
     return any(base.startswith("Q") and base != "QObject" for base in bases)
@@ -29,8 +29,8 @@ PANELS = sorted([*(ROOT / "app/panels").rglob("*.py"), *filter(shows_something, 
 def names_in(tree: ast.AST) -> set[str]:
     """Every name, attribute, argument, keyword and imported module or name in some code."""
     found = set()
-    for point in ast.walk(tree):
-        match point:
+    for node in ast.walk(tree):
+        match node:
             case ast.Name(id=name) | ast.Attribute(attr=name) | ast.arg(arg=name) | ast.alias(name=name):
                 found.add(name)
             case ast.keyword(arg=str(name)) | ast.ImportFrom(module=str(name)):
@@ -75,12 +75,12 @@ def test_the_panels_of_features_are_read_too():
 def commits_in(source: str) -> list[int]:
     """The lines in which a step of the history is made without an edit: the end of a gesture."""
     return [
-        point.lineno
-        for point in ast.walk(ast.parse(source))
-        if isinstance(point, ast.Call)
-        and isinstance(point.func, ast.Attribute)
-        and (point.func.attr, bool(point.args)) in {("commit", True), ("push", True)}
-        and "stack" not in ast.unparse(point.func)
+        node.lineno
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and (node.func.attr, bool(node.args)) in {("commit", True), ("push", True)}
+        and "stack" not in ast.unparse(node.func)
     ]
 
 

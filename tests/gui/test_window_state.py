@@ -122,9 +122,9 @@ def test_nobody_asks_an_action_whether_it_is_checked():
     asked = {
         path.stem
         for path in APP.rglob("*.py")
-        for point in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(point, ast.Attribute)
-        and point.attr == "isChecked"
-        and "action" in ast.unparse(point.value)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Attribute)
+        and node.attr == "isChecked"
+        and "action" in ast.unparse(node.value)
     }
     assert asked == SHOWN
