@@ -29,6 +29,10 @@ class FileBar(SentenceBar):
         """The names of the actions that the buttons stand for."""
         return [] if self.isHidden() else [button.defaultAction().objectName() for button in self._buttons]
 
+    def button(self, name: str) -> QToolButton:
+        """Return the button that stands for the action of this name."""
+        return next(button for button in self._buttons if button.defaultAction().objectName() == name)
+
     def show_notice(self, text: str, actions: Sequence[QAction], *, warns: bool) -> None:
         """Show a sentence, and a button for each of the actions."""
         if self.text == text and self.offered == [action.objectName() for action in actions]:
