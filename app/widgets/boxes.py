@@ -19,21 +19,21 @@ Margins = int | tuple[int, int, int, int] | None
 _Box = TypeVar("_Box", bound=QBoxLayout)
 
 
-def row(
+def row_of(
     *parts: Part, margins: Margins = None, spacing: int | None = None, parent: QWidget | None = None
 ) -> QHBoxLayout:
     """Return a layout with these parts side by side; that of `parent` where one is given."""
     return _filled(QHBoxLayout(), parts, margins, spacing, parent)
 
 
-def column(
+def column_of(
     *parts: Part, margins: Margins = None, spacing: int | None = None, parent: QWidget | None = None
 ) -> QVBoxLayout:
     """Return a layout with these parts below each other; that of `parent` where one is given."""
     return _filled(QVBoxLayout(), parts, margins, spacing, parent)
 
 
-def form(
+def form_of(
     *rows: tuple[str, QWidget | QLayout],
     margins: Margins = None,
     across: int = 12,

@@ -40,7 +40,7 @@ from app.actions.keymap import full_name_of, native, why_not
 from app.appearance.theme import Theme, mix, theme_of
 from app.qt.labels import Label
 from app.qt.overrides import Guarded
-from app.widgets.boxes import column
+from app.widgets.boxes import column_of
 from app.widgets.controls import named
 from app.widgets.overlay_frame import OverlayFrame
 from app.window.fuzzy import SearchEntry, ranked
@@ -87,7 +87,7 @@ class CommandPalette(OverlayFrame):
         self._model = _CommandModel(self)
         self.list.setModel(self._model)
         self.list.setItemDelegate(_CommandDelegate(self.list))
-        self._rows = column(self.search, self.list, self._note, margins=8, spacing=6, parent=self)
+        self._rows = column_of(self.search, self.list, self._note, margins=8, spacing=6, parent=self)
         self.search.textChanged.connect(self._look_up)
         self.list.clicked.connect(self._run)
         self.follow_theme()

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 from app.appearance.icons import icon
 from app.appearance.theme import Theme
 from app.qt.labels import Label
-from app.widgets.boxes import row
+from app.widgets.boxes import row_of
 from app.widgets.overlay_frame import OverlayFrame
 from app.widgets.tool_buttons import tool_button
 
@@ -110,7 +110,7 @@ class MessageBar(SentenceBar):
         self._offer.hide()
         keep_pointer(self._offer)
         parts = (self.sign, (self.sentence, 1), self._offer, self.close_button)
-        row(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
+        row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
         for part in (self, self.sign, self.sentence):
             # What lies below hears of a pointer that only passes, too, and says what a press would do.
             part.setMouseTracking(True)

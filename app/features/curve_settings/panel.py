@@ -16,7 +16,7 @@ from app.document.model import AccelerationRule, VelocityRule
 from app.document.words import NamedEnum, count_of, number
 from app.qt.labels import Label
 from app.view_model.curve_view import CoreCurve, CurveView
-from app.widgets.boxes import column, form, row
+from app.widgets.boxes import column_of, form_of, row_of
 from app.widgets.controls import choice_box
 from app.widgets.field_edit import FieldEdit, NumberEdit
 from app.widgets.field_form import FieldForm
@@ -53,8 +53,8 @@ class CurveSettings(FieldForm):
         self._render()
 
     def _lay_out(self) -> None:
-        interval = row((self.start_edit, 1), "to", (self.end_edit, 1), spacing=6)
-        self._form = form(
+        interval = row_of((self.start_edit, 1), "to", (self.end_edit, 1), spacing=6)
+        self._form = form_of(
             ("Name", self.name_edit),
             ("Interval of t", interval),
             ("Velocities", self.velocity_box),
@@ -63,7 +63,7 @@ class CurveSettings(FieldForm):
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         reset = (self.reset_button, Qt.AlignmentFlag.AlignLeft)
-        column(self._form, reset, self.problem, self._facts, 1, margins=12, spacing=10, parent=self)
+        column_of(self._form, reset, self.problem, self._facts, 1, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
         self.watch(self.name_edit, self.start_edit, self.end_edit)

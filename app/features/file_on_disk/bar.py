@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QBoxLayout, QToolButton, QWidget
 
-from app.widgets.boxes import column, row
+from app.widgets.boxes import column_of, row_of
 from app.widgets.tool_buttons import action_button
 from app.workbench.message_bar import GAP, SentenceBar, keep_pointer
 
@@ -18,10 +18,10 @@ class FileBar(SentenceBar):
     def __init__(self, parent: QWidget, above: QWidget) -> None:
         super().__init__("file", "closeFileBar", parent, above)
         self._buttons: list[QToolButton] = []
-        self._row = row(1, spacing=GAP)
-        self._middle = column((self.sentence, 1), self._row, spacing=4)
+        self._row = row_of(1, spacing=GAP)
+        self._middle = column_of((self.sentence, 1), self._row, spacing=4)
         parts = (self.sign, (self._middle, 1), self.close_button)
-        row(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
+        row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
         self.follow_theme()
 
     @property

@@ -14,7 +14,7 @@ from app.document.words import count_of
 from app.features.recovery.offers import Offer
 from app.features.recovery.thumbnail import thumbnail
 from app.qt.labels import Label, tip_of
-from app.widgets.boxes import column, row
+from app.widgets.boxes import column_of, row_of
 from app.widgets.controls import push_button
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.overlay_frame import OverlayFrame
@@ -56,9 +56,9 @@ class RecoveryBar(OverlayFrame):
         self._rows.setFrameShape(QFrame.Shape.NoFrame)
         self._rows.setWidgetResizable(True)
         self._rows.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        words = column(self._title, self._note, margins=(0, 4, 0, 0))
-        head = row((words, 1), (self._close, Qt.AlignmentFlag.AlignTop))
-        column(head, self._rows, margins=(14, 6, 8, 12), spacing=8, parent=self)
+        words = column_of(self._title, self._note, margins=(0, 4, 0, 0))
+        head = row_of((words, 1), (self._close, Qt.AlignmentFlag.AlignTop))
+        column_of(head, self._rows, margins=(14, 6, 8, 12), spacing=8, parent=self)
         self.follow_theme()
 
     def render(self, offers: Sequence[Offer], note: str = "") -> None:  # type: ignore[override]
@@ -88,7 +88,7 @@ class RecoveryBar(OverlayFrame):
         content = QWidget()
         self._pictures.clear()
         rows = [self._row(index, offer) for index, offer in enumerate(self._offers)]
-        column(*rows, 1, margins=(0, 0, 6, 0), spacing=8, parent=content)
+        column_of(*rows, 1, margins=(0, 0, 6, 0), spacing=8, parent=content)
         self._paint_pictures()
         self._rows.setWidget(content)
         content.setAutoFillBackground(False)
@@ -107,8 +107,8 @@ class RecoveryBar(OverlayFrame):
         told.setText(offer.told)
         told.setObjectName("recoveryTold")
         name.setToolTip(tip_of(offer.tip or offer.name))
-        words = column(1, name, told, 1, spacing=2)
-        return row(picture, (words, 1), *self._buttons(index, offer.name), spacing=10)
+        words = column_of(1, name, told, 1, spacing=2)
+        return row_of(picture, (words, 1), *self._buttons(index, offer.name), spacing=10)
 
     def _buttons(self, index: int, name: str) -> Iterator[QPushButton]:
         for key, text, tip, asked in (

@@ -13,7 +13,7 @@ from app.document.image_edits import place_image, set_image_locked
 from app.document.model import ReferenceImage, Vector
 from app.document.words import number
 from app.qt.labels import Label, tip_of
-from app.widgets.boxes import column, form, row
+from app.widgets.boxes import column_of, form_of, row_of
 from app.widgets.controls import check_box, named
 from app.widgets.field_edit import NumberEdit
 from app.widgets.field_form import FieldForm
@@ -58,15 +58,15 @@ class ImagePanel(FieldForm):
         self.render_image(None)
 
     def _lay_out(self, buttons: Sequence[QAction]) -> None:
-        fields = form(
+        fields = form_of(
             ("File", self._file),
-            ("x", row((self.x_edit, 1), "y", (self.y_edit, 1), spacing=6)),
-            ("Size", row((self.width_edit, 1), "×", (self.height_edit, 1), spacing=6)),
-            ("Opacity", row((self.opacity, 1), self._percent)),
+            ("x", row_of((self.x_edit, 1), "y", (self.y_edit, 1), spacing=6)),
+            ("Size", row_of((self.width_edit, 1), "×", (self.height_edit, 1), spacing=6)),
+            ("Opacity", row_of((self.opacity, 1), self._percent)),
             ("", self.lock),
         )
-        below = row(*(action_button(action, beside=True) for action in buttons), 1)
-        column(self.problem, fields, below, 1, margins=12, spacing=10, parent=self)
+        below = row_of(*(action_button(action, beside=True) for action in buttons), 1)
+        column_of(self.problem, fields, below, 1, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
         self.watch(*self._edits)
