@@ -22,6 +22,7 @@ from app.exchange.table.text import preview_table
 from app.features.import_export.export_dialog import ExportDialog
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.features.import_export.import_table_dialog import ImportTableDialog
+from app.features.lessons.commands import LessonCommands
 from app.features.motion.dialog import MotionDialog
 from app.session import Session
 from app.storage.files import save
@@ -54,11 +55,11 @@ def test_the_window_fits_with_every_panel_and_bar(qtbot, type_size):
     assert window.size() == ROOM
     # The basis functions' header has the most to say of it.
     editor.choose_family("quintic_hermite")
-    for dock in (*window.docks, window.lessons_dock):
+    for dock in (*window.context.docks.side, window.context.docks["lessonsDock"]):
         editor.show_dock(dock.objectName())
         window.layout().activate()
         assert fits(window.minimumSizeHint()), dock.objectName()
-    window.lessons_dock.hide()
+    window.context.docks["lessonsDock"].hide()
     editor.trigger("playMotion")
     window.layout().activate()
     assert fits(window.minimumSizeHint())
@@ -141,7 +142,7 @@ def test_a_lesson_is_read_without_scrolling_sideways(qtbot):
     """A dock used to take its width from what it held before the lesson was in it: 190 pixels of 256."""
     editor = Editor(qtbot, size=(1280, 800))
     editor.show_dock("lessonsDock")
-    editor.window.open_lesson("03_chord_length")
+    editor.window.commands[LessonCommands].open("03_chord_length")
     editor.settle()
-    area = editor.window.lessons_dock.widget()
+    area = editor.window.context.docks["lessonsDock"].widget()
     assert area.horizontalScrollBar().maximum() == 0
