@@ -9,8 +9,11 @@ import pytest
 from PySide6.QtCore import QSize, QTimer
 from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 
+import app.diagnostics
 import app.features
-import app.panels
+import app.widgets
+import app.window
+import app.workbench
 from app.diagnostics.crash_dialog import CrashDialog
 from app.document.edits import set_position
 from app.document.model import Document, make_curve
@@ -126,7 +129,7 @@ def test_a_question_about_a_long_name_fits_and_is_read_to_its_end(qtbot, type_si
 
 
 def every_dialog():
-    for package in (app.panels, app.features):
+    for package in (app.widgets, app.workbench, app.features, app.window, app.diagnostics):
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             importlib.import_module(module.name)
 
