@@ -180,9 +180,7 @@ def _convert(options: argparse.Namespace) -> int:
             report=part(report, 0.0, 0.5),
         )
         wanted = replace(
-            picture_options(options, source.document),
-            own=own_options(options),
-            report=part(report, 0.5, 1.0),
+            picture_options(options, source.document), own=own_options(options), report=part(report, 0.5, 1.0)
         )
         written = export(source.document, options.output, wanted)
     _tell((*source.remarks, *_on_groups(source, options.only), *written.remarks))

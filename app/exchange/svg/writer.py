@@ -65,11 +65,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
 
 
 def picture_of(
-    document: Document,
-    tolerance: float | None,
-    extras: Extras | None,
-    style: Style,
-    report: Report = silent,
+    document: Document, tolerance: float | None, extras: Extras | None, style: Style, report: Report = silent
 ) -> Drawing:
     """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
     plain = drawing_of(document, tolerance, report)
