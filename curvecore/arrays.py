@@ -16,26 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from curvecore.errors import CurveError
 
-__all__ = [
-    "BoolArray",
-    "FloatArray",
-    "IntArray",
-    "IntArray32",
-    "Parameters",
-    "box_edges",
-    "data_array",
-    "finite_number",
-    "integer",
-    "jet_array",
-    "number_array",
-    "parameter_array",
-    "parameter_values",
-    "point_array",
-    "read_only",
-    "tolerance_value",
-    "unit_values",
-]
-
 FloatArray: TypeAlias = NDArray[np.float64]
 IntArray: TypeAlias = NDArray[np.intp]
 IntArray32: TypeAlias = NDArray[np.intc]  # what ldexp takes

@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from curvecore.arrays import FloatArray
 
-__all__ = ["LARGEST", "ExponentArray", "Scaled", "ScaledRows", "normalise", "scale_by_power"]
-
 ExponentArray: TypeAlias = NDArray[np.int64]
 LARGEST = float(np.finfo(np.float64).max)
 

@@ -27,16 +27,6 @@ from curvecore.arrays import FloatArray, parameter_array, point_array
 from curvecore.errors import CurveError
 from curvecore.parametrization import relative_spacing
 
-__all__ = [
-    "bessel_velocities",
-    "catmull_rom_velocities",
-    "finite_difference_velocities",
-    "natural_spline_accelerations",
-    "natural_spline_velocities",
-    "zero_accelerations",
-]
-
-
 _FEW = 48  # equations, up to which a full matrix takes a fifth of the time of NumPy's calls without one
 
 _Arguments = ParamSpec("_Arguments")

@@ -7,8 +7,6 @@ import numpy as np
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
 
-__all__ = ["vector_lengths"]
-
 
 def vector_lengths(vectors: FloatArray) -> FloatArray:
     """Return Euclidean lengths along the last axis without needless over- or underflow."""

@@ -30,8 +30,6 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import derivative, subdivided
 from curvecore.vectors import vector_lengths
 
-__all__ = ["Arcs", "Pairs", "close_pairs", "simple_arcs"]
-
 _ROUNDS = 48
 _ARCS = 1 << 11
 _PAIRS = 1 << 14  # at a time; where a curve runs along itself, no number is enough

@@ -34,16 +34,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 
-__all__ = [
-    "CardinalBasis",
-    "Follow",
-    "LocalCardinals",
-    "Rule",
-    "cardinal_basis",
-    "estimation_matrix",
-    "follow_rules",
-]
-
 Rule = Callable[[FloatArray, FloatArray], FloatArray]
 """Points (n, dim) and parameters (n,) to derivatives (n, dim), linear in the points."""
 

@@ -32,8 +32,6 @@ from curvecore.families.curve import Curve
 from curvecore.rounding.exact import as_float, scaled_integers
 from curvecore.scaling import LARGEST
 
-__all__ = ["monomial_condition", "segment_conditions", "vandermonde_condition"]
-
 _MOST = 128  # rows of a matrix that is inverted exactly
 
 

@@ -20,8 +20,6 @@ from curvecore.arrays import BoolArray, FloatArray, tolerance_value
 from curvecore.families.curve import Curve, JointDerivatives
 from curvecore.vectors import vector_lengths
 
-__all__ = ["Joint", "joint_report"]
-
 _BREAK = -1
 
 

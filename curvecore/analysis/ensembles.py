@@ -17,8 +17,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
 
-__all__ = ["Ensemble", "Remake", "ensemble"]
-
 Remake = Callable[[FloatArray, FloatArray], Curve]
 """Points (n, dim) and parameters (n,) to a curve."""
 

@@ -29,19 +29,6 @@ from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST, scale_by_power
 from curvecore.vectors import vector_lengths
 
-__all__ = [
-    "Box",
-    "CurvatureExtrema",
-    "bounding_box",
-    "bounding_boxes",
-    "curvature",
-    "curvature_extrema",
-    "curvature_of",
-    "inflections",
-    "pieces_of",
-    "speed",
-]
-
 _UNIT = 2.0**-53
 _FINE = 2.0**-46  # of the size: how closely pieces follow a curve whose shape is asked for
 _KINK = 1e-6  # curvatures at a joint that differ by less, relatively, are one extremum and not a jump

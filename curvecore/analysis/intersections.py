@@ -24,8 +24,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
 
-__all__ = ["SelfIntersections", "self_intersections"]
-
 _FINEST = 2.0**-44  # of the size: what roundings leave of a tolerance
 _CUSP = 2.0**-33  # of the size: a cusp whose arms are a rounding apart is as long
 _CANDIDATES = 1 << 12

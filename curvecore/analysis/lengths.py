@@ -36,15 +36,6 @@ from curvecore.families.curve import Curve
 from curvecore.families.immutable import Immutable
 from curvecore.scaling import LARGEST
 
-__all__ = [
-    "ArcLength",
-    "Length",
-    "arc_length",
-    "arc_lengths",
-    "equal_arc_length_parameters",
-    "parameter_at_length",
-]
-
 _UNIT = 2.0**-53
 
 

@@ -29,8 +29,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
 
-__all__ = ["Nearest", "NearestWithin", "nearest"]
-
 _ROUNDS = 60
 _MOST = 1 << 13  # pieces at a time; only where very many points are equally near
 _NEWTON = 8

@@ -16,8 +16,6 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 from curvecore.bezier.bernstein_algebra import halves, weights
 from curvecore.bezier.pieces import BezierPieces
 
-__all__ = ["Arcs", "arcs_of", "integrals", "made_accurate", "places_of"]
-
 _NODES = 16
 _UNIT = 2.0**-53
 _ROUNDS = 60

@@ -33,16 +33,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
 
-__all__ = [
-    "Band",
-    "acceleration_sensitivity",
-    "error_sizes",
-    "parameter_sensitivity",
-    "point_sensitivity",
-    "velocity_sensitivity",
-    "worst_case_band",
-]
-
 
 class Band(NamedTuple):
     """Half-widths of the region that errors of the data can bring c(t) to.

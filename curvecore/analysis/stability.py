@@ -30,8 +30,6 @@ from curvecore.bezier.control_points import all_joints
 from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 
-__all__ = ["derivative_sums", "lebesgue_constant", "lebesgue_constants", "lebesgue_function"]
-
 
 class _Search(NamedTuple):
     """How the largest value in an interval is looked for: what is left, squared, is the relative error."""

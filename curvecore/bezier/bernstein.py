@@ -18,14 +18,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 
-__all__ = [
-    "bernstein_functions",
-    "bernstein_weights",
-    "control_points",
-    "evaluate_inside",
-    "weighted_columns",
-]
-
 _CHUNK = 4096  # parameters at a time: the dozen working arrays stay in the second-level cache
 _BINOMIALS = {3: (1.0, 3.0, 3.0, 1.0), 5: (1.0, 5.0, 10.0, 10.0, 5.0, 1.0)}
 

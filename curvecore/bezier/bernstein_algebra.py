@@ -25,20 +25,6 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 
-__all__ = [
-    "PieceRoots",
-    "binomials",
-    "derivative",
-    "elevated",
-    "end_signs",
-    "halves",
-    "product",
-    "sign_changes",
-    "subdivided",
-    "values",
-    "weights",
-]
-
 _DEPTH = 40  # halvings after which an interval that still changes sign counts as a root
 _MOST = (
     4096  # intervals at a time, or one for each coefficient: halving adds no changes of sign but by rounding

@@ -23,16 +23,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
 
-__all__ = [
-    "MAX_PIECES",
-    "CubicPath",
-    "all_joints",
-    "bezier_segments",
-    "cubic_path",
-    "drawable_pieces",
-    "spread",
-]
-
 MAX_PIECES = 1 << 12
 """`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""
 

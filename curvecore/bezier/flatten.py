@@ -27,20 +27,6 @@ from curvecore.bezier.control_points import all_joints, drawable_pieces, spread
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 
-__all__ = [
-    "MAX_VERTICES",
-    "Pieces",
-    "ToleranceWarning",
-    "chord_bound",
-    "flatten",
-    "flatten_parameters",
-    "flatten_pieces",
-    "may_enter",
-    "merged_pieces",
-    "sampled_pieces",
-    "segment_distance",
-]
-
 MAX_VERTICES = 1 << 14
 """A polyline has at most this many vertices, or 4 per joint if that is more."""
 

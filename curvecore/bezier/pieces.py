@@ -25,8 +25,6 @@ from curvecore.bezier.bernstein_algebra import derivative, elevated, weights
 from curvecore.bezier.control_points import all_joints, spread
 from curvecore.families.curve import Curve
 
-__all__ = ["MAX_PIECES", "BezierPieces", "alike", "bezier_pieces", "parameters_at", "size_of"]
-
 MAX_PIECES = 1 << 12
 """No polynomial is divided into more pieces than this."""
 

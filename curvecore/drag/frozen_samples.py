@@ -20,8 +20,6 @@ from curvecore.bezier.flatten import Pieces, may_enter, merged_pieces, sampled_p
 from curvecore.drag.left_out import LeftOut
 from curvecore.families.curve import Curve
 
-__all__ = ["FrozenFlattening"]
-
 ComplexArray = npt.NDArray[np.complex128]
 
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed

@@ -15,8 +15,6 @@ from curvecore.bezier.control_points import bezier_segments, drawable_pieces
 from curvecore.bezier.flatten import Pieces, chord_bound, flatten_pieces, may_enter
 from curvecore.families.curve import Curve
 
-__all__ = ["FrozenSegments"]
-
 _FINER = 1.5  # of the tolerance: room for segments to bend more before new vertices are needed
 _WASTE = 2.0  # times the vertices needed, above which they are chosen anew
 _MERGED = 0.9  # share of vertices, below which leaving some out saves more than is gained here

@@ -24,8 +24,6 @@ from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.families.curve import Curve
 from curvecore.families.lagrange import LagrangeCurve
 
-__all__ = ["LeftOut"]
-
 _NEAR = 32  # places on either side of a left out parameter where roundings are estimated
 _U = 2.0**-53
 

@@ -20,8 +20,6 @@ from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.families.curve import Curve
 from curvecore.families.lagrange import LagrangeCurve
 
-__all__ = ["MovedParameters"]
-
 _MOST_MOVED = 4  # parameters, above which the saving is gone
 _LARGEST = 1e300
 _TINY = float(np.finfo(np.float64).tiny)

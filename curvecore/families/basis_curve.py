@@ -22,8 +22,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.families.lagrange import LagrangeCurve
 
-__all__ = ["BasisCurve", "Scheme"]
-
 _STENCIL = np.arange(-3.0, 4.0)
 _FINENESS = (400.0, 400.0, 120.0)
 """Stencil steps in the distance of neighbouring parameters, for derivatives of order 1, 2 and above.

@@ -11,8 +11,6 @@ from curvecore.arrays import FloatArray, IntArray, jet_array, parameter_array, p
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve, Interpolant, JointDerivatives, LocalBasis
 
-__all__ = ["Chain"]
-
 
 class Chain(Curve):
     """Curves joined end to end.

@@ -13,8 +13,6 @@ from curvecore.errors import CurveError
 from curvecore.families.immutable import Immutable
 from curvecore.scaling import LARGEST
 
-__all__ = ["Curve", "Interpolant", "JointDerivatives", "LocalBasis", "Slopes"]
-
 _STEP = 2.0**-13
 """Of the distance of neighbouring parameters: by how much one is moved for a difference quotient."""
 

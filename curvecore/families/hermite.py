@@ -11,8 +11,6 @@ from curvecore.families.hermite_basis import CUBIC
 from curvecore.families.piecewise_hermite import PiecewiseHermite
 from curvecore.vectors import vector_lengths
 
-__all__ = ["HermiteCurve"]
-
 
 class HermiteCurve(PiecewiseHermite):
     """Cubic pieces with given velocities.

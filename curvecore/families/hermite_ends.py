@@ -7,8 +7,6 @@ import numpy as np
 from curvecore.arrays import FloatArray
 from curvecore.families.curve import Slopes
 
-__all__ = ["next_derivative", "slopes_of"]
-
 _UNIT = 2.0**-53
 
 

@@ -19,8 +19,6 @@ from curvecore.families.nodal_derivatives import derivatives_at_nodes, nodes_ser
 from curvecore.families.product_form import Nodes
 from curvecore.scaling import Scaled, normalise, scale_by_power
 
-__all__ = ["LagrangeCurve"]
-
 
 class LagrangeCurve(Curve):
     """One polynomial through all points.

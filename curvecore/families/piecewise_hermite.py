@@ -22,8 +22,6 @@ from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import next_derivative, slopes_of
 from curvecore.scaling import LARGEST
 
-__all__ = ["PiecewiseHermite"]
-
 _SAFE = 1e300
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 

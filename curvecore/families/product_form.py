@@ -35,8 +35,6 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.families.product_series import leave_one_out
 from curvecore.scaling import ExponentArray, Scaled
 
-__all__ = ["BasisPart", "Hits", "Nodes"]
-
 _CHUNK = 1 << 18  # entries of one working array: 2 MB, so that a slice is worth its dozen calls
 _BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
 _MANY = 64  # nodes, above which roundings that do not average out are worth half the time again

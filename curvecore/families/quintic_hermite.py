@@ -11,8 +11,6 @@ from curvecore.families.hermite_basis import QUINTIC
 from curvecore.families.piecewise_hermite import PiecewiseHermite
 from curvecore.vectors import vector_lengths
 
-__all__ = ["QuinticHermiteCurve"]
-
 
 class QuinticHermiteCurve(PiecewiseHermite):
     """Quintic pieces with given velocities and accelerations.

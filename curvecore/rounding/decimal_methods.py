@@ -19,8 +19,6 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.errors import CurveError
 from curvecore.scaling import LARGEST
 
-__all__ = ["HERMITE_METHODS", "LAGRANGE_METHODS", "Arithmetic", "Data", "Form", "Prepared", "exact_context"]
-
 _GUARD = 40
 _MOST_GUARDED = 3000
 """Digits of an arithmetic that counts as exact, at most: 60 parameters may come as close as 1e-40."""

@@ -72,16 +72,6 @@ from curvecore.rounding.decimal_methods import (
 from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated
 from curvecore.rounding.rounded_data import decimal_context, digit_count, round_significant
 
-__all__ = [
-    "Method",
-    "Rounding",
-    "available_methods",
-    "digits_lost",
-    "evaluate_rounded",
-    "exact_values",
-    "rounded_decimals",
-]
-
 _SHOWN = 20
 """Digits of a result that was computed exactly: four more than any computation rounds to."""
 

@@ -19,8 +19,6 @@ from typing import NamedTuple
 
 from curvecore.scaling import LARGEST
 
-__all__ = ["CommonPolynomial", "as_float", "interpolated", "newton_coefficients", "scaled_integers"]
-
 
 class CommonPolynomial(NamedTuple):
     """A polynomial sum a_k t**k / b with integers a_k and b.

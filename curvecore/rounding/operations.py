@@ -13,8 +13,6 @@ from typing import NamedTuple
 from curvecore.arrays import integer
 from curvecore.errors import CurveError
 
-__all__ = ["OperationCounts", "operation_counts"]
-
 
 class OperationCounts(NamedTuple):
     """Numbers of rounded operations, each addition, multiplication and division counting one.
