@@ -119,5 +119,4 @@ def ensemble(
 def _in_ball(random: np.random.Generator, shape: tuple[int, int], dim: int) -> FloatArray:
     direction = random.standard_normal((*shape, dim))
     radius = random.random(shape) ** (1.0 / dim)
-    result: FloatArray = direction * (radius / vector_lengths(direction))[..., None]
-    return result
+    return direction * (radius / vector_lengths(direction))[..., None]

@@ -212,8 +212,7 @@ def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
         result: FloatArray = (np.abs(local.values) * both).sum(axis=(1, 2))
         return result
     basis = np.abs(curve.basis(t))
-    ball: FloatArray = basis.reshape(len(basis), -1) @ sizes.ravel()
-    return ball
+    return basis.reshape(len(basis), -1) @ sizes.ravel()
 
 
 def _moves(curve: Curve, t: FloatArray, delta: FloatArray) -> FloatArray:

@@ -69,8 +69,7 @@ def values(coefficients: FloatArray, places: FloatArray) -> FloatArray:
         s = places.reshape(-1, *(1,) * (coefficients.ndim - 1))
         while level.shape[1] > 1:
             level = level[:, :-1] + s * (level[:, 1:] - level[:, :-1])
-    result: FloatArray = level[:, 0]
-    return result
+    return level[:, 0]
 
 
 def derivative(coefficients: FloatArray) -> FloatArray:

@@ -289,8 +289,7 @@ def may_enter(points: FloatArray, box: FloatArray) -> BoolArray:
     """Tell whose hulls, from points of shape (k, j, 2), touch the box."""
     low, high = _along_columns(np.minimum, points), _along_columns(np.maximum, points)
     inside = (high >= box[:2]) & (low <= box[2:])
-    touches: BoolArray = inside[:, 0] & inside[:, 1]
-    return touches
+    return inside[:, 0] & inside[:, 1]
 
 
 def _along_columns(combine: np.ufunc, values: FloatArray) -> FloatArray:
@@ -469,8 +468,7 @@ def segment_distance(points: FloatArray, start: FloatArray, end: FloatArray) -> 
     offset = points - start
     along = np.clip(offset[..., 0] * unit[..., 0] + offset[..., 1] * unit[..., 1], 0.0, length)
     rest = offset - along[..., None] * unit
-    distance: FloatArray = np.hypot(rest[..., 0], rest[..., 1])
-    return distance
+    return np.hypot(rest[..., 0], rest[..., 1])
 
 
 def merged_pieces(pieces: Pieces, tolerance: float) -> Pieces:

@@ -229,5 +229,4 @@ def _way_on(velocity: ComplexArray, bend: ComplexArray) -> FloatArray:
     """Return how far a parabola goes on before it turns: (v . c'')**2 / (2 |c''|**3)."""
     size = np.abs(bend)
     along = (velocity * bend.conj()).real / size
-    way: FloatArray = np.where(size > 0.0, 0.5 * along * along / size, 0.0)
-    return way
+    return np.where(size > 0.0, 0.5 * along * along / size, 0.0)

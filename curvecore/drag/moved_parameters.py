@@ -91,8 +91,7 @@ class MovedParameters:
     def _own(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return the factor that the functions of moved parameters lack in l, (m, k)."""
         t = self._t[:, None]
-        own: FloatArray = (t - self._parameters[moved]) / (t - curve.parameters[moved])
-        return own
+        return (t - self._parameters[moved]) / (t - curve.parameters[moved])
 
     def _weights(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return w'_i / w_i, (n,)."""

@@ -18,11 +18,9 @@ def next_derivative(jets: FloatArray, parameters: FloatArray, end: int) -> Float
     h = -h if end else h
     chord = (far[:, 0] - near[:, 0]) / h
     if jets.shape[1] == 2:
-        result: FloatArray = (6.0 * chord - 4.0 * near[:, 1] - 2.0 * far[:, 1]) / h
-        return result
+        return (6.0 * chord - 4.0 * near[:, 1] - 2.0 * far[:, 1]) / h
     slope = (60.0 * chord - 36.0 * near[:, 1] - 24.0 * far[:, 1]) / h
-    jerk: FloatArray = (slope - 9.0 * near[:, 2] + 3.0 * far[:, 2]) / h
-    return jerk
+    return (slope - 9.0 * near[:, 2] + 3.0 * far[:, 2]) / h
 
 
 def slopes_of(jets: FloatArray, h: FloatArray) -> Slopes | None:
