@@ -31,6 +31,7 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
 from curvecore.bezier.bernstein import controls_between
 from curvecore.errors import CurveError
+from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 
@@ -283,8 +284,8 @@ class CardinalBasis:
         basis = self.curve.basis(t, order)[:, :, 0]
         if len(self.curve.pieces) > 1:
             # Two rows of data belong to a joint of two pieces.
-            rows = self.curve.row_of_parameter
-            basis = np.add.reduceat(basis, np.flatnonzero(np.diff(rows, prepend=-1)), axis=1)
+            rows = np.flatnonzero(np.diff(joint_of_row(self.curve), prepend=-1))
+            basis = np.add.reduceat(basis, rows, axis=1)
         return LocalCardinals(np.broadcast_to(np.arange(self.count), basis.shape), basis)
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:

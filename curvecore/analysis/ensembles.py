@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from curvecore.analysis.sensitivity import error_sizes
 from curvecore.arrays import FloatArray, integer, parameter_values
 from curvecore.errors import CurveError
+from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
 
@@ -98,7 +99,6 @@ def ensemble(
     if (t[:-1] + delta[:-1] >= t[1:] - delta[1:]).any():
         raise CurveError("parameter_error must be less than half the smallest distance of two parameters")
     radius = error_sizes(point_error, len(t), "point_error")
-    row = curve.row_of_parameter
     shifts = radius[:, None] * _in_ball(random, (number, len(t)), curve.points.shape[1])
     if closed:
         shifts[:, -1] = shifts[:, 0]
@@ -108,7 +108,7 @@ def ensemble(
         return Ensemble(curves, np.stack([each.jets for each in curves]), parameters)
     jets = np.broadcast_to(curve.jets, (number, *curve.jets.shape)).copy()
     with np.errstate(over="ignore", under="ignore"):
-        jets[:, :, 0] += shifts[:, row]
+        jets[:, :, 0] += shifts[:, joint_of_row(curve)]
     if not delta.any():
         curves = tuple(curve.with_jets(each) for each in jets)
     else:
