@@ -193,7 +193,7 @@ def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
     only = ["--only", "line2d_3", "--only", "line2d_1?"]
     assert main(["convert", str(drawing), str(out), *only]) == 0
     assert "These are" not in capsys.readouterr().err
-    assert [curve.nodes[0].y for curve in load(out).curves] == [-3, *range(-10, -20, -1)]
+    assert [curve.points[0].y for curve in load(out).curves] == [-3, *range(-10, -20, -1)]
     words = refusal(capsys, "convert", str(drawing), str(out), "--only", "nothing")
     assert words.startswith("Nothing in it is called “nothing”; there is axes (21), line2d_0, ")
 
@@ -243,7 +243,7 @@ def test_convert_there_and_back(tmp_path, capsys):
     assert main(["convert", LETTER, str(table), "--by", "length", "--samples", "2000"]) == 0
     assert main(["convert", str(table), str(thinned), "--thin", "1e-3"]) == 0
     assert float(capsys.readouterr().out.split()[-1]) <= 1e-3
-    assert 5 < len(load(thinned).curves[0].nodes) < 100
+    assert 5 < len(load(thinned).curves[0].points) < 100
     assert main(["convert", str(thinned), str(drawing)]) == 0
     assert main(["convert", str(drawing), str(tmp_path / "d.dxf")]) == 0
     assert main(["info", str(thinned)]) == 0
@@ -541,7 +541,7 @@ def test_convert_takes_columns_and_corners(capsys, tmp_path):
     assert table.read_text(encoding="utf-8").startswith("x,y\n")
     back = tmp_path / "a.curve.json"
     assert main(["convert", str(table), str(back), "--thin", "0.01", "--corners"]) == 0
-    assert 10 < len(load(back).curves[0].nodes) < 400
+    assert 10 < len(load(back).curves[0].points) < 400
     capsys.readouterr()
     assert "at least one is needed" in refusal(capsys, "convert", LETTER, str(table), "--columns", "z")
 

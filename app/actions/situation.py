@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.clipboard_watch import ClipboardWatch
+from app.actions.clipboard_watch import ClipboardWatch
 from app.session import Session
+from app.state.window_state import WindowState, WindowStore
 from app.view_model.curve_view import CurveView
-from app.window_state import WindowState, WindowStore
 
 
 class Situation:
@@ -36,9 +36,9 @@ class Situation:
         return self.session.selection
 
     @property
-    def chosen(self) -> frozenset[int]:
-        """The chosen curves."""
-        return self.session.chosen_curves
+    def selected(self) -> frozenset[int]:
+        """The selected curves."""
+        return self.session.selected_curves
 
     @property
     def has_copied_derivatives(self) -> bool:

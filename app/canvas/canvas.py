@@ -82,7 +82,7 @@ class Canvas(ToolPlot):
         self._show_tool()
 
     def lay_tool_above(self, record: ToolRecord | None) -> None:
-        """Use a tool for a while in place of the one that is chosen; None gives way to that again."""
+        """Use a tool for a while in place of the one that is selected; None gives way to that again."""
         self.tools.lay_above(record)
         self._show_tool()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QAbstractAnimation, QSizeF, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from app.colours import curve_colour
+from app.appearance.colours import curve_colour
 from app.document.words import number
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
@@ -138,7 +138,7 @@ class CurveLayer(Layer):
     def _pen(self) -> QPen:
         view = self._view
         colour = view.source.colour if view is not None else None
-        # The last good curve, of nodes or rules that are no more, and a hidden one that is edited.
+        # The last good curve, of points or rules that are no more, and a hidden one that is edited.
         is_faint = view is not None and not (view.is_current and view.source.visible)
         asked = (colour, is_faint, self.theme, self.scale)
         if asked != self._made_for:

@@ -62,7 +62,7 @@ def _nearest_point(
     if distances[best] > POINT_REACH:
         return None
     index = int(candidates[best])
-    return Hit(Part.POINT, index, view.source.nodes[index].position), float(distances[best])
+    return Hit(Part.POINT, index, view.source.points[index].position), float(distances[best])
 
 
 def _nearest_handle(

@@ -79,10 +79,10 @@ def _gaps(pixels: FloatArray, visible: IntArray) -> FloatArray:
     return gaps
 
 
-def with_neighbours(chosen: Collection[int], among: IntArray) -> IntArray:
-    """Return those `among` some points that lie within two places of a chosen one."""
-    if len(chosen) > _MOST_WITH_NEIGHBOURS:
+def with_neighbours(selected: Collection[int], among: IntArray) -> IntArray:
+    """Return those `among` some points that lie within two places of a selected one."""
+    if len(selected) > _MOST_WITH_NEIGHBOURS:
         # They are many themselves.
         return among[:0]
-    near = {index + by for index in chosen for by in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
+    near = {index + by for index in selected for by in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
     return among[np.isin(among, np.fromiter(near, dtype=np.intp, count=len(near)))]

@@ -37,7 +37,7 @@ _HIDDEN = 0.35
 
 
 class PointLayer(Layer):
-    """Draws the nodes of the active curve; all in one item."""
+    """Draws the points of the active curve; all in one item."""
 
     z = 10.0
 
@@ -125,12 +125,12 @@ class PointLayer(Layer):
         self, painter: QPainter, pixels: FloatArray, visible: IntArray, colours: Sequence[QColor]
     ) -> None:
         discs = self._discs_of(pixels, visible)
-        calm, hovered, chosen = self._told_apart(len(pixels), visible, crowded=discs.crowded)
+        calm, hovered, selected = self._told_apart(len(pixels), visible, crowded=discs.crowded)
         self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
         self._paint_discs(
             painter, pixels, hovered, colours, (RADIUS + _GROWTH) * self.scale, 1.5 * self.scale
         )
-        for index in chosen:
+        for index in selected:
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
         if discs.crowded:
             self._paint_note(painter, shown=painter.clipBoundingRect())
@@ -141,13 +141,13 @@ class PointLayer(Layer):
         """Return which visible points are drawn like any other, which as hovered, and which as selected."""
         asked = (count, crowded, self.selection, self.hovered)
         if asked != self._made_for or visible is not self._apart_of:
-            chosen = [index for index in self.selection if index < count]
+            selected = [index for index in self.selection if index < count]
             is_calm = np.ones(count, dtype=bool)
-            is_calm[chosen] = False
+            is_calm[selected] = False
             calm = visible[is_calm[visible]]
             hovered = calm[calm == self.hovered].tolist()
             if crowded:
-                calm = with_neighbours([*chosen, *hovered], calm)
+                calm = with_neighbours([*selected, *hovered], calm)
             self._made_for, self._apart_of = asked, visible
             self._apart = (calm, hovered, visible[~is_calm[visible]].tolist())
         return self._apart
@@ -206,12 +206,12 @@ class PointLayer(Layer):
 
     def _paint_numbers(self, painter: QPainter, pixels: FloatArray, visible: IntArray) -> None:
         self.numbers = []
-        chosen = self._numbered(pixels, visible)
-        if not chosen:
+        selected = self._numbered(pixels, visible)
+        if not selected:
             return
         painter.setFont(self._fonts.times(0.95 * self.scale))
         with_weight = self._has_weight_text(len(pixels))
-        for index in chosen:
+        for index in selected:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
             if with_weight[index] and self.weights is not None:
                 weight = float(self.weights[index])

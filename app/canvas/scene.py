@@ -118,8 +118,8 @@ class CanvasScene:
         old = self.view
         if old is None or self._plot.is_dragging or not old.is_current or not view.is_current:
             return
-        same_nodes = old.source.nodes == view.source.nodes
-        if same_nodes and _rules(old.source) != _rules(view.source):
+        same_points = old.source.points == view.source.points
+        if same_points and _rules(old.source) != _rules(view.source):
             polyline = self.curve.polyline(self._plot.pixel_map)
             if polyline is not None:
                 self.curve.show_ghost(polyline.points)

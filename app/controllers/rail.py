@@ -29,7 +29,7 @@ class RailController:
                 return
         self._panel.tick_edit.close_and_return()
 
-    def _select(self, node: int) -> None:
+    def _select(self, point: int) -> None:
         """Select a point whose tick the menu is about, unless it is among those selected already."""
-        if node not in self._session.selection:
-            self._session.select([node])
+        if point not in self._session.selection:
+            self._session.select([point])

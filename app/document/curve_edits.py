@@ -10,8 +10,8 @@ from itertools import count
 
 from msgspec.structs import replace
 
-from app.document.edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_nodes
-from app.document.model import Curve, Document, Node, Parametrization, Vector, empty_document
+from app.document.edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
+from app.document.model import Curve, Document, Parametrization, Point, Vector, empty_document
 
 
 def add_curve(document: Document, index: int, curve: Curve) -> Document:
@@ -21,7 +21,7 @@ def add_curve(document: Document, index: int, curve: Curve) -> Document:
 
 def replace_curve(document: Document, curve: int, new: Curve) -> Document:
     """Put `new` in the place of a curve; every number is checked."""
-    return set_nodes(document.with_curve(curve, new), curve, new.nodes)
+    return set_points(document.with_curve(curve, new), curve, new.points)
 
 
 def remove_curve(document: Document, curve: int) -> Document:
@@ -65,14 +65,14 @@ def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -
     """
     old = document.curves[curve]
     start, end = _span_carried(old)
-    nodes = [_reversed(node, start, end) for node in reversed(old.nodes)]
+    points = [_reversed(point, start, end) for point in reversed(old.points)]
     if old.is_closed:
         # A closed curve goes on beginning where it began.
-        nodes = [nodes[-1], *nodes[:-1]]
+        points = [points[-1], *points[:-1]]
         if not old.is_manual:
             # Remembered parameters would no longer ascend.
-            nodes = [replace(node, t=None) for node in nodes]
-    result = replace(old, nodes=tuple(nodes))
+            points = [replace(point, t=None) for point in points]
+    result = replace(old, points=tuple(points))
     if old.is_manual:
         turned = [_mirrored(t, start, end) for t in reversed(parameters)]
         document = freeze_parameters(document.with_curve(curve, result), curve, turned)
@@ -83,7 +83,7 @@ def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -
 
 def _span_carried(curve: Curve) -> tuple[float, float]:
     """Return first and last of the manual parameters, in force or only remembered."""
-    carried = [node.t for node in curve.nodes if node.t is not None]
+    carried = [point.t for point in curve.points if point.t is not None]
     if curve.is_manual or not carried:
         return interval(curve)
     return carried[0], carried[-1]
@@ -94,16 +94,18 @@ def _mirrored(t: float, start: float, end: float) -> float:
     return end if t == start else start + (end - t)
 
 
-def _reversed(node: Node, start: float, end: float) -> Node:
-    first, second = (node.velocity, node.velocity_after) if node.corner else (node.velocity,) * 2
-    before, after = (node.acceleration, node.acceleration_after) if node.corner else (node.acceleration,) * 2
+def _reversed(point: Point, start: float, end: float) -> Point:
+    first, second = (point.velocity, point.velocity_after) if point.corner else (point.velocity,) * 2
+    before, after = (
+        (point.acceleration, point.acceleration_after) if point.corner else (point.acceleration,) * 2
+    )
     return replace(
-        node,
-        t=None if node.t is None else _mirrored(node.t, start, end),
+        point,
+        t=None if point.t is None else _mirrored(point.t, start, end),
         velocity=_negated(second),
-        velocity_after=_negated(first) if node.corner else None,
+        velocity_after=_negated(first) if point.corner else None,
         acceleration=after,
-        acceleration_after=before if node.corner else None,
+        acceleration_after=before if point.corner else None,
     )
 
 

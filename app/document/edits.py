@@ -1,7 +1,7 @@
 """Edits: pure functions ``(Document, …) -> Document``.
 
 An edit knows nothing of gestures, selections or screens. `curve` is the curve's index in the document,
-`index` a node's index in the curve. Parameters that a rule gives are not in the document; an edit that needs
+`index` a point's index in the curve. Parameters that a rule gives are not in the document; an edit that needs
 them takes them as `parameters`. What cannot be done raises `EditError` with a sentence for the person.
 """
 
@@ -23,8 +23,8 @@ from app.document.model import (
     AccelerationRule,
     Curve,
     Document,
-    Node,
     ParametrizationKind,
+    Point,
     Vector,
     VelocityRule,
 )
@@ -35,9 +35,9 @@ LEAST_TO_CLOSE = 3
 """Points that a closed curve has at least."""
 
 
-def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
+def _with_points(document: Document, curve: int, points: Iterable[Point]) -> Document:
     return document.with_curve(
-        curve, _with_room_to_close(replace(document.curves[curve], nodes=tuple(nodes)))
+        curve, _with_room_to_close(replace(document.curves[curve], points=tuple(points)))
     )
 
 
@@ -46,91 +46,91 @@ def _with_room_to_close(curve: Curve) -> Curve:
 
     A curve of a family that cannot close stays open, but keeps the wish for the family it may get next.
     """
-    if not (curve.closed and curve.is_manual and curve.nodes):
+    if not (curve.closed and curve.is_manual and curve.points):
         return curve
-    first, last, end = curve.nodes[0].t, curve.nodes[-1].t, curve.parametrization.end
+    first, last, end = curve.points[0].t, curve.points[-1].t, curve.parametrization.end
     if first is None or last is None or end > last:
         return curve
     # The segment that closes takes as long as the others do on average.
-    mean = (last - first) / (len(curve.nodes) - 1) if len(curve.nodes) > 1 else 1.0
+    mean = (last - first) / (len(curve.points) - 1) if len(curve.points) > 1 else 1.0
     return replace(curve, parametrization=replace(curve.parametrization, end=last + mean))
 
 
-def _with_node(document: Document, curve: int, index: int, node: Node) -> Document:
-    nodes = document.curves[curve].nodes
-    return _with_nodes(document, curve, (*nodes[:index], node, *nodes[index + 1 :]))
+def _with_point(document: Document, curve: int, index: int, point: Point) -> Document:
+    points = document.curves[curve].points
+    return _with_points(document, curve, (*points[:index], point, *points[index + 1 :]))
 
 
 # Points
 
 
-def insert_nodes(document: Document, curve: int, index: int, nodes: Sequence[Node]) -> Document:
-    """Insert `nodes` before node `index`; `index` equal to the number of nodes appends."""
-    for node in nodes:
-        _check_node(node, "the point")
-    old = document.curves[curve].nodes
-    return _with_nodes(document, curve, (*old[:index], *nodes, *old[index:]))
+def insert_points(document: Document, curve: int, index: int, points: Sequence[Point]) -> Document:
+    """Insert `points` before point `index`; `index` equal to the number of points appends."""
+    for point in points:
+        _check_point(point, "the point")
+    old = document.curves[curve].points
+    return _with_points(document, curve, (*old[:index], *points, *old[index:]))
 
 
-def append_node(document: Document, curve: int, node: Node, *, squeeze: float = 1.0) -> Document:
-    """Append `node`; derivatives set before are rescaled so that the shape drawn so far stays.
+def append_point(document: Document, curve: int, point: Point, *, parameter_scale: float = 1.0) -> Document:
+    """Append `point`; derivatives set before are rescaled so that the shape drawn so far stays.
 
     Under an automatic rule the parameters of the old points are squeezed into a part of the interval when
-    a point is appended. `squeeze` is that factor, dt_new / dt_old; a velocity per unit of t grows by
-    1/squeeze, an acceleration by its square, and the handles stay where the person put them.
+    a point is appended. `parameter_scale` is that factor, dt_new / dt_old; a velocity per unit of t grows by
+    1/parameter_scale, an acceleration by its square, and the handles stay where the person put them.
     """
-    checked_vector(node.position, "the point")
-    old = (stretched(each, squeeze) for each in document.curves[curve].nodes)
-    return _with_nodes(document, curve, (*old, node))
+    checked_vector(point.position, "the point")
+    old = (stretched(each, parameter_scale) for each in document.curves[curve].points)
+    return _with_points(document, curve, (*old, point))
 
 
-def move_nodes(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
-    """Move the nodes at `indices` by the vector `by`; their handles go along, those of others stay."""
-    nodes = list(document.curves[curve].nodes)
+def move_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
+    """Move the points at `indices` by the vector `by`; their handles go along, those of others stay."""
+    points = list(document.curves[curve].points)
     for index in indices:
-        nodes[index] = _moved(nodes[index], by)
-    return with_nodes_elsewhere(document, curve, nodes, indices)
+        points[index] = _moved(points[index], by)
+    return with_points_elsewhere(document, curve, points, indices)
 
 
-def _moved(node: Node, by: Vector) -> Node:
-    x, y = checked_vector((node.x + by[0], node.y + by[1]), "the point")
-    return replace(node, x=x, y=y)
+def _moved(point: Point, by: Vector) -> Point:
+    x, y = checked_vector((point.x + by[0], point.y + by[1]), "the point")
+    return replace(point, x=x, y=y)
 
 
 def set_position(document: Document, curve: int, index: int, position: Vector) -> Document:
-    """Put node `index` at `position`."""
+    """Put point `index` at `position`."""
     x, y = checked_vector(position, f"point {index}")
-    nodes = list(document.curves[curve].nodes)
-    nodes[index] = replace(nodes[index], x=x, y=y)
-    return with_nodes_elsewhere(document, curve, nodes)
+    points = list(document.curves[curve].points)
+    points[index] = replace(points[index], x=x, y=y)
+    return with_points_elsewhere(document, curve, points)
 
 
-def delete_nodes(document: Document, curve: int, indices: Collection[int]) -> Document:
-    """Remove the nodes at `indices`; a closed curve that has too few left to close is open from then on."""
-    kept = [node for i, node in enumerate(document.curves[curve].nodes) if i not in indices]
+def delete_points(document: Document, curve: int, indices: Collection[int]) -> Document:
+    """Remove the points at `indices`; a closed curve that has too few left to close is open from then on."""
+    kept = [point for i, point in enumerate(document.curves[curve].points) if i not in indices]
     if len(kept) < LEAST_TO_CLOSE and document.curves[curve].closed:
         document = document.with_curve(curve, replace(document.curves[curve], closed=False))
-    return with_nodes_elsewhere(document, curve, kept)
+    return with_points_elsewhere(document, curve, kept)
 
 
-def with_nodes_elsewhere(
-    document: Document, curve: int, nodes: Iterable[Node], together: Collection[int] = ()
+def with_points_elsewhere(
+    document: Document, curve: int, points: Iterable[Point], together: Collection[int] = ()
 ) -> Document:
-    """Put `nodes`, the same at other places or fewer, in the place of all.
+    """Put `points`, the same at other places or fewer, in the place of all.
 
-    The handles of those that stay stay, and those of nodes that went `together` keep their shape.
+    The handles of those that stay stay, and those of points that went `together` keep their shape.
     """
     old = document.curves[curve]
-    new = _with_room_to_close(replace(old, nodes=tuple(nodes)))
+    new = _with_room_to_close(replace(old, points=tuple(points)))
     return document.with_curve(curve, with_handles_kept(old, new, together))
 
 
 def set_velocity(
     document: Document, curve: int, index: int, velocity: Vector | None, *, ahead: bool = False
 ) -> Document:
-    """Fix the velocity of node `index`, per unit of t, or leave it to the rule (None).
+    """Fix the velocity of point `index`, per unit of t, or leave it to the rule (None).
 
-    At a corner the one before the node, or the one `ahead` of it.
+    At a corner the one before the point, or the one `ahead` of it.
     """
     return _with_derivative(document, curve, index, "velocity", velocity, ahead=ahead)
 
@@ -138,9 +138,9 @@ def set_velocity(
 def set_acceleration(
     document: Document, curve: int, index: int, acceleration: Vector | None, *, ahead: bool = False
 ) -> Document:
-    """Fix the acceleration of node `index`, per unit of t squared, or leave it to the rule (None).
+    """Fix the acceleration of point `index`, per unit of t squared, or leave it to the rule (None).
 
-    At a corner the one before the node, or the one `ahead` of it.
+    At a corner the one before the point, or the one `ahead` of it.
     """
     return _with_derivative(document, curve, index, "acceleration", acceleration, ahead=ahead)
 
@@ -150,34 +150,34 @@ def _with_derivative(
 ) -> Document:
     if vector is not None:
         vector = checked_vector(vector, f"the {name} of point {index}")
-    node = document.curves[curve].nodes[index]
-    side = f"{name}_after" if node.corner and ahead else name
-    return _with_node(document, curve, index, replace(node, **{side: vector}))
+    point = document.curves[curve].points[index]
+    side = f"{name}_after" if point.corner and ahead else name
+    return _with_point(document, curve, index, replace(point, **{side: vector}))
 
 
 def make_corner(
     document: Document, curve: int, index: int, before: Vector | None, after: Vector | None
 ) -> Document:
-    """Let the curve have a corner at node `index`, with these velocities (None: estimated)."""
-    node = document.curves[curve].nodes[index]
+    """Let the curve have a corner at point `index`, with these velocities (None: estimated)."""
+    point = document.curves[curve].points[index]
     corner = replace(
-        node, corner=True, velocity=before, velocity_after=after, acceleration_after=node.acceleration
+        point, corner=True, velocity=before, velocity_after=after, acceleration_after=point.acceleration
     )
-    return _with_node(document, curve, index, corner)
+    return _with_point(document, curve, index, corner)
 
 
 def make_smooth(document: Document, curve: int, index: int, velocity: Vector | None) -> Document:
-    """Give node `index` one velocity on both sides (None: estimated)."""
-    node = document.curves[curve].nodes[index]
-    smooth = replace(node, corner=False, velocity=velocity, velocity_after=None, acceleration_after=None)
-    return _with_node(document, curve, index, smooth)
+    """Give point `index` one velocity on both sides (None: estimated)."""
+    point = document.curves[curve].points[index]
+    smooth = replace(point, corner=False, velocity=velocity, velocity_after=None, acceleration_after=None)
+    return _with_point(document, curve, index, smooth)
 
 
-def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float = 1.0) -> Document:
+def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale: float = 1.0) -> Document:
     """Let the curve return to its first point, or not.
 
-    Under an automatic rule the segment that closes needs a part of the interval. `squeeze` is what that does
-    to the others, dt_new / dt_old, as for `append_node`: handles stay where the person put them.
+    Under an automatic rule the segment that closes needs a part of the interval. `parameter_scale` is what
+    that does to the others, dt_new / dt_old, as for `append_point`: handles stay where the person put them.
     """
     old = document.curves[curve]
     if closed and not old.family.can_close:
@@ -185,17 +185,17 @@ def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float =
             f"Choose {titles(each for each in FAMILIES if each.can_close)} to close the curve: "
             f"{old.family.a_curve} {old.family.why_open}."
         )
-    if closed and len(old.nodes) < LEAST_TO_CLOSE:
+    if closed and len(old.points) < LEAST_TO_CLOSE:
         raise EditError("A closed curve needs at least three points.")
-    nodes = tuple(stretched(node, squeeze) for node in old.nodes)
-    return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, closed=closed)))
+    points = tuple(stretched(point, parameter_scale) for point in old.points)
+    return document.with_curve(curve, _with_room_to_close(replace(old, points=points, closed=closed)))
 
 
 # Rules
 
 
 def set_family(document: Document, curve: int, family: Family) -> Document:
-    """Draw the same nodes with another family."""
+    """Draw the same points with another family."""
     return document.with_curve(curve, replace(document.curves[curve], family=family))
 
 
@@ -227,7 +227,7 @@ def set_parametrization(
     otherwise starts from `parameters`, those in force now.
     """
     old = document.curves[curve]
-    if kind is ParametrizationKind.MANUAL and any(node.t is None for node in old.nodes):
+    if kind is ParametrizationKind.MANUAL and any(point.t is None for point in old.points):
         return freeze_parameters(document, curve, parameters)
     chosen = replace(old, parametrization=replace(old.parametrization, kind=kind))
     return document.with_curve(curve, _with_room_to_close(chosen))
@@ -236,28 +236,29 @@ def set_parametrization(
 def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
     """Make `parameters` the manual parameters; a closed curve has one more, where it returns to its start."""
     old = document.curves[curve]
-    own, closing = parameters[: len(old.nodes)], parameters[len(old.nodes) :]
-    # A node that keeps its t stays the same value: what was computed of it is used again.
-    nodes = tuple(
-        node if node.t == t else replace(node, t=float(t)) for node, t in zip(old.nodes, own, strict=True)
+    own, closing = parameters[: len(old.points)], parameters[len(old.points) :]
+    # A point that keeps its t stays the same value: what was computed of it is used again.
+    points = tuple(
+        point if point.t == t else replace(point, t=float(t))
+        for point, t in zip(old.points, own, strict=True)
     )
     rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
     if closing:
         rule = replace(rule, start=min(rule.start, float(parameters[0])), end=float(closing[0]))
-    return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, parametrization=rule)))
+    return document.with_curve(curve, _with_room_to_close(replace(old, points=points, parametrization=rule)))
 
 
 def set_parameter(
     document: Document, curve: int, index: int, t: float, parameters: Sequence[float]
 ) -> Document:
-    """Give node `index` the parameter `t` and freeze the others at `parameters`; the order is kept."""
+    """Give point `index` the parameter `t` and freeze the others at `parameters`; the order is kept."""
     t = checked(t, f"The t of point {index}")
     if index > 0 and not t > (before := parameters[index - 1]):
         raise not_after(index, before)
     if index < len(parameters) - 1 and not t < (after := parameters[index + 1]):
         whose = (
             f"the t of point {index + 1}"
-            if index + 1 < len(document.curves[curve].nodes)
+            if index + 1 < len(document.curves[curve].points)
             else "where the curve returns to its first point"
         )
         raise EditError(f"The t of point {index} must be less than {number(after, 6)}, {whose}.")
@@ -278,9 +279,11 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
     old = document.curves[curve]
     old_start, old_end = interval(old)
     factor = (end - start) / (old_end - old_start)
-    nodes = tuple(stretched(_shifted(node, (old_start, old_end), (start, end)), factor) for node in old.nodes)
+    points = tuple(
+        stretched(_shifted(point, (old_start, old_end), (start, end)), factor) for point in old.points
+    )
     rule = replace(old.parametrization, start=start, end=end)
-    result = _with_room_to_close(replace(old, nodes=nodes, parametrization=rule))
+    result = _with_room_to_close(replace(old, points=points, parametrization=rule))
     refuse_equal_parameters(result, "The interval is too short to keep the parameters apart.")
     return document.with_curve(curve, result)
 
@@ -288,24 +291,24 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
 def interval(curve: Curve) -> tuple[float, float]:
     """Return the interval that the parameters of `curve` span."""
     rule = curve.parametrization
-    if curve.is_manual and len(curve.nodes) > 1:
-        first, last = curve.nodes[0].t, curve.nodes[-1].t
+    if curve.is_manual and len(curve.points) > 1:
+        first, last = curve.points[0].t, curve.points[-1].t
         if first is not None and last is not None:
             return (first, rule.end if curve.is_closed else last)
     return (rule.start, rule.end)
 
 
-def _shifted(node: Node, old: tuple[float, float], new: tuple[float, float]) -> Node:
+def _shifted(point: Point, old: tuple[float, float], new: tuple[float, float]) -> Point:
     """Map a manual parameter from interval `old` to `new`, the ends exactly."""
-    if node.t is None:
-        return node
-    s = (node.t - old[0]) / (old[1] - old[0])
-    return replace(node, t=new[1] if node.t == old[1] else new[0] + s * (new[1] - new[0]))
+    if point.t is None:
+        return point
+    s = (point.t - old[0]) / (old[1] - old[0])
+    return replace(point, t=new[1] if point.t == old[1] else new[0] + s * (new[1] - new[0]))
 
 
 def refuse_equal_parameters(curve: Curve, reason: str) -> None:
-    """Raise EditError with `reason` unless the parameters that the nodes carry increase strictly."""
-    given = [node.t for node in curve.nodes if node.t is not None]
+    """Raise EditError with `reason` unless the parameters that the points carry increase strictly."""
+    given = [point.t for point in curve.points if point.t is not None]
     if any(not b > a for a, b in pairwise(given)):
         raise EditError(reason)
 
@@ -321,20 +324,20 @@ def rename_curve(document: Document, curve: int, name: str) -> Document:
     return document.with_curve(curve, replace(document.curves[curve], name=name))
 
 
-def set_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
-    """Put `nodes` in the place of all nodes; every number is checked."""
-    nodes = tuple(nodes)
-    for index, node in enumerate(nodes):
-        _check_node(node, f"point {index}")
-    return _with_nodes(document, curve, nodes)
+def set_points(document: Document, curve: int, points: Iterable[Point]) -> Document:
+    """Put `points` in the place of all points; every number is checked."""
+    points = tuple(points)
+    for index, point in enumerate(points):
+        _check_point(point, f"point {index}")
+    return _with_points(document, curve, points)
 
 
-def _check_node(node: Node, what: str) -> None:
-    checked_vector(node.position, what)
-    if node.t is not None:
-        checked(node.t, f"The t of {what}")
+def _check_point(point: Point, what: str) -> None:
+    checked_vector(point.position, what)
+    if point.t is not None:
+        checked(point.t, f"The t of {what}")
     for _, name in DERIVATIVES:
-        vector = getattr(node, name)
+        vector = getattr(point, name)
         if vector is not None:
             checked_vector(vector, f"the {name.partition('_')[0]} of {what}")
 
@@ -342,11 +345,11 @@ def _check_node(node: Node, what: str) -> None:
 def estimate_derivatives(
     document: Document, curve: int, indices: Collection[int], orders: Collection[int] = (1, 2)
 ) -> Document:
-    """Leave the velocities (order 1) and accelerations (order 2) of the nodes at `indices` to the rules."""
+    """Leave the velocities (order 1) and accelerations (order 2) of the points at `indices` to the rules."""
     cleared = dict.fromkeys(name for order, name in DERIVATIVES if order in orders)
-    nodes = document.curves[curve].nodes
-    return _with_nodes(
+    points = document.curves[curve].points
+    return _with_points(
         document,
         curve,
-        (replace(node, **cleared) if index in indices else node for index, node in enumerate(nodes)),
+        (replace(point, **cleared) if index in indices else point for index, point in enumerate(points)),
     )

@@ -13,6 +13,6 @@ def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     A lone curve without points is what a new document begins with; it gives way. The other's picture to
     trace comes along where there is none yet.
     """
-    begun = document.curves if len(document.curves) > 1 or document.curves[0].nodes else ()
+    begun = document.curves if len(document.curves) > 1 or document.curves[0].points else ()
     curves = (*begun, *new.curves)
     return replace(document, curves=curves, image=document.image or new.image), len(begun)

@@ -17,7 +17,7 @@ import msgspec
 from msgspec.structs import replace
 
 from app.document.limits import checked_vector
-from app.document.model import Curve, Node, ParametrizationKind
+from app.document.model import Curve, ParametrizationKind, Point
 
 DERIVATIVES = (
     (1, "velocity"),
@@ -25,7 +25,7 @@ DERIVATIVES = (
     (1, "velocity_after"),
     (2, "acceleration_after"),
 )
-"""The derivatives of a node: their orders and names."""
+"""The derivatives of a point: their orders and names."""
 
 _NOISE = 1e-12
 """A change of h that is rounding."""
@@ -34,7 +34,7 @@ _NOISE = 1e-12
 def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = ()) -> Curve:
     """Return `after`, whose points are elsewhere or fewer, with derivatives set for the new spacing.
 
-    Those of the nodes `together` went with them.
+    Those of the points `together` went with them.
     """
     exponent = _exponent(after)
     if exponent is None or not before.has_derivatives:
@@ -44,25 +44,25 @@ def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = (
     if not all(0.0 < total < math.inf for total in whole):
         return after
     far = whole[0] / whole[1]
-    factors = [(far, far)] * len(after.nodes)
+    factors = [(far, far)] * len(after.points)
     if len(old) == len(new):
         growth = _Growth(old, new, after.is_closed, _moved(before, after, together))
-        for index in growth.nodes:
-            behind, ahead = growth.beside(after.nodes[index], index)
+        for index in growth.points:
+            behind, ahead = growth.beside(after.points[index], index)
             factors[index] = far * behind, far * ahead
-    return replace(after, nodes=tuple(map(_for_spacing, after.nodes, factors)))
+    return replace(after, points=tuple(map(_for_spacing, after.points, factors)))
 
 
 def _moved(before: Curve, after: Curve, together: Collection[int]) -> frozenset[int]:
-    pairs = enumerate(zip(before.nodes, after.nodes, strict=True))
+    pairs = enumerate(zip(before.points, after.points, strict=True))
     return frozenset({*together, *(i for i, (a, b) in pairs if a is not b and a.position != b.position)})
 
 
 class _Growth(msgspec.Struct, frozen=True):
-    """By how much segments grow from `old` to `new` spacings, as the handles at a node count it.
+    """By how much segments grow from `old` to `new` spacings, as the handles at a point count it.
 
     What lies between points that stay decides for those, and what lies between points that moved together for
-    these: that keeps its shape. Else all that lies beside a node does, and its handles together stay as long
+    these: that keeps its shape. Else all that lies beside a point does, and its handles together stay as long
     as they were.
     """
 
@@ -72,31 +72,31 @@ class _Growth(msgspec.Struct, frozen=True):
     moved: frozenset[int]
 
     @property
-    def nodes(self) -> set[int]:
-        """The nodes beside which there is a segment that grows."""
+    def points(self) -> set[int]:
+        """The points beside which there is a segment that grows."""
         count = len(self.old) + (not self.is_closed)
         grown = [
             segment for segment, pair in enumerate(zip(self.old, self.new, strict=True)) if pair[0] != pair[1]
         ]
-        return {node % count for segment in grown for node in (segment, segment + 1)}
+        return {point % count for segment in grown for point in (segment, segment + 1)}
 
-    def beside(self, node: Node, index: int) -> tuple[float, float]:
-        """Return the growth for what node `index` has before and after a corner; elsewhere the same."""
+    def beside(self, point: Point, index: int) -> tuple[float, float]:
+        """Return the growth for what point `index` has before and after a corner; elsewhere the same."""
         count, last = len(self.old), index == len(self.old)
         behind = (index - 1) % count if index or self.is_closed else None
         ahead = None if last else index
         sides = [[side for side in (behind, ahead) if side is not None]]
-        if node.corner:
+        if point.corner:
             sides = [[side] for side in sides[0]]
         grown = [self._of(side, index) for side in sides]
         return grown[0], grown[-1]
 
     def _of(self, segments: Sequence[int], index: int) -> float:
-        nodes = len(self.old) + (not self.is_closed)
+        points = len(self.old) + (not self.is_closed)
         alike = [
             segment
             for segment in segments
-            if (segment in self.moved) is ((segment + 1) % nodes in self.moved) is (index in self.moved)
+            if (segment in self.moved) is ((segment + 1) % points in self.moved) is (index in self.moved)
         ]
         was, now = (sum(each[segment] for segment in alike or segments) for each in (self.old, self.new))
         return now / was if was > 0.0 and now > 0.0 else 1.0
@@ -119,35 +119,35 @@ def _exponent(curve: Curve) -> float | None:
 
 def _spacings(curve: Curve, exponent: float) -> list[float]:
     """Return what the spacings are in proportion to, one for each segment."""
-    nodes = (*curve.nodes, curve.nodes[0]) if curve.is_closed else curve.nodes
-    return [math.dist(a.position, b.position) ** exponent for a, b in pairwise(nodes)]
+    points = (*curve.points, curve.points[0]) if curve.is_closed else curve.points
+    return [math.dist(a.position, b.position) ** exponent for a, b in pairwise(points)]
 
 
-def _for_spacing(node: Node, factors: tuple[float, float]) -> Node:
+def _for_spacing(point: Point, factors: tuple[float, float]) -> Point:
     """Rescale derivatives for spacings that grow by these factors, those after a corner by the second."""
     behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in factors)
     if behind == ahead:
-        return stretched(node, behind)
-    after = stretched(node, ahead)
+        return stretched(point, behind)
+    after = stretched(point, ahead)
     return replace(
-        stretched(node, behind),
+        stretched(point, behind),
         velocity_after=after.velocity_after,
         acceleration_after=after.acceleration_after,
     )
 
 
-def stretched(node: Node, factor: float) -> Node:
+def stretched(point: Point, factor: float) -> Point:
     """Rescale derivatives for a time that runs `factor` times as long."""
     if factor == 1:
-        return node
+        return point
     changed = {
         name: checked_vector(
             (_divided(vector[0], factor, order), _divided(vector[1], factor, order)), "a derivative"
         )
         for order, name in DERIVATIVES
-        if (vector := getattr(node, name)) is not None
+        if (vector := getattr(point, name)) is not None
     }
-    return replace(node, **changed) if changed else node
+    return replace(point, **changed) if changed else point
 
 
 def _divided(value: float, factor: float, times: int) -> float:

@@ -8,7 +8,7 @@ from functools import cached_property
 import msgspec
 from msgspec.structs import replace
 
-from app.document.words import Named
+from app.document.words import NamedEnum
 from app.families import LAGRANGE, Family
 
 Vector = tuple[float, float]
@@ -17,7 +17,7 @@ MAX_MAGNITUDE = 1e12
 """Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
 
 
-class ParametrizationKind(Named):
+class ParametrizationKind(NamedEnum):
     """The rule that gives the parameters t_i, in the order in which the window lists them.
 
     Attributes
@@ -38,7 +38,7 @@ class ParametrizationKind(Named):
     MANUAL = "manual", "Manual"
 
 
-class _EstimateRule(Named):
+class _EstimateRule(NamedEnum):
     """A rule that estimates derivatives; `estimate` says so of one of them."""
 
     def __init__(self, value: str, label: str = "", estimate: str = "") -> None:
@@ -47,7 +47,7 @@ class _EstimateRule(Named):
 
 
 class VelocityRule(_EstimateRule):
-    """How the velocity of a node is estimated that has none of its own."""
+    """How the velocity of a point is estimated that has none of its own."""
 
     NATURAL_SPLINE = "natural_spline", "Natural C² spline", "estimated by the natural spline rule"
     BESSEL = "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule"
@@ -56,7 +56,7 @@ class VelocityRule(_EstimateRule):
 
 
 class AccelerationRule(_EstimateRule):
-    """How the acceleration of a node is estimated that has none of its own."""
+    """How the acceleration of a point is estimated that has none of its own."""
 
     NATURAL_SPLINE = "natural_spline", "From the C² spline", "estimated by the natural spline rule"
     ZERO = "zero", "Zero", "estimated as zero"
@@ -66,7 +66,7 @@ class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
     """Base of the document's values."""
 
 
-class Node(Value, frozen=True, gc=False):
+class Point(Value, frozen=True, gc=False):
     """A point of a curve with what the person fixed there.
 
     Attributes
@@ -117,8 +117,8 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
     end: float = 1.0
 
 
-class Curve(Value, frozen=True, dict=True, rename={"nodes": "points"}):
-    """Nodes, in order, and the rules that make a curve of them.
+class Curve(Value, frozen=True, dict=True):
+    """Points, in order, and the rules that make a curve of them.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ class Curve(Value, frozen=True, dict=True, rename={"nodes": "points"}):
         What the person calls it.
     family, parametrization, velocity_rule, acceleration_rule
         The rules.
-    nodes
+    points
         The points, in order.
     closed
         Whether a last segment leads back to the first point; where the family cannot, it stays open.
@@ -139,7 +139,7 @@ class Curve(Value, frozen=True, dict=True, rename={"nodes": "points"}):
     name: str
     family: Family
     parametrization: Parametrization
-    nodes: tuple[Node, ...]
+    points: tuple[Point, ...]
     velocity_rule: VelocityRule = VelocityRule.NATURAL_SPLINE
     acceleration_rule: AccelerationRule = AccelerationRule.NATURAL_SPLINE
     closed: bool = False
@@ -150,15 +150,15 @@ class Curve(Value, frozen=True, dict=True, rename={"nodes": "points"}):
     @property
     def is_closed(self) -> bool:
         """Whether the curve returns to its first point: closed, and of a family that can."""
-        return self.closed and self.family.can_close and len(self.nodes) > 1
+        return self.closed and self.family.can_close and len(self.points) > 1
 
     @cached_property
     def has_derivatives(self) -> bool:
         """Whether the person set any; asked at every move of a drag."""
         return any(
             vector is not None
-            for node in self.nodes
-            for vector in (node.velocity, node.acceleration, node.velocity_after, node.acceleration_after)
+            for point in self.points
+            for vector in (point.velocity, point.acceleration, point.velocity_after, point.acceleration_after)
         )
 
     @property
@@ -212,5 +212,4 @@ def empty_document() -> Document:
 
 def make_curve(points: Sequence[Vector], *, name: str = "Curve 1", family: Family = LAGRANGE) -> Curve:
     """Return a curve through `points` under the default rules."""
-    nodes = tuple(Node(float(x), float(y)) for x, y in points)
-    return Curve(name, family, Parametrization(), nodes)
+    return Curve(name, family, Parametrization(), tuple(Point(float(x), float(y)) for x, y in points))

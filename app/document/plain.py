@@ -15,7 +15,7 @@ from typing import TypeVar
 from msgspec.structs import replace
 
 from app.document.kept_handles import DERIVATIVES
-from app.document.model import Curve, Document, Node, Value, Vector
+from app.document.model import Curve, Document, Point, Value, Vector
 
 Values = TypeVar("Values", bound=Value)
 
@@ -33,7 +33,7 @@ def plain(document: Document, before: Document | None = None) -> Document:
     curves = tuple(
         curve
         if id(curve) in known
-        else _plain_curve(curve, places[place].nodes if place < len(places) else ())
+        else _plain_curve(curve, places[place].points if place < len(places) else ())
         for place, curve in enumerate(document.curves)
     )
     image = document.image
@@ -44,34 +44,34 @@ def plain(document: Document, before: Document | None = None) -> Document:
     return replace(document, curves=curves, image=image)
 
 
-def _plain_curve(curve: Curve, before: tuple[Node, ...]) -> Curve:
+def _plain_curve(curve: Curve, before: tuple[Point, ...]) -> Curve:
     curve = _with_plain(curve, (), ("closed", "visible", "locked"))
     rule = _with_plain(curve.parametrization, _OF_RULE)
-    nodes = _plain_nodes(curve.nodes, before)
-    if rule is curve.parametrization and nodes is curve.nodes:
+    points = _plain_points(curve.points, before)
+    if rule is curve.parametrization and points is curve.points:
         return curve
-    return replace(curve, parametrization=rule, nodes=nodes)
+    return replace(curve, parametrization=rule, points=points)
 
 
-def _plain_nodes(nodes: tuple[Node, ...], before: tuple[Node, ...]) -> tuple[Node, ...]:
-    """Return `nodes` with plain values; asked at every move of a drag, so that the usual costs little."""
-    changed = compress(nodes, map(is_not, nodes, before)) if len(nodes) == len(before) else nodes
+def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple[Point, ...]:
+    """Return `points` with plain values; asked at every move of a drag, so that the usual costs little."""
+    changed = compress(points, map(is_not, points, before)) if len(points) == len(before) else points
     if all(map(_is_plain, changed)):
-        return nodes
-    return tuple(node if _is_plain(node) else _plain_node(node) for node in nodes)
+        return points
+    return tuple(point if _is_plain(point) else _plain_point(point) for point in points)
 
 
-def _is_plain(node: Node) -> bool:
+def _is_plain(point: Point) -> bool:
     # mypy takes the types of the fields for granted; here they are what is asked.
-    x, y, t = type(node.x), type(node.y), type(node.t)
+    x, y, t = type(point.x), type(point.y), type(point.t)
     return (
         x is float is y
-        and (t is float or node.t is None)
-        and type(node.corner) is bool
-        and (node.velocity is None or _is_plain_vector(node.velocity))
-        and (node.acceleration is None or _is_plain_vector(node.acceleration))
-        and (node.velocity_after is None or _is_plain_vector(node.velocity_after))
-        and (node.acceleration_after is None or _is_plain_vector(node.acceleration_after))
+        and (t is float or point.t is None)
+        and type(point.corner) is bool
+        and (point.velocity is None or _is_plain_vector(point.velocity))
+        and (point.acceleration is None or _is_plain_vector(point.acceleration))
+        and (point.velocity_after is None or _is_plain_vector(point.velocity_after))
+        and (point.acceleration_after is None or _is_plain_vector(point.acceleration_after))
     )
 
 
@@ -79,13 +79,13 @@ def _is_plain_vector(vector: Vector) -> bool:
     return type(vector) is tuple and all(type(value) is float for value in vector)
 
 
-def _plain_node(node: Node) -> Node:
+def _plain_point(point: Point) -> Point:
     vectors = {
         name: tuple(map(_plain_number, vector))
         for _, name in DERIVATIVES
-        if (vector := getattr(node, name)) is not None
+        if (vector := getattr(point, name)) is not None
     }
-    return replace(_with_plain(node, ("x", "y", "t"), ("corner",)), **vectors)
+    return replace(_with_plain(point, ("x", "y", "t"), ("corner",)), **vectors)
 
 
 def _with_plain(values: Values, numbers: Iterable[str], flags: Iterable[str] = ()) -> Values:

@@ -1,4 +1,4 @@
-"""Several curves at once: edits of all of them, and nodes that change together.
+"""Several curves at once: edits of all of them, and points that change together.
 
 `curves` are indices of curves. Like all edits these are pure, and change all or nothing.
 """
@@ -13,23 +13,23 @@ import msgspec
 from msgspec.structs import replace
 
 from app.document.curve_edits import locked_sentence, refuse_locked, remove_curve
-from app.document.edits import EditError, move_nodes
+from app.document.edits import EditError, move_points
 from app.document.model import Curve, Document, Vector
-from app.document.transforms import Linear, transform_nodes
+from app.document.transforms import Linear, transform_points
 
-NodesEdit = Callable[[Document, int, Collection[int]], Document]
-"""An edit of some nodes of one curve."""
+PointsEdit = Callable[[Document, int, Collection[int]], Document]
+"""An edit of some points of one curve."""
 
 _COPY = re.compile(r" copy( \d+)?$")
 
 
-class NodeGroup(msgspec.Struct, frozen=True):
-    """Nodes that change together: some of one curve, or all of several.
+class PointGroup(msgspec.Struct, frozen=True):
+    """Points that change together: some of one curve, or all of several.
 
     Attributes
     ----------
     parts
-        The curves, each with the indices of its nodes.
+        The curves, each with the indices of its points.
     """
 
     parts: tuple[tuple[int, frozenset[int]], ...]
@@ -40,21 +40,21 @@ class NodeGroup(msgspec.Struct, frozen=True):
         return len(self.parts) > 1
 
     @property
-    def first_node(self) -> tuple[int, int]:
-        """A curve and one of its nodes; there must be one."""
+    def first_point(self) -> tuple[int, int]:
+        """A curve and one of its points; there must be one."""
         return next((curve, min(indices)) for curve, indices in self.parts if indices)
 
     @property
-    def only_node(self) -> tuple[int, int] | None:
-        """The curve and the node where it is a single one."""
-        return self.first_node if not self.is_several and len(self.parts[0][1]) == 1 else None
+    def only_point(self) -> tuple[int, int] | None:
+        """The curve and the point where it is a single one."""
+        return self.first_point if not self.is_several and len(self.parts[0][1]) == 1 else None
 
     @property
     def curves(self) -> frozenset[int]:
         """The curves that it is of."""
         return frozenset(curve for curve, _ in self.parts)
 
-    def changed(self, document: Document, edit: NodesEdit) -> Document:
+    def changed(self, document: Document, edit: PointsEdit) -> Document:
         """Return `document` with `edit` done to all of it; locked curves refuse, named together."""
         self.refuse_locked(document)
         for curve, indices in self.parts:
@@ -68,29 +68,29 @@ class NodeGroup(msgspec.Struct, frozen=True):
             raise EditError(locked_sentence(names))
 
 
-def nodes_of(curve: int, indices: Collection[int]) -> NodeGroup:
-    """Return some nodes of one curve."""
-    return NodeGroup(((curve, frozenset(indices)),))
+def points_of(curve: int, indices: Collection[int]) -> PointGroup:
+    """Return some points of one curve."""
+    return PointGroup(((curve, frozenset(indices)),))
 
 
-def whole_curves(document: Document, curves: Collection[int]) -> NodeGroup:
-    """Return all nodes of some curves."""
-    return NodeGroup(
-        tuple((curve, frozenset(range(len(document.curves[curve].nodes)))) for curve in sorted(curves))
+def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
+    """Return all points of some curves."""
+    return PointGroup(
+        tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in sorted(curves))
     )
 
 
 # Edits
 
 
-def moved(document: Document, group: NodeGroup, by: Vector) -> Document:
-    """Move the nodes of a group; their derivatives stay."""
-    return group.changed(document, lambda each, curve, indices: move_nodes(each, curve, indices, by))
+def moved(document: Document, group: PointGroup, by: Vector) -> Document:
+    """Move the points of a group; their derivatives stay."""
+    return group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
 
 
-def mapped(document: Document, group: NodeGroup, by: Linear) -> Document:
-    """Map the nodes of a group and the derivatives set there."""
-    return group.changed(document, lambda each, curve, indices: transform_nodes(each, curve, indices, by))
+def mapped(document: Document, group: PointGroup, by: Linear) -> Document:
+    """Map the points of a group and the derivatives set there."""
+    return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
 
 
 def with_looks(

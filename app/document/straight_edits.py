@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from app.document.edits import EditError
 from app.document.jet_edits import JetValue, with_jet_values
-from app.document.model import Curve, Document, Node
+from app.document.model import Curve, Document, Point
 from app.families import Family, titles_with_derivatives
 
 
@@ -25,9 +25,9 @@ def straighten(
 ) -> Document:
     """Make segments exactly straight.
 
-    Segment i leads from node i to the next one; in a closed curve the last leads back to node 0. The nodes at
-    its ends become corners, unless they are ends of an open curve: the sides within the segment get its mean
-    velocity and no acceleration, the others keep what was set there.
+    Segment i leads from point i to the next one; in a closed curve the last leads back to point 0. The points
+    at its ends become corners, unless they are ends of an open curve: the sides within the segment get
+    its mean velocity and no acceleration, the others keep what was set there.
 
     Parameters
     ----------
@@ -48,35 +48,35 @@ def straighten(
         raise EditError(reason)
     if any(not 0 <= segment < len(parameters) - 1 for segment in segments):
         raise EditError("There is no such segment.")
-    nodes = list(old.nodes)
+    points = list(old.points)
     for index in corners_of(old, segments):
-        nodes[index] = _cornered(nodes[index])
+        points[index] = _cornered(points[index])
     values = [value for segment in segments for value in _along_chord(old, segment, parameters)]
-    return document.with_curve(curve, with_jet_values(replace(old, nodes=tuple(nodes)), values))
+    return document.with_curve(curve, with_jet_values(replace(old, points=tuple(points)), values))
 
 
 def ends_of(curve: Curve, segment: int) -> tuple[int, int]:
-    """Return the nodes at which a segment begins and ends."""
-    return segment, (segment + 1) % len(curve.nodes)
+    """Return the points at which a segment begins and ends."""
+    return segment, (segment + 1) % len(curve.points)
 
 
 def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
-    """Return the nodes at the ends of segments at which the curve can have a corner, in order."""
+    """Return the points at the ends of segments at which the curve can have a corner, in order."""
     ends = {index for segment in segments for index in ends_of(curve, segment)}
-    return sorted(index for index in ends if curve.is_closed or 0 < index < len(curve.nodes) - 1)
+    return sorted(index for index in ends if curve.is_closed or 0 < index < len(curve.points) - 1)
 
 
-def _cornered(node: Node) -> Node:
-    if node.corner:
-        return node
-    return replace(node, corner=True, velocity_after=node.velocity, acceleration_after=node.acceleration)
+def _cornered(point: Point) -> Point:
+    if point.corner:
+        return point
+    return replace(point, corner=True, velocity_after=point.velocity, acceleration_after=point.acceleration)
 
 
 def _along_chord(curve: Curve, segment: int, parameters: Sequence[float]) -> list[JetValue]:
     """Return the derivatives within a segment that is run through along its chord."""
     start, end = ends_of(curve, segment)
     h = parameters[segment + 1] - parameters[segment]
-    p, q = curve.nodes[start], curve.nodes[end]
+    p, q = curve.points[start], curve.points[end]
     derivatives = [((q.x - p.x) / h, (q.y - p.y) / h), (0.0, 0.0)][: curve.family.derivatives]
     return [
         JetValue(index, order, ahead, value)

@@ -1,7 +1,7 @@
-"""Edits of several nodes at once: move, scale, rotate, align, distribute, step along a grid.
+"""Edits of several points at once: move, scale, rotate, align, distribute, step along a grid.
 
-Like all edits these are pure. A handle that the person set turns and grows with its node, so that a rigid
-motion of all nodes carries the whole curve along, and one of some of them changes only what lies between.
+Like all edits these are pure. A handle that the person set turns and grows with its point, so that a rigid
+motion of all points carries the whole curve along, and one of some of them changes only what lies between.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
-from app.document.edits import EditError, checked, with_nodes_elsewhere
-from app.document.model import Document, Node, Vector
+from app.document.edits import EditError, checked, with_points_elsewhere
+from app.document.model import Document, Point, Vector
 
 _DERIVATIVES = ("velocity", "acceleration", "velocity_after", "acceleration_after")
 
@@ -67,35 +67,35 @@ def rotation(degrees: float, centre: Vector) -> Linear:
     return Linear(cos - 1.0, -sin, sin, cos - 1.0, centre)
 
 
-def transform_nodes(document: Document, curve: int, indices: Collection[int], by: Linear) -> Document:
-    """Map the nodes at `indices` and the handles set there."""
+def transform_points(document: Document, curve: int, indices: Collection[int], by: Linear) -> Document:
+    """Map the points at `indices` and the handles set there."""
     old = document.curves[curve]
-    nodes = [_mapped(node, by) if index in indices else node for index, node in enumerate(old.nodes)]
-    return with_nodes_elsewhere(document, curve, nodes, indices)
+    points = [_mapped(point, by) if index in indices else point for index, point in enumerate(old.points)]
+    return with_points_elsewhere(document, curve, points, indices)
 
 
-def _mapped(node: Node, by: Linear) -> Node:
-    x, y = _checked(by.point(node.position), "the point")
+def _mapped(point: Point, by: Linear) -> Point:
+    x, y = _checked(by.point(point.position), "the point")
     vectors = {
         name: _checked(by.vector(vector), "a derivative")
         for name in _DERIVATIVES
-        if (vector := getattr(node, name)) is not None
+        if (vector := getattr(point, name)) is not None
     }
-    return replace(node, x=x, y=y, **vectors)
+    return replace(point, x=x, y=y, **vectors)
 
 
 def _checked(vector: Vector, what: str) -> Vector:
     return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))
 
 
-def step_nodes(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
-    """Move nodes by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
+def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
+    """Move points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
     old = document.curves[curve]
-    nodes = [
-        _at(node, (decimal_sum(node.x, by[0]), decimal_sum(node.y, by[1]))) if index in indices else node
-        for index, node in enumerate(old.nodes)
+    points = [
+        _at(point, (decimal_sum(point.x, by[0]), decimal_sum(point.y, by[1]))) if index in indices else point
+        for index, point in enumerate(old.points)
     ]
-    return with_nodes_elsewhere(document, curve, nodes, indices)
+    return with_points_elsewhere(document, curve, points, indices)
 
 
 def decimal_sum(a: float, b: float) -> float:
@@ -108,9 +108,9 @@ def decimal_product(a: float, b: float) -> float:
     return float(Decimal(repr(a)) * Decimal(repr(b)))
 
 
-def _at(node: Node, position: Vector) -> Node:
+def _at(point: Point, position: Vector) -> Point:
     x, y = _checked(position, "the point")
-    return replace(node, x=x, y=y)
+    return replace(point, x=x, y=y)
 
 
 def _middle(values: Sequence[float]) -> float:
@@ -145,23 +145,23 @@ class Edge(Enum):
     BOTTOM = "bottom", 1, min
 
 
-def align_nodes(document: Document, curve: int, indices: Collection[int], edge: Edge) -> Document:
-    """Give the nodes at `indices` one x (left, centre, right) or one y (top, middle, bottom)."""
+def align_points(document: Document, curve: int, indices: Collection[int], edge: Edge) -> Document:
+    """Give the points at `indices` one x (left, centre, right) or one y (top, middle, bottom)."""
     if len(indices) < 2:
         raise EditError("Select at least two points to align them.")
-    nodes, axis = document.curves[curve].nodes, edge.axis
-    values = [nodes[index].position[axis] for index in indices]
+    points, axis = document.curves[curve].points, edge.axis
+    values = [points[index].position[axis] for index in indices]
     target = edge.place(values)
     return with_coordinates(document, curve, dict.fromkeys(indices, target), axis)
 
 
-def distribute_nodes(document: Document, curve: int, indices: Collection[int], axis: int) -> Document:
-    """Space the nodes evenly between the outer two, along x (axis 0) or y (axis 1)."""
+def distribute_points(document: Document, curve: int, indices: Collection[int], axis: int) -> Document:
+    """Space the points evenly between the outer two, along x (axis 0) or y (axis 1)."""
     if len(indices) < 3:
         raise EditError("Select at least three points to distribute them.")
-    nodes = document.curves[curve].nodes
-    order = sorted(indices, key=lambda index: (nodes[index].position[axis], index))
-    first, last = (nodes[order[end]].position[axis] for end in (0, -1))
+    points = document.curves[curve].points
+    order = sorted(indices, key=lambda index: (points[index].position[axis], index))
+    first, last = (points[order[end]].position[axis] for end in (0, -1))
     count = len(order) - 1
     values = {
         index: first * ((count - place) / count) + last * (place / count) for place, index in enumerate(order)
@@ -170,10 +170,10 @@ def distribute_nodes(document: Document, curve: int, indices: Collection[int], a
 
 
 def with_coordinates(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:
-    """Set the x (axis 0) or the y (axis 1) of some nodes."""
+    """Set the x (axis 0) or the y (axis 1) of some points."""
     old, name = document.curves[curve], ("x", "y")[axis]
-    nodes = [
-        replace(node, **{name: values[index]}) if index in values else node
-        for index, node in enumerate(old.nodes)
+    points = [
+        replace(point, **{name: values[index]}) if index in values else point
+        for index, point in enumerate(old.points)
     ]
-    return with_nodes_elsewhere(document, curve, nodes, values)
+    return with_points_elsewhere(document, curve, points, values)

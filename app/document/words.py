@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Self
 
 if TYPE_CHECKING:
     from app.document.model import Vector
-    from app.document.several_curves import NodeGroup
+    from app.document.several_curves import PointGroup
 
 NOTHING = "–"
 """Stands where there is no number."""
 
 
-class Named(StrEnum):
+class NamedEnum(StrEnum):
     """An enumeration whose members say, beside their value, what the window calls them.
 
     Attributes
@@ -72,9 +72,9 @@ def points(indices: Collection[int]) -> str:
     return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
 
 
-def group(nodes: NodeGroup) -> str:
+def group(chosen: PointGroup) -> str:
     """Return "point 3", "4 points" or "3 curves"."""
-    return f"{len(nodes.parts)} curves" if nodes.is_several else points(nodes.parts[0][1])
+    return f"{len(chosen.parts)} curves" if chosen.is_several else points(chosen.parts[0][1])
 
 
 def point_at(index: int, place: Vector) -> str:

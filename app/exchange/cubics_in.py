@@ -21,9 +21,9 @@ from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
     Vector,
 )
 from app.exchange.errors import ExchangeError
@@ -187,8 +187,8 @@ def lines(points: FloatArray) -> FloatArray:
 
 def _through(path: PointsAlone) -> Curve:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
-    nodes = tuple(Node(x, y) for x, y in path.points)
-    return Curve(path.name, HERMITE, Parametrization(), nodes, closed=path.closed, colour=path.colour)
+    points = tuple(Point(x, y) for x, y in path.points)
+    return Curve(path.name, HERMITE, Parametrization(), points, closed=path.closed, colour=path.colour)
 
 
 def _check_numbers(path: ImportedPath) -> None:
@@ -215,9 +215,9 @@ def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     if not (np.diff(t) > 0).all():
         raise ExchangeError(f"“{path.name}” has pieces of too different lengths.")
     h = np.diff(t)[:, None]
-    nodes = _nodes(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
+    points = _points(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
     rule = Parametrization(ParametrizationKind.MANUAL)
-    curve = Curve(path.name, HERMITE, rule, nodes, closed=path.closed, colour=path.colour)
+    curve = Curve(path.name, HERMITE, rule, points, closed=path.closed, colour=path.colour)
     return curve, _INFLUENCE * joints.moved
 
 
@@ -300,28 +300,28 @@ class _Joints:
         return change <= self._tolerance
 
 
-def _nodes(
+def _points(
     pieces: FloatArray,
     leaving: FloatArray,
     arriving: FloatArray,
     t: FloatArray,
     smooth: list[bool],
     closed: bool,
-) -> tuple[Node, ...]:
+) -> tuple[Point, ...]:
     start, end = _pairs(leaving), _pairs(arriving)
-    points, at = _pairs(pieces[:, 0]), t.tolist()
-    nodes = []
-    for i, (x, y) in enumerate(points):
+    positions, at = _pairs(pieces[:, 0]), t.tolist()
+    points = []
+    for i, (x, y) in enumerate(positions):
         if i == 0 and not closed:
-            nodes.append(Node(x, y, at[0], start[0]))
+            points.append(Point(x, y, at[0], start[0]))
         elif smooth[i - 1]:
-            nodes.append(Node(x, y, at[i], end[i - 1]))
+            points.append(Point(x, y, at[i], end[i - 1]))
         else:
-            nodes.append(Node(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
+            points.append(Point(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
     if not closed:
         x, y = pieces[-1, 3].tolist()
-        nodes.append(Node(x, y, at[-1], end[-1]))
-    return tuple(nodes)
+        points.append(Point(x, y, at[-1], end[-1]))
+    return tuple(points)
 
 
 def _pairs(values: FloatArray) -> list[Vector]:

@@ -111,7 +111,7 @@ def _blocks(curves: Sequence[Curve]) -> Iterator[list[Curve]]:
     points = 0
     for curve in curves:
         block.append(curve)
-        points += len(curve.nodes)
+        points += len(curve.points)
         if points >= _POINTS_AT_ONCE:
             yield block
             block, points = [], 0
@@ -169,7 +169,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
         name=curve.name,
         family=curve.family,
         parametrization=curve.parametrization,
-        points=len(curve.nodes),
+        points=len(curve.points),
         degree=core.degree,
         domain=core.domain,
         length=length if length is not None and length.value < np.finfo(float).max else None,
@@ -187,7 +187,7 @@ def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
         curve.name,
         curve.family,
         curve.parametrization,
-        len(curve.nodes),
+        len(curve.points),
         warnings=(reason,),
         visible=curve.visible,
     )

@@ -13,8 +13,8 @@ from app.exchange import table
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import (
     FORMATS,
+    ContentKind,
     Format,
-    Kind,
     ending_in,
     format_of,
     is_document,
@@ -87,10 +87,10 @@ def import_file(
 
 
 def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, report: Report) -> Imported:
-    if form.kind is Kind.DRAWING:
+    if form.kind is ContentKind.DRAWING:
         assert form.read is not None
         return exchange.child.limited(form.read, data, options.tolerance, report=report)
-    if form.kind is Kind.TABLE and not is_document(data):
+    if form.kind is ContentKind.TABLE and not is_document(data):
         return table.read.read_table(path, ending_in(path, form), data, options, report)
     folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
     return exchange.cubics_in.Imported(resolved(decode(data), folder))

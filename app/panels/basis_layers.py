@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
+from app.appearance.theme import mix
 from app.document.words import number
 from app.panels.crest_names import CrestNames
 from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
@@ -20,7 +21,6 @@ from app.plotting.pens import with_dashes
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
-from app.theme import mix
 from app.view_model.basis_view import BasisView
 from app.view_model.line_styles import KIND_DASHES
 from curvecore.arrays import FloatArray, IntArray
@@ -139,7 +139,7 @@ class FunctionLayer(Layer):
         without: frozenset[int] = frozenset(),
     ) -> None:
         assert self._lines is not None
-        colours = colours_of(basis.node_count, self.theme)
+        colours = colours_of(basis.point_count, self.theme)
         kinds = basis.shown_of(self.kinds)
         for knot in knots:
             owner = basis.owners[knot]
@@ -185,7 +185,7 @@ class RailLayer(Layer):
         """Draw a tick at every knot from the next paint on."""
         self._parameters = basis.curve.parameters if basis is not None else np.empty(0)
         self._owners = basis.owners if basis is not None else ()
-        self._count = basis.node_count if basis is not None else 0
+        self._count = basis.point_count if basis is not None else 0
         self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

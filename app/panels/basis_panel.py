@@ -100,10 +100,10 @@ class BasisPanel(ToolPlot):
         else:
             super().mouseDoubleClickEvent(event)
 
-    def edit_tick(self, node: int) -> None:
-        """Let the person type the parameter of a node at its tick."""
+    def edit_tick(self, point: int) -> None:
+        """Let the person type the parameter of a point at its tick."""
         if self.drawing.basis is not None:
-            self._edit_knot(self.drawing.basis.owners.index(node))
+            self._edit_knot(self.drawing.basis.owners.index(point))
 
     def _edit_knot(self, knot: int) -> None:
         assert self.drawing.basis is not None

@@ -61,7 +61,7 @@ class BasisScene(QObject):
         self.rail.render(self.basis)
         moved = self.basis is not None and (old is None or old.curve.domain != self.basis.curve.domain)
         was_held = self._held_domain is not None and self._domain() == self._held_domain
-        if (moved or not view.source.nodes) and not self._plot.is_dragging and not was_held:
+        if (moved or not view.source.points) and not self._plot.is_dragging and not was_held:
             self.fit_domain()
         self._report_extent()
 
@@ -126,7 +126,7 @@ class BasisScene(QObject):
         """Return the interval of t; without points that which the rule is going to span, else None."""
         if self.basis is not None:
             return self.basis.curve.domain
-        if self._view is None or self._view.source.nodes:
+        if self._view is None or self._view.source.points:
             return None
         rule = self._view.source.parametrization
         return rule.start, rule.end
@@ -170,7 +170,7 @@ def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
 
     Those of a family depend on it and the parameters alone; cardinal ones on the rules, too.
     """
-    if basis is None or not view.is_current or len(view.source.nodes) <= basis.owners[-1]:
+    if basis is None or not view.is_current or len(view.source.points) <= basis.owners[-1]:
         return False
     if cardinals or isinstance(basis, CardinalView):
         return cardinals and isinstance(basis, CardinalView) and basis.cardinal is view.cardinal

@@ -11,11 +11,11 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
+from app.appearance.theme import Theme
 from app.plotting.colours import colours_of
 from app.plotting.halo import Halo
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.basis_view import BasisView
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
@@ -107,7 +107,7 @@ class CrestNames:
         self._find_crests(basis, kinds)
         device = painter.device()
         ratio = device.devicePixelRatioF() if device is not None else 1.0
-        self._draw_sheet(basis.node_count, theme, scale, ratio)
+        self._draw_sheet(basis.point_count, theme, scale, ratio)
         crests = np.column_stack([shown.x(self._places[:, 0]), shown.y(self._places[:, 1])])
         self._choose_sides(crests, Room(shown, basis, kinds, painter.clipBoundingRect().bottom(), scale))
         places, clear = crests + self._asides, np.flatnonzero(self._is_clear)

@@ -135,7 +135,7 @@ class FunctionLines:
         return result
 
     def _piece(self, segment: int, side: int, kind: int) -> FloatArray:
-        """Return the points (m, 2) of the function of the node before (0) or after (1) a segment."""
+        """Return the points (m, 2) of the function of the point before (0) or after (1) a segment."""
         if segment in self._refined:
             x, y = self._refined[segment]
             return np.column_stack([x, y[:, side, kind]])

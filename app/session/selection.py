@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from app.document.choice import followed_curves, followed_nodes
 from app.document.model import Curve
+from app.document.selection import followed_curves, followed_points
 
 
 class Selection:
@@ -49,7 +49,7 @@ class Selection:
         self.scrub = None if t is None or domain is None else float(min(max(t, domain[0]), domain[1]))
         return self.scrub != before
 
-    def choose_curves(self, indices: Collection[int], active: int, count: int) -> int:
+    def select_curves(self, indices: Collection[int], active: int, count: int) -> int:
         """Choose those of the curves that exist among `count`; return which of them is the active one.
 
         That is `active`, or the one nearest to it.
@@ -71,4 +71,4 @@ class Selection:
         """Return where the selected points of `before` are in `after`."""
         if not self.points or before is None:
             return frozenset()
-        return followed_nodes(self.points, before.nodes, after.nodes)
+        return followed_points(self.points, before.points, after.points)

@@ -10,17 +10,17 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from app.document.choice import returned_curves, returned_nodes
 from app.document.edits import EditError
 from app.document.model import Curve, Document
 from app.document.plain import plain
-from app.examples import first_sketch
+from app.document.selection import returned_curves, returned_points
 from app.session.change import Change, raiser_of, why_locked, why_not_kept
 from app.session.files import Files
 from app.session.history import Beginning, History, State
 from app.session.messages import Message, MessageKind
 from app.session.selection import Selection
 from app.session.views import Views
+from app.storage.examples import first_sketch
 from app.storage.open_file import Reading
 from app.view_model.curve_view import CurveView
 
@@ -46,8 +46,8 @@ class Session(QObject):
         Another curve is edited.
     selection_changed
         Another set of points is selected.
-    chosen_changed
-        Another set of curves is chosen, to be worked on together.
+    selected_curves_changed
+        Another set of curves is selected, to be worked on together.
     hovered_changed
         The pointer is over another point (its index, or -1), on the canvas or in the basis panel.
     scrub_changed
@@ -83,7 +83,7 @@ class Session(QObject):
     document_changed = Signal(object)
     active_changed = Signal(int)
     selection_changed = Signal(object)
-    chosen_changed = Signal(object)
+    selected_curves_changed = Signal(object)
     hovered_changed = Signal(int)
     scrub_changed = Signal(object)
     file_changed = Signal()
@@ -141,7 +141,7 @@ class Session(QObject):
         self.set_hovered(-1)
         self.set_scrub(self._selection.scrub_asked)
         self.active_changed.emit(self.active_index)
-        self.chosen_changed.emit(self.chosen_curves)
+        self.selected_curves_changed.emit(self.selected_curves)
 
     # What is shown
 
@@ -233,7 +233,7 @@ class Session(QObject):
             self.refuse(reason)
             return False
         if self._home is None:
-            self._home = _Home(self.active_index, self.selection, self.chosen_curves)
+            self._home = _Home(self.active_index, self.selection, self.selected_curves)
         if active is not None and active != self.active_index:
             self._enter(active)
         self._show(document)
@@ -269,7 +269,7 @@ class Session(QObject):
             self._enter(home.active)
         if self.is_previewing:
             self._show(self._committed)
-        self.choose_curves(home.curves)
+        self.select_curves(home.curves)
         self.select(home.points)
 
     def interrupt(self) -> bool:
@@ -311,7 +311,7 @@ class Session(QObject):
             self.files.close()
             self.undo_stack.resetClean()
         self.select([])
-        self.choose_curves((self.active_index,))
+        self.select_curves((self.active_index,))
         self.set_scrub(None)
         # Another document's curves are nobody's last good shape.
         self._views.take()
@@ -319,11 +319,11 @@ class Session(QObject):
     def _choose_returned(self, before: Document) -> None:
         """Select the points, or choose the curves, that undo or redo has brought back."""
         curves = self._committed.curves
-        if len(chosen := returned_curves(before.curves, curves)) > 1:
-            self.choose_curves(chosen)
+        if len(selected := returned_curves(before.curves, curves)) > 1:
+            self.select_curves(selected)
         elif not self.selection and len(before.curves) == len(curves):
-            old = before.curves[self.active_index].nodes
-            self.select(returned_nodes(old, self.active_curve.nodes))
+            old = before.curves[self.active_index].points
+            self.select(returned_points(old, self.active_curve.points))
 
     def _restore(self, state: State, views: Sequence[CurveView] = ()) -> None:
         self.history.end_run()
@@ -350,7 +350,7 @@ class Session(QObject):
         self.select(selection)
         self.set_scrub(self._selection.scrub_asked)
         if has_moved:
-            self.chosen_changed.emit(self.chosen_curves)
+            self.selected_curves_changed.emit(self.selected_curves)
 
     # What is neither saved nor undone: whatever is asked for, it names what exists in the document shown
 
@@ -365,7 +365,7 @@ class Session(QObject):
         return next(iter(self.selection)) if len(self.selection) == 1 else None
 
     @property
-    def chosen_curves(self) -> frozenset[int]:
+    def selected_curves(self) -> frozenset[int]:
         """Indices of the curves that are worked on together, of which the active one is one."""
         return self._selection.curves
 
@@ -381,13 +381,13 @@ class Session(QObject):
 
     def select(self, indices: Collection[int]) -> None:
         """Select the points at `indices` of the active curve, those that exist."""
-        if self._selection.select(indices, len(self.active_curve.nodes)):
+        if self._selection.select(indices, len(self.active_curve.points)):
             self.history.end_run()
             self.selection_changed.emit(self.selection)
 
     def set_hovered(self, index: int) -> None:
         """Say which point the pointer is over; -1 for none."""
-        if self._selection.hover(index, len(self.active_curve.nodes)):
+        if self._selection.hover(index, len(self.active_curve.points)):
             self.hovered_changed.emit(self.hovered)
 
     def set_scrub(self, t: float | None) -> None:
@@ -402,20 +402,20 @@ class Session(QObject):
 
     def activate(self, index: int) -> None:
         """Edit another curve, and choose it alone; nothing of it is selected yet."""
-        self.choose_curves((index,), index)
+        self.select_curves((index,), index)
 
-    def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
+    def select_curves(self, indices: Collection[int], active: int | None = None) -> None:
         """Choose curves to work on together, those that exist.
 
-        The curve that is edited is one of them: `active`, or the one edited so far, or the chosen one nearest
-        to it. With several no points are selected, so that tools act on the curves.
+        The curve that is edited is one of them: `active`, or the one edited so far, or the selected one
+        nearest to it. With several no points are selected, so that tools act on the curves.
         """
         if self.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             self.interrupt()
-        before, count = self.chosen_curves, len(self._shown.curves)
+        before, count = self.selected_curves, len(self._shown.curves)
         wanted = active if active is not None and 0 <= active < count else self.active_index
-        wanted = self._selection.choose_curves(indices, wanted, count)
+        wanted = self._selection.select_curves(indices, wanted, count)
         if wanted != self.active_index:
             self.interrupted.emit()
             self.cancel()
@@ -423,10 +423,10 @@ class Session(QObject):
             self._enter(wanted)
             self.set_scrub(self._selection.scrub_asked)
             self.active_changed.emit(wanted)
-        if len(self.chosen_curves) > 1:
+        if len(self.selected_curves) > 1:
             self.select([])
-        if self.chosen_curves != before:
-            self.chosen_changed.emit(self.chosen_curves)
+        if self.selected_curves != before:
+            self.selected_curves_changed.emit(self.selected_curves)
 
     def _enter(self, index: int) -> None:
         """Make curve `index` the active one; what belonged to the other is put away."""

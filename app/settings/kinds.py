@@ -209,7 +209,7 @@ class Several(Setting[frozenset[Member]]):
         return " ".join(member.value for member in self.kind if member in value)
 
 
-class Layout(Setting[QByteArray]):
+class SavedLayout(Setting[QByteArray]):
     """What Qt saved of a window; empty when nothing is remembered."""
 
     def _read(self, file: SettingsFile) -> QByteArray:

@@ -7,9 +7,9 @@ from typing import Final
 
 from PySide6.QtCore import QSettings
 
+from app.appearance.theme import ThemeMode
 from app.settings.file import SettingsFile
-from app.settings.kinds import Choice, Distance, Folder, Height, Keys, Layout, Several, Switch, Text
-from app.theme import ThemeMode
+from app.settings.kinds import Choice, Distance, Folder, Height, Keys, SavedLayout, Several, Switch, Text
 from app.tools.snapping import SnapKind
 
 _MAX_RECENT: Final = 10
@@ -40,13 +40,13 @@ class Preferences:
     theme_mode = Choice("theme", ThemeMode.SYSTEM)
     """Light, dark, or as the system has it."""
 
-    window_geometry = Layout("window/geometry")
+    window_geometry = SavedLayout("window/geometry")
     """What ``QWidget.saveGeometry`` gave."""
 
-    window_state = Layout("window/state")
+    window_state = SavedLayout("window/state")
     """What ``QMainWindow.saveState`` gave."""
 
-    splitter_state = Layout("window/splitter")
+    splitter_state = SavedLayout("window/splitter")
     """What ``QSplitter.saveState`` gave."""
 
     plot_height = Height("window/plots")

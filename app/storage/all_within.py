@@ -7,21 +7,21 @@ from collections.abc import Iterator
 from itertools import chain
 from operator import attrgetter
 
-from app.document.model import MAX_MAGNITUDE, Node
+from app.document.model import MAX_MAGNITUDE, Point
 
 
-def all_within(nodes: tuple[Node, ...]) -> bool:
-    """Whether all numbers of nodes are floats that may be saved; if not, somebody must look which is not."""
-    return all(map(_are_plain, _columns(nodes)))
+def all_within(points: tuple[Point, ...]) -> bool:
+    """Whether all numbers of points are floats that may be saved; if not, somebody must look which is not."""
+    return all(map(_are_plain, _columns(points)))
 
 
-def _columns(nodes: tuple[Node, ...]) -> Iterator[list[float]]:
-    yield list(map(attrgetter("x"), nodes))
-    yield list(map(attrgetter("y"), nodes))
-    yield [t for t in map(attrgetter("t"), nodes) if t is not None]
+def _columns(points: tuple[Point, ...]) -> Iterator[list[float]]:
+    yield list(map(attrgetter("x"), points))
+    yield list(map(attrgetter("y"), points))
+    yield [t for t in map(attrgetter("t"), points) if t is not None]
     for name in ("velocity", "acceleration", "velocity_after", "acceleration_after"):
         # A vector of two numbers is true, whatever they are.
-        yield list(chain.from_iterable(filter(None, map(attrgetter(name), nodes))))
+        yield list(chain.from_iterable(filter(None, map(attrgetter(name), points))))
 
 
 def _are_plain(values: list[float]) -> bool:

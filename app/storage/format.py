@@ -19,8 +19,8 @@ from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
     Document,
-    Node,
     ParametrizationKind,
+    Point,
     ReferenceImage,
     Value,
     Vector,
@@ -99,27 +99,27 @@ def encode(document: Document) -> bytes:
 def _curve_pieces(curve: Curve) -> Iterator[bytes]:
     """Yield the curve as JSON, indented, with one line per member and per point."""
     # Through Raw, the members keep the order and the omitted defaults that msgspec gives them.
-    without_points = _ENCODER.encode(replace(curve, nodes=()))
+    without_points = _ENCODER.encode(replace(curve, points=()))
     members = msgspec.json.decode(without_points, type=dict[str, msgspec.Raw])
     yield b"    {\n"
     for index, (key, value) in enumerate(members.items()):
         yield (b",\n" if index else b"") + b'      "' + key.encode() + b'": '
         if key == "points":
-            yield from _points_pieces(curve.nodes)
+            yield from _points_pieces(curve.points)
         else:
             yield _one_line(value)
     yield b"\n    }"
 
 
-def _points_pieces(nodes: tuple[Node, ...]) -> Iterator[bytes]:
-    """Yield the nodes as a JSON list with one line each."""
-    if not nodes:
+def _points_pieces(points: tuple[Point, ...]) -> Iterator[bytes]:
+    """Yield the points as a JSON list with one line each."""
+    if not points:
         yield b"[]"
         return
     # Many at once: point by point a million of them take longer than all else that is done with them. Of
     # what a point holds only the point itself stands in braces.
-    for start in range(0, len(nodes), _POINTS_AT_ONCE):
-        text = _one_line(_ENCODER.encode(nodes[start : start + _POINTS_AT_ONCE]))
+    for start in range(0, len(points), _POINTS_AT_ONCE):
+        text = _one_line(_ENCODER.encode(points[start : start + _POINTS_AT_ONCE]))
         yield b",\n        " if start else b"[\n        "
         yield text[1:-1].replace(b"}, {", b"},\n        {")
     yield b"\n      ]"
@@ -212,7 +212,7 @@ def _check_header(header: _Header) -> None:
 
 def _refuse_repeated_keys(data: bytes, curves: tuple[Curve, ...]) -> None:
     """Raise FormatError where an object has a key twice; msgspec would silently take the last."""
-    place = repeated_key(data, [curve.nodes for curve in curves], _ENCODER.encode)
+    place = repeated_key(data, [curve.points for curve in curves], _ENCODER.encode)
     if place is not None:
         raise FormatError(f"{place} appears twice; each key may appear only once")
 
@@ -277,25 +277,25 @@ def _validate_curve(curve: Curve, place: str) -> None:
         raise FormatError(
             f'{place}.colour must be written as "#rrggbb" in lower case, not {_quoted(curve.colour)}'
         )
-    if not all_within(curve.nodes):
-        for index, node in enumerate(curve.nodes):
-            _validate_node(node, f"{place}.points[{index}]")
+    if not all_within(curve.points):
+        for index, point in enumerate(curve.points):
+            _validate_point(point, f"{place}.points[{index}]")
     _validate_parameters(curve, place)
 
 
-def _validate_node(node: Node, place: str) -> None:
-    for key, value in _numbers(node):
+def _validate_point(point: Point, place: str) -> None:
+    for key, value in _numbers(point):
         _check_number(value, f"{place}.{key}")
 
 
-def _numbers(node: Node) -> Iterator[tuple[str, float]]:
-    """Yield every number of the node with its place in it."""
-    yield "x", node.x
-    yield "y", node.y
-    if node.t is not None:
-        yield "t", node.t
+def _numbers(point: Point) -> Iterator[tuple[str, float]]:
+    """Yield every number of the point with its place in it."""
+    yield "x", point.x
+    yield "y", point.y
+    if point.t is not None:
+        yield "t", point.t
     for key in ("velocity", "acceleration", "velocity_after", "acceleration_after"):
-        vector: Vector | None = getattr(node, key)
+        vector: Vector | None = getattr(point, key)
         for index, value in enumerate(vector or ()):
             yield f"{key}[{index}]", value
 
@@ -311,7 +311,7 @@ def _check_number(value: float, place: str) -> None:
 def _validate_parameters(curve: Curve, place: str) -> None:
     """Raise FormatError unless the parameters that the points carry increase strictly."""
     # No list of pairs: of a million points it would take half of what these take themselves.
-    times = [node.t for node in curve.nodes]
+    times = [point.t for point in curve.points]
     if curve.is_manual and None in times:
         raise FormatError(
             f"{place}.points[{times.index(None)}].t is missing; "

@@ -301,7 +301,7 @@ def _lock_place(path: Path) -> Path:
 
 
 def _counts(document: Document) -> str:
-    points = sum(len(curve.nodes) for curve in document.curves)
+    points = sum(len(curve.points) for curve in document.curves)
     return f"{len(document.curves)} curves, {points} points"
 
 

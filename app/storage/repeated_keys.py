@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 import msgspec
 
-from app.document.model import Node
+from app.document.model import Point
 
 
 class _Place(str):
@@ -30,7 +30,7 @@ _POINTS_DECODER = msgspec.json.Decoder(_Curves)
 
 
 def repeated_key(
-    data: bytes, points: Sequence[tuple[Node, ...]], encode: Callable[[object], bytes]
+    data: bytes, points: Sequence[tuple[Point, ...]], encode: Callable[[object], bytes]
 ) -> str | None:
     """Return the place of a key that an object has twice, such as ``curves[0].points[3].x``, or None.
 
@@ -56,7 +56,7 @@ def _place_in(data: bytes) -> str | None:
 
 
 def _without_plain_points(
-    data: bytes, points: Sequence[tuple[Node, ...]], encode: Callable[[object], bytes]
+    data: bytes, points: Sequence[tuple[Point, ...]], encode: Callable[[object], bytes]
 ) -> bytes:
     """Return the file without points of which the number of quotation marks tells that no key is repeated.
 
@@ -65,9 +65,9 @@ def _without_plain_points(
     a million would take longer than all else that is done with them.
     """
     pieces, end = [], 0
-    for curve, nodes in zip(_POINTS_DECODER.decode(data).curves, points, strict=True):
+    for curve, plain in zip(_POINTS_DECODER.decode(data).curves, points, strict=True):
         written = bytes(curve.points)
-        if b"\\" not in written and written.count(b'"') == encode(nodes).count(b'"'):
+        if b"\\" not in written and written.count(b'"') == encode(plain).count(b'"'):
             start = data.index(written, end)
             pieces += [data[end:start], b"[]"]
             end = start + len(written)

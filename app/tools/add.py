@@ -72,7 +72,7 @@ class AddTool(Tool):
     def _go_on(self, host: EditingHost) -> None:
         """Go on with the finished curve."""
         self._finished.discard(_key(host))
-        count = len(host.active_view.source.nodes)
+        count = len(host.active_view.source.points)
         host.select([count - 1])
         host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
 
@@ -108,7 +108,7 @@ class AddTool(Tool):
 
     def _append(self, context: ToolContext) -> None:
         host = context.host
-        index, key = len(context.view.source.nodes), _key(host)
+        index, key = len(context.view.source.points), _key(host)
         snapper = context.snappers.for_new(index)
         append = AppendPoint(host.document, host.active_index, context.view, context.pointer, snapper)
         # Only when it is done: Escape leaves a finished curve finished.
@@ -131,7 +131,7 @@ class AddTool(Tool):
         """Return what a press here would do, and show it."""
         hit, view, selection = context.hit, context.view, context.host.selection
         act = self._act(context) if hints.is_no_part(hit) else None
-        place = len(view.source.nodes) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
+        place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         if place is not None:
             context.preview_snap(place)
         self._update_preview(context, act)

@@ -15,7 +15,7 @@ def can_end_at(hit: Hit | None, view: CurveView) -> bool:
     """Whether the curve might end at what is hit: its first point, and there are others to go around."""
     curve = view.source
     is_first = hit is not None and hit.part is Part.POINT and hit.index == 0
-    return is_first and not curve.is_closed and len(curve.nodes) >= LEAST_TO_CLOSE
+    return is_first and not curve.is_closed and len(curve.points) >= LEAST_TO_CLOSE
 
 
 def closer(host: EditingHost) -> Callable[[], None]:

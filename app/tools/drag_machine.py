@@ -30,7 +30,7 @@ class EditingHost(Protocol):
         """Indices of the selected points."""
 
     @property
-    def chosen_curves(self) -> frozenset[int]:
+    def selected_curves(self) -> frozenset[int]:
         """Indices of the curves that are worked on together."""
 
     @property
@@ -68,15 +68,15 @@ class EditingHost(Protocol):
         """Drop the preview, and select what was selected before it."""
 
     def select(self, indices: Collection[int]) -> None:
-        """Select nodes."""
+        """Select points."""
 
     def set_hovered(self, index: int) -> None:
-        """Say which node the pointer is over."""
+        """Say which point the pointer is over."""
 
     def activate(self, index: int) -> None:
         """Edit another curve."""
 
-    def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
+    def select_curves(self, indices: Collection[int], active: int | None = None) -> None:
         """Choose curves to work on together."""
 
     def set_scrub(self, t: float | None) -> None:
@@ -158,7 +158,7 @@ class DragMachine:
         """Begin a drag that shows its effect at the press (a new point) and commits without any move.
 
         `on_done` is called after the commit; `active` is the curve to edit from the press on, where the drag
-        makes another one. The node that it `makes` is selected as soon as it is there.
+        makes another one. The point that it `makes` is selected as soon as it is there.
         """
         self._press = _Press(
             pointer.pixel, drag, None, moving=True, on_done=on_done, active=active, makes=makes
@@ -213,7 +213,7 @@ class DragMachine:
         return " · ".join(part for part in parts if part)
 
     def place_at(self, pointer: Pointer) -> Vector | None:
-        """Return where the node is that the drag in flight holds, None where it holds none.
+        """Return where the point is that the drag in flight holds, None where it holds none.
 
         A drag that holds one has a method `place_at`, too.
         """

@@ -8,8 +8,8 @@ import msgspec
 
 from app.document import edits, words
 from app.document.model import Document, Vector
-from app.document.several_curves import NodeGroup, moved
-from app.document.transforms import decimal_product, step_nodes
+from app.document.several_curves import PointGroup, moved
+from app.document.transforms import decimal_product, step_points
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapper
 from app.view_model.curve_view import CurveView
@@ -29,18 +29,18 @@ def _along_axis(by: Vector, axis: int | None) -> Vector:
 
 
 class MovePoints(msgspec.Struct, frozen=True):
-    """Move nodes, or whole curves, with the pointer; Shift keeps to one axis.
+    """Move points, or whole curves, with the pointer; Shift keeps to one axis.
 
     Attributes
     ----------
     grip
-        The curve and the node that snaps, where there is a `snapper`.
+        The curve and the point that snaps, where there is a `snapper`.
     axis
         0 or 1 where an axis is locked from the start.
     """
 
     document: Document
-    group: NodeGroup
+    group: PointGroup
     start: Vector
     snapper: Snapper | None = None
     grip: tuple[int, int] = (-1, -1)
@@ -56,18 +56,18 @@ class MovePoints(msgspec.Struct, frozen=True):
     def readout_at(self, pointer: Pointer) -> str:
         """Tell where one point is and how far it came; of several, how far they came."""
         way, target = self.displacement_at(pointer)
-        one = self.group.only_node
+        one = self.group.only_point
         if one is None:
             return f"{self.name} by {words.vector(way)}"
         return f"{words.point_at(one[1], self._place(way, target))} · moved {words.vector(way)}"
 
     def place_at(self, pointer: Pointer) -> Vector:
-        """Return where the node is that is held, to the last bit where it snapped to."""
+        """Return where the point is that is held, to the last bit where it snapped to."""
         return self._place(*self.displacement_at(pointer))
 
     def _place(self, by: Vector, target: Vector | None) -> Vector:
-        curve, index = self.grip if self.grip[1] >= 0 else self.group.first_node
-        held = self.document.curves[curve].nodes[index].position
+        curve, index = self.grip if self.grip[1] >= 0 else self.group.first_point
+        held = self.document.curves[curve].points[index].position
         return target if target is not None else _plus(held, by)
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -86,10 +86,10 @@ class MovePoints(msgspec.Struct, frozen=True):
         if axis is None and pointer.shift:
             axis = 0 if abs(way[0]) >= abs(way[1]) else 1
         way = _along_axis(way, axis)
-        curve, node = self.grip
-        if self.snapper is None or node < 0:
+        curve, point = self.grip
+        if self.snapper is None or point < 0:
             return way, None
-        held = self.document.curves[curve].nodes[node].position
+        held = self.document.curves[curve].points[point].position
         target = self.snapper.snap(_plus(held, way), pointer, axis)
         if self.snapper.caught is None:
             return way, None
@@ -97,7 +97,7 @@ class MovePoints(msgspec.Struct, frozen=True):
 
 
 class NudgePoints(MovePoints, frozen=True):
-    """Move nodes by a key."""
+    """Move points by a key."""
 
     @property
     def name(self) -> str:
@@ -110,10 +110,10 @@ class NudgePoints(MovePoints, frozen=True):
 
 
 class StepPoints(msgspec.Struct, frozen=True):
-    """Move nodes by a step of the grid, in decimal numbers."""
+    """Move points by a step of the grid, in decimal numbers."""
 
     document: Document
-    group: NodeGroup
+    group: PointGroup
     direction: Vector
     spacing: Vector
     factor: float
@@ -140,17 +140,17 @@ class StepPoints(msgspec.Struct, frozen=True):
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step, wherever the pointer is."""
         return self.group.changed(
-            self.document, lambda each, curve, indices: step_nodes(each, curve, indices, self._step)
+            self.document, lambda each, curve, indices: step_points(each, curve, indices, self._step)
         )
 
 
-def _nudged(group: NodeGroup, document: Document, step: Vector) -> str:
+def _nudged(group: PointGroup, document: Document, step: Vector) -> str:
     """Tell what a key has moved: where one point is, or how many went, and the step."""
-    one = group.only_node
+    one = group.only_point
     if one is None:
         return f"{words.group(group)} nudged · step {words.vector(step)}"
     curve, index = one
-    place = document.curves[curve].nodes[index].position
+    place = document.curves[curve].points[index].position
     return f"{words.point_at(index, place)} · step {words.vector(step)}"
 
 
@@ -237,7 +237,7 @@ def in_steps(v: Vector) -> Vector:
 
 
 class PullVelocity(msgspec.Struct, frozen=True):
-    """Pull the velocity handle out of a node, wherever the handle lay before."""
+    """Pull the velocity handle out of a point, wherever the handle lay before."""
 
     document: Document
     curve: int
@@ -261,7 +261,7 @@ class PullVelocity(msgspec.Struct, frozen=True):
         return velocity_from_handle(self.view, self.index, snapped(pointer, self.snapper), ahead=True)
 
     def document_at(self, pointer: Pointer) -> Document:
-        """Put the handle ahead of the node under the pointer."""
+        """Put the handle ahead of the point under the pointer."""
         velocity = self._velocity_at(pointer)
         ahead = self.view.spacing(self.index, ahead=True) is not None
         return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)

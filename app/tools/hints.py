@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.document import words
-from app.document.several_curves import NodeGroup
+from app.document.several_curves import PointGroup
 from app.tools.bend_drag import bend_keys
 from app.tools.closing import can_end_at
 from app.tools.drags import what_handle_sets
@@ -38,7 +38,7 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool
     return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
 
 
-def on_grip(grip: Grip, group: NodeGroup, refusal: str) -> Hint:
+def on_grip(grip: Grip, group: PointGroup, refusal: str) -> Hint:
     """Return the hint over a grip of the box around a group, or why it cannot be changed."""
     if refusal:
         return Hint(refusal)
@@ -70,7 +70,7 @@ def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
     """Return the hint of the Add tool, on the curve or beside it."""
     if act is PenAct.INSERT:
         return Hint("Click to insert a point here · Shift: add at the end")
-    keys, index = f"Ctrl: {_snap_word(snaps)}", len(view.source.nodes)
+    keys, index = f"Ctrl: {_snap_word(snaps)}", len(view.source.points)
     if act is PenAct.BEGIN:
         return Hint(f"Click to begin another curve · Shift: add point {index} to this one · {keys}")
     if view.source.family.derivatives:
@@ -83,12 +83,12 @@ def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
 
 def can_finish(view: CurveView) -> bool:
     """Whether there is a curve with an end, so that the pen can finish it and begin another one."""
-    return not view.source.is_closed and len(view.source.nodes) > 1
+    return not view.source.is_closed and len(view.source.points) > 1
 
 
 def is_end(hit: Hit, view: CurveView) -> bool:
     """Whether the last point of an open curve is hit."""
-    is_last = hit.part is Part.POINT and hit.index == len(view.source.nodes) - 1
+    is_last = hit.part is Part.POINT and hit.index == len(view.source.points) - 1
     return is_last and not view.source.is_closed
 
 

@@ -61,8 +61,8 @@ class Marquee:
         if self.band is None:
             return ""
         selection = context.host.selection
-        chosen = f"{words.points(selection)} selected" if selection else "No point selected"
-        return f"{chosen[:1].upper()}{chosen[1:]} · Shift: add to what was selected · Escape cancels"
+        selected = f"{words.points(selection)} selected" if selection else "No point selected"
+        return f"{selected[:1].upper()}{selected[1:]} · Shift: add to what was selected · Escape cancels"
 
 
 def _inside(band: tuple[Vector, Vector], view: CurveView) -> frozenset[int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.document.several_curves import nodes_of
+from app.document.several_curves import points_of
 from app.tools import hints
 from app.tools.drag_machine import Drag
 from app.tools.drags import DragHandle, MovePoints, PullVelocity, Refuse
@@ -52,5 +52,5 @@ def _point_drag(context: ToolContext, hit: Hit) -> MovePoints | PullVelocity:
         snapper = context.snappers.for_handle(hit.index)
         return PullVelocity(host.document, host.active_index, context.view, hit.index, snapper)
     snapper = context.snappers.for_points(host.selection, hit.index)
-    group, grip = nodes_of(host.active_index, host.selection), (host.active_index, hit.index)
+    group, grip = points_of(host.active_index, host.selection), (host.active_index, hit.index)
     return MovePoints(host.document, group, pointer.position, snapper, grip)

@@ -60,7 +60,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Add point {len(self.view.source.nodes)}"
+        return f"Add point {len(self.view.source.points)}"
 
     @property
     def keys(self) -> str:
@@ -79,7 +79,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
         if self.view.source.is_closed:
             return note
         # What will hold when the next point comes.
-        is_first = not self.view.source.nodes
+        is_first = not self.view.source.points
         return f"{note} · {'the handle stays here' if is_first else 'handles stay at most this long'}"
 
     def _is_dragged(self, pointer: Pointer) -> bool:
@@ -105,7 +105,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
         document = with_point_appended(self.document, self.curve, self.view, place)
         if not self._sets_velocity(pointer):
             return document
-        index = len(self.view.source.nodes)
+        index = len(self.view.source.points)
         view = view_of(document.curves[self.curve])
         x, y = self._displacement(pointer, place)
         velocity = velocity_from_handle(view, index, (place[0] + x, place[1] + y), ahead=True)

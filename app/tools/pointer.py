@@ -32,21 +32,21 @@ class Hit(msgspec.Struct, frozen=True):
     part
         Which kind of thing.
     index
-        The node it belongs to; for the curve, the node before which a new one would be inserted; for another
-        curve, its place in the document.
+        The point it belongs to; for the curve, the point before which a new one would be inserted; for
+        another curve, its place in the document.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead
-        For a handle: whether it lies on the segment after the node.
+        For a handle: whether it lies on the segment after the point.
     t
         For the curve: the parameter there.
     kind
         For a basis function: 0 position, 1 velocity, 2 acceleration.
     knot
-        For a tick: the knot it stands at; a closed curve has one more knot than nodes. For a corner of the
+        For a tick: the knot it stands at; a closed curve has one more knot than points. For a corner of the
         picture to trace: 0 to 3, counterclockwise from the lower left.
     over
-        For a handle: the node that it lies over, −1 for none.
+        For a handle: the point that it lies over, −1 for none.
     """
 
     part: Part

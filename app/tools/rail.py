@@ -149,12 +149,12 @@ def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:
         context.host.select(before - {hit.index})
 
 
-def _drag(host: EditingHost, start: float, knot: int, node: int) -> DragTicks:
+def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
     parameters = host.active_view.parameters.tolist()
-    knots = {other for other in host.selection if other != node} | {knot}
-    # Frozen once: in every step of the drag only the nodes whose ticks move are other values.
+    knots = {other for other in host.selection if other != point} | {knot}
+    # Frozen once: in every step of the drag only the points whose ticks move are other values.
     frozen = freeze_parameters(host.document, host.active_index, parameters)
-    return DragTicks(frozen, host.active_index, parameters, knot, frozenset(knots), node, start)
+    return DragTicks(frozen, host.active_index, parameters, knot, frozenset(knots), point, start)
 
 
 def _tick_hint(index: int, selection: frozenset[int]) -> str:

@@ -26,8 +26,8 @@ class DragTicks(msgspec.Struct, frozen=True):
         The knot whose tick was pressed.
     knots
         The knots that move, the grabbed one among them.
-    node
-        The node of the grabbed knot, for the name of the step.
+    point
+        The point of the grabbed knot, for the name of the step.
     start
         The t of the pointer at the press.
     """
@@ -37,14 +37,14 @@ class DragTicks(msgspec.Struct, frozen=True):
     parameters: Sequence[float]
     grabbed: int
     knots: frozenset[int]
-    node: int
+    point: int
     start: float
 
     @property
     def name(self) -> str:
         """The name of the step."""
         if len(self.knots) == 1:
-            return f"Change t of point {self.node}"
+            return f"Change t of point {self.point}"
         return f"Change t of {len(self.knots)} points"
 
     @property
@@ -55,7 +55,7 @@ class DragTicks(msgspec.Struct, frozen=True):
     def readout_at(self, pointer: Pointer) -> str:
         """Return where the grabbed tick is, and how many go along."""
         by, moving = self._displacement(pointer)
-        text = f"t of point {self.node} = {words.number(self.parameters[self.grabbed] + by)}"
+        text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by)}"
         return f"{text}, {len(moving)} ticks by {words.number(by)}" if len(moving) > 1 else text
 
     def document_at(self, pointer: Pointer) -> Document:

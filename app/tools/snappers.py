@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 
 from app.document.model import Document, Vector
-from app.document.several_curves import NodeGroup
+from app.document.several_curves import PointGroup
 from app.tools.drag_machine import EditingHost
 from app.tools.pointer import Pointer
 from app.tools.snapping import (
@@ -50,24 +50,24 @@ class Snappers:
         views, active = self._host.views, self._host.active_index
         return self._make(lambda: targets_of(views, active, (), place, self._kinds))
 
-    def for_handle(self, node: int) -> Snapper:
+    def for_handle(self, point: int) -> Snapper:
         """Return the snapper of the end of a handle."""
         host = self._host
-        return self._make(lambda: targets_of_handle(host.views, host.active_index, node, self._kinds))
+        return self._make(lambda: targets_of_handle(host.views, host.active_index, point, self._kinds))
 
-    def for_group(self, group: NodeGroup, place: int = -1) -> Snapper:
+    def for_group(self, group: PointGroup, place: int = -1) -> Snapper:
         """Return the snapper of what moves together: of the point at `place`, where it is of one curve."""
         if not group.is_several:
             return self.for_points(group.parts[0][1], place)
         return self._make(lambda: targets_of(*self._beside(group), -1, self._kinds))
 
-    def for_grip(self, grip: Grip, group: NodeGroup) -> Snapper:
+    def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
         """Return the snapper of a corner or a side of the box around a group."""
         if grip.x and grip.y:
             return self.for_group(group)
         return self._make(lambda: targets_of_side(*self._beside(group), self._kinds))
 
-    def _beside(self, group: NodeGroup) -> tuple[list[CurveView], int, Collection[int]]:
+    def _beside(self, group: PointGroup) -> tuple[list[CurveView], int, Collection[int]]:
         """Return the views without other curves that move along, which is active, and what moves of it."""
         host, moving = self._host, dict(group.parts)
         places = [

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from app.document.model import Vector
-from app.document.words import Named
+from app.document.words import NamedEnum
 from app.tools.pointer import Pointer
 from app.view_model.curve_view import CurveView
 from app.view_model.nearest import NearestPoint
@@ -19,7 +19,7 @@ REACH = 8.0
 """Pixels within which something snaps."""
 
 
-class SnapKind(Named):
+class SnapKind(NamedEnum):
     """Kind of thing to snap to."""
 
     GRID = "grid", "The grid"
@@ -128,7 +128,7 @@ def targets_of(
     views, active
         The curves, and which of them is edited.
     moving
-        Its nodes that move along and are nothing to snap to.
+        Its points that move along and are nothing to snap to.
     place
         The index of the point that is drawn or about to be added; −1 for what has no neighbours.
     kinds
@@ -148,16 +148,16 @@ def targets_of(
 
 
 def targets_of_handle(
-    views: Sequence[CurveView], active: int, node: int, kinds: Collection[SnapKind]
+    views: Sequence[CurveView], active: int, point: int, kinds: Collection[SnapKind]
 ) -> Targets:
-    """Collect what the end of a handle of `node` can snap to: level with its node it is a flat tangent."""
+    """Collect what the end of a handle of `point` can snap to: level with its point it is a flat tangent."""
     others = targets_of(views, active, (), -1, kinds)
     own = views[active]
     points = others.points
     if SnapKind.POINTS in kinds:
-        # Not to its own node: a handle of no length has no direction.
-        points = (_points(own, {node}), *others.points[1:])
-    level = _named(own, [node, *_neighbours(own, (), node)]) if SnapKind.LEVEL in kinds else ()
+        # Not to its own point: a handle of no length has no direction.
+        points = (_points(own, {point}), *others.points[1:])
+    level = _named(own, [point, *_neighbours(own, (), point)]) if SnapKind.LEVEL in kinds else ()
     return Targets(points, level, others.curves)
 
 
@@ -175,8 +175,8 @@ def targets_of_side(
 
 
 def _named(view: CurveView, indices: Sequence[int], of: str = "") -> tuple[tuple[Vector, str], ...]:
-    nodes = view.source.nodes
-    return tuple((nodes[index].position, _name(index, of)) for index in indices)
+    points = view.source.points
+    return tuple((points[index].position, _name(index, of)) for index in indices)
 
 
 def _name(index: int, of: str) -> str:
@@ -191,7 +191,7 @@ def _points(view: CurveView, without: Collection[int], of: str = "") -> _SnapPoi
 def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:
     if place < 0:
         return []
-    count = len(view.source.nodes)
+    count = len(view.source.points)
     beside = [place - 1, place + 1]
     if view.source.is_closed:
         beside = [index % count for index in beside]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from app.document.edits import EditError
 from app.document.model import Vector
-from app.document.several_curves import NodeGroup, nodes_of, whole_curves
+from app.document.several_curves import PointGroup, points_of, whole_curves
 from app.tools.drag_machine import EditingHost
 from app.tools.drags import MovePoints, NudgePoints, StepPoints
 from app.tools.pointer import Pointer
@@ -27,11 +27,11 @@ class TransformTarget:
         self._host, self._snappers = host, snappers
         # The last group with its box, and the views and sets of indices they were found for.
         self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int]] | None = None
-        self._found: tuple[NodeGroup | None, TransformBox | None] = (None, None)
+        self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
 
     @property
-    def group(self) -> NodeGroup | None:
-        """The nodes that are transformed together, None for none."""
+    def group(self) -> PointGroup | None:
+        """The points that are transformed together, None for none."""
         return self._now()[0]
 
     @property
@@ -39,33 +39,33 @@ class TransformTarget:
         """The box around them, where there are two or more."""
         return self._now()[1]
 
-    def _now(self) -> tuple[NodeGroup | None, TransformBox | None]:
+    def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
-        views, selection, chosen = host.views, host.selection, host.chosen_curves
+        views, selection, selected = host.views, host.selection, host.selected_curves
         known = self._known
-        if known is None or known[0] is not views or known[1:] != (selection, chosen):
-            self._known = (views, selection, chosen)
+        if known is None or known[0] is not views or known[1:] != (selection, selected):
+            self._known = (views, selection, selected)
             group = self._group()
             self._found = (group, box_of(views, group) if group is not None else None)
         return self._found
 
-    def _group(self) -> NodeGroup | None:
+    def _group(self) -> PointGroup | None:
         host = self._host
         if host.selection:
-            return nodes_of(host.active_index, host.selection)
+            return points_of(host.active_index, host.selection)
         return self.curves
 
     @property
-    def curves(self) -> NodeGroup | None:
+    def curves(self) -> PointGroup | None:
         """The selected curves where there are several, whatever points are selected."""
         host = self._host
-        return whole_curves(host.document, host.chosen_curves) if len(host.chosen_curves) > 1 else None
+        return whole_curves(host.document, host.selected_curves) if len(host.selected_curves) > 1 else None
 
     @property
-    def for_keys(self) -> NodeGroup:
-        """The target of the keys: the same, or else all nodes of the curve that is edited."""
-        return self.group or nodes_of(
-            self._host.active_index, range(len(self._host.active_view.source.nodes))
+    def for_keys(self) -> PointGroup:
+        """The target of the keys: the same, or else all points of the curve that is edited."""
+        return self.group or points_of(
+            self._host.active_index, range(len(self._host.active_view.source.points))
         )
 
     @property
@@ -86,7 +86,7 @@ class TransformTarget:
         """The same for the selected curves, whatever points are selected."""
         return self._refusal_of(self.curves)
 
-    def _refusal_of(self, group: NodeGroup | None) -> str:
+    def _refusal_of(self, group: PointGroup | None) -> str:
         try:
             if group is not None:
                 group.refuse_locked(self._host.document)
@@ -105,7 +105,7 @@ class TransformTarget:
             return box.centre
         for curve, indices in group.parts:
             if indices:
-                return self._host.document.curves[curve].nodes[min(indices)].position
+                return self._host.document.curves[curve].points[min(indices)].position
         return (0.0, 0.0)
 
     # Drags
@@ -126,13 +126,13 @@ class TransformTarget:
             everything=self.group is None,
         )
 
-    def _nearest(self, group: NodeGroup, pointer: Pointer) -> tuple[int, int]:
-        """Return the curve and the index of the node that is nearest to the pointer: it snaps."""
+    def _nearest(self, group: PointGroup, pointer: Pointer) -> tuple[int, int]:
+        """Return the curve and the index of the point that is nearest to the pointer: it snaps."""
         curves = self._host.document.curves
         places = [(curve, index) for curve, indices in group.parts for index in indices]
         return min(
             places,
-            key=lambda at: math.dist(curves[at[0]].nodes[at[1]].position, pointer.position),
+            key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position),
             default=(-1, -1),
         )
 

@@ -183,7 +183,7 @@ class Tool:
 
 
 class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """A tool as it is chosen.
+    """A tool as it is selected.
 
     Attributes
     ----------
@@ -192,9 +192,9 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     make
         Makes the tool of one plot.
     hint
-        What the status line says when it has been chosen.
+        What the status line says when it has been selected.
     action, title, full_name, key, icon, tip
-        What the action has by which it is chosen: object name, text in a menu and where no menu stands
+        What the action has by which it is selected: object name, text in a menu and where no menu stands
         around it, keys, icon, tooltip. Empty where a feature has an action of its own for it.
     """
 

@@ -170,7 +170,7 @@ class Toolbox:
     def walk(self, step: int) -> bool:
         """Select the next (1) or previous (−1) point; return whether there is one."""
         host = self._host
-        count = len(host.active_view.source.nodes)
+        count = len(host.active_view.source.points)
         here = max(host.selection) if host.selection and step > 0 else min(host.selection, default=count)
         index = here + step if host.selection or step < 0 else 0
         if not 0 <= index < count:

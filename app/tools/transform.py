@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from app.document import words
 from app.document.model import Document, Vector
-from app.document.several_curves import NodeGroup, mapped, moved
+from app.document.several_curves import PointGroup, mapped, moved
 from app.document.transforms import rotation, scaling
 from app.tools.drags import MovePoints
 from app.tools.pointer import Pointer
@@ -52,7 +52,7 @@ class Transform(msgspec.Struct, frozen=True):
     start
         Where the pointer was when it began.
     snapper, grip
-        For a move: what snaps, and which node of which curve.
+        For a move: what snaps, and which point of which curve.
     axis
         0 or 1 where an axis is locked.
     typed
@@ -65,7 +65,7 @@ class Transform(msgspec.Struct, frozen=True):
 
     kind: TransformKind
     document: Document
-    group: NodeGroup
+    group: PointGroup
     centre: Vector
     start: Vector
     snapper: Snapper
@@ -82,7 +82,7 @@ class Transform(msgspec.Struct, frozen=True):
 
     @property
     def _is_all(self) -> bool:
-        return self.everything and self.group.only_node is None
+        return self.everything and self.group.only_point is None
 
     @property
     def keys(self) -> str:
@@ -117,7 +117,7 @@ class Transform(msgspec.Struct, frozen=True):
 
     def readout_at(self, pointer: Pointer) -> str:
         """Tell the amount; of all points because none is selected, that too."""
-        note, one = f"{self.kind.title} {self._amount_at(pointer)}", self.group.only_node
+        note, one = f"{self.kind.title} {self._amount_at(pointer)}", self.group.only_point
         if self._is_all:
             what = words.group(self.group)
             return f"All {what}: {note[0].lower()}{note[1:]}"
@@ -140,11 +140,11 @@ class Transform(msgspec.Struct, frozen=True):
 
     def _moved(self, by: Vector) -> Vector:
         curve, index = self.grip
-        held = self.document.curves[curve].nodes[index].position
+        held = self.document.curves[curve].points[index].position
         return (held[0] + by[0], held[1] + by[1])
 
     def place_at(self, pointer: Pointer) -> Vector | None:
-        """Return where the node is that is moved, None while nodes are scaled or rotated."""
+        """Return where the point is that is moved, None while points are scaled or rotated."""
         return self._moved(self._displacement(pointer)) if self.kind is TransformKind.MOVE else None
 
     def document_at(self, pointer: Pointer) -> Document:

@@ -1,4 +1,4 @@
-"""The box around the selected points, or chosen curves: eight grips scale it, a ninth above it rotates."""
+"""The box around the selected points, or selected curves: eight grips scale it, a ninth above it rotates."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from app.document import words
 from app.document.model import Document, Vector
-from app.document.several_curves import NodeGroup, mapped
+from app.document.several_curves import PointGroup, mapped
 from app.document.transforms import scaling, with_coordinates
 from app.tools.pointer import Cursor, Pointer
 from app.tools.snapping import Snapper
@@ -46,7 +46,7 @@ _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
 
 
 class TransformBox(msgspec.Struct, frozen=True):
-    """The bounding box of selected points, or of the points of chosen curves, without padding."""
+    """The bounding box of selected points, or of the points of selected curves, without padding."""
 
     low: Vector
     high: Vector
@@ -83,7 +83,7 @@ class TransformBox(msgspec.Struct, frozen=True):
         return grip if distance <= _REACH else None
 
 
-def box_of(views: Sequence[CurveView], group: NodeGroup) -> TransformBox | None:
+def box_of(views: Sequence[CurveView], group: PointGroup) -> TransformBox | None:
     """Return the box around two or more points that do not all lie in one place."""
     parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts if indices]
     if sum(map(len, parts)) < 2:
@@ -94,14 +94,14 @@ def box_of(views: Sequence[CurveView], group: NodeGroup) -> TransformBox | None:
 
 
 class ScaleBox(msgspec.Struct, frozen=True):
-    """Scale the selected points, or chosen curves, by a grip of their box.
+    """Scale the selected points, or selected curves, by a grip of their box.
 
     What snaps, where there is a `snapper`, is the corner or the side of the box that the grip moves: it lies
     on the outermost points, the grip beside them.
     """
 
     document: Document
-    group: NodeGroup
+    group: PointGroup
     box: TransformBox
     grip: Grip
     start: Vector
@@ -133,7 +133,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
     def _with_side(self, document: Document, axis: int, value: float) -> Document:
         side, curves = self._corner[axis], self.document.curves
         for curve, indices in self.group.parts:
-            outermost = [index for index in indices if curves[curve].nodes[index].position[axis] == side]
+            outermost = [index for index in indices if curves[curve].points[index].position[axis] == side]
             if outermost:
                 document = with_coordinates(document, curve, dict.fromkeys(outermost, value), axis)
         return document

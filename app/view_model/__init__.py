@@ -10,6 +10,7 @@
 - ``bend``, ``bend_together``: the curve pulled somewhere.  ``nearest``: its point nearest to a place.
 - ``reshape``, ``split_join``, ``smoothness``: other points for the same curve, two of one, corners;
   ``measure``: how far it moved all the same.
+- ``point_columns``: the columns of the point table.
 - ``refusals``: why there is no curve, in the program's words.
 - ``arc_lengths``: how long it is, to a relative accuracy.
 - ``straight``: segments made straight, the rest of the curve kept.
@@ -18,7 +19,7 @@
   ``motion_picture``, ``arrow``: what is drawn and said of a motion.
 - ``line_styles``, ``palette``: how lines and marks look; the colours of points.
 - ``goals``: what a lesson asks for.
-- ``node_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
+- ``point_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
 - ``analysis``: why the curve goes where it goes.
 - ``closing``: curves closed and opened, with the shape kept.  ``appending``: points appended by the pen;
   ``pen_preview``: the curve before it is.

@@ -48,12 +48,12 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     curve
         A core curve with these functions, one set for each knot.
     owners
-        The node that each knot belongs to; the last knot of a closed curve is its first node again.
+        The point that each knot belongs to; the last knot of a closed curve is its first point again.
     t
         Sample parameters, (m,).
     values
         Scaled functions: (m, n, R) for a Lagrange curve; for the piecewise families (m, 2, R), the functions
-        of the node before and the node after each sample, all the others being zero there.
+        of the point before and the point after each sample, all the others being zero there.
     first
         For the piecewise families the index of the first sample of each segment and the end, (n,).
     scales
@@ -81,8 +81,8 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return len(self.curve.parameters)
 
     @property
-    def node_count(self) -> int:
-        """Number of nodes: one less than knots, where the last knot is the first node again."""
+    def point_count(self) -> int:
+        """Number of points: one less than knots, where the last knot is the first point again."""
         return self.count - (self.owners[-1] == 0)
 
     def function(self, index: int, kind: int) -> tuple[FloatArray, FloatArray]:
@@ -124,7 +124,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def fine_segments(self, segments: IntArray, chords: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) over segments of a piecewise curve, each in so many steps, ends included.
 
-        t is (k, chords + 1); the values are (k, chords + 1, 2, R), of the node before and the node after.
+        t is (k, chords + 1); the values are (k, chords + 1, 2, R), of the point before and the point after.
         """
         assert self.curve.is_local
         start, end = self.curve.parameters[segments], self.curve.parameters[segments + 1]
@@ -206,12 +206,12 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
 
     `previous` lends the functions from before a parameter moved, where there are many.
     """
-    curve = view.skeleton
+    curve = view.basis_curve
     if curve is None or not view.is_current:
         return None
     scales = basis_scales(curve)
-    count = len(view.source.nodes)
-    # The last knot of a closed curve is its first node again.
+    count = len(view.source.points)
+    # The last knot of a closed curve is its first point again.
     owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
     if curve.is_local:
         return _piecewise_view(curve, owners, scales)
@@ -324,9 +324,9 @@ def basis_formulas(family: Family) -> tuple[str, ...]:
 
 
 def weights_at(view: CurveView, t: float) -> FloatArray:
-    """Return what every node counts at `t`, with the derivatives that are estimated from it, (n,)."""
+    """Return what every point counts at `t`, with the derivatives that are estimated from it, (n,)."""
     if view.cardinal is not None:
         weights: FloatArray = view.cardinal.basis(t)[0]
         return weights
-    assert view.skeleton is not None
-    return view.by_node(view.skeleton.basis(np.array([t]))[0, :, 0])
+    assert view.basis_curve is not None
+    return view.by_point(view.basis_curve.basis(np.array([t]))[0, :, 0])

@@ -28,7 +28,7 @@ from app.document.jet_edits import JetValue, with_jet_values
 from app.document.kept_handles import with_handles_kept
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.view_model.basis_view import weights_at
-from app.view_model.bend_together import Cost, divided, slope_at_rest
+from app.view_model.bend_together import QuadraticCost, divided, slope_at_rest
 from app.view_model.curve_view import CoreCurve, CurveView, parameters_of, view_of
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
@@ -101,7 +101,7 @@ class _Place(msgspec.Struct, frozen=True):
 def _required_hold(view: CurveView, t: float, using: BendWith) -> _Hold:
     family = view.source.family
     if not (family.derivatives and family.is_local):
-        hold = _hold_of_points(view, t, range(len(view.source.nodes)))
+        hold = _hold_of_points(view, t, range(len(view.source.points)))
     else:
         segment = _place_of(view, t).segment
         if using is BendWith.POINTS:
@@ -116,8 +116,8 @@ def _required_hold(view: CurveView, t: float, using: BendWith) -> _Hold:
 
 def _hold_of_points(view: CurveView, t: float, knots: Sequence[int]) -> _Hold:
     """Return the hold of points at `knots`; derivatives that are estimated follow them."""
-    of_nodes = weights_at(view, t)
-    weights = [of_nodes[view.owner(knot)] for knot in range(len(view.parameters))]
+    of_points = weights_at(view, t)
+    weights = [of_points[view.owner(knot)] for knot in range(len(view.parameters))]
     strength = float(sum(weights[knot] ** 2 for knot in knots))
     return _Hold(
         tuple(
@@ -130,8 +130,8 @@ def _hold_of_points(view: CurveView, t: float, knots: Sequence[int]) -> _Hold:
 
 def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool) -> _Hold:
     """Return the hold of the points and derivatives at the ends of a segment, or of the derivatives alone."""
-    assert view.skeleton is not None
-    basis = view.skeleton.basis(np.array([t]))[0]
+    assert view.basis_curve is not None
+    basis = view.basis_curve.basis(np.array([t]))[0]
     h = float(np.diff(view.parameters)[segment])
     share = (t - float(view.parameters[segment])) / h
     ends = [
@@ -166,7 +166,7 @@ def _end(view: CurveView, knot: int, weights: FloatArray, h: float, price: float
 
     Without a price the point stays.
     The change is measured by the ways of the Bézier control points that depend on them, on both sides of a
-    smooth node: a handle that is short here may be a long one there.
+    smooth point: a handle that is short here may be a long one there.
     """
     kinds, ahead = view.source.family.derivatives + 1, h > 0
     scales = h ** np.arange(kinds)
@@ -202,7 +202,7 @@ def _place_of(view: CurveView, t: float) -> _Place:
 def _datum(view: CurveView, knot: int, order: int, change: float, *, ahead: bool) -> _Datum:
     index = view.owner(knot)
     value = (
-        view.source.nodes[index].position,
+        view.source.points[index].position,
         view.velocity_of(index, ahead=ahead),
         view.acceleration_of(index, ahead=ahead),
     )[order]
@@ -258,7 +258,7 @@ class Bend:
     def _bent_and_shifted(self, pull: FloatArray) -> Curve:
         of_points = sum(datum.change for datum in self._data if datum.order == 0)
         price = self._hold.price**2
-        cost = Cost(1 / self._hold.strength, price * of_points, price * len(self._view.points))
+        cost = QuadraticCost(1 / self._hold.strength, price * of_points, price * len(self._view.points))
         shares = divided(self._moved_by, pull, cost, self._size, self._slope)
         return self._curve(shares.bend, shares.shift / self._moved_by_all(shares.bend))
 
@@ -335,8 +335,8 @@ class Bend:
         if shift is None:
             return curve
         every = [
-            JetValue(index, 0, True, (node.x + float(shift[0]), node.y + float(shift[1])))
-            for index, node in enumerate(curve.nodes)
+            JetValue(index, 0, True, (point.x + float(shift[0]), point.y + float(shift[1])))
+            for index, point in enumerate(curve.points)
         ]
         return with_jet_values(curve, every)
 

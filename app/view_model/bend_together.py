@@ -38,7 +38,7 @@ class Shares(msgspec.Struct, frozen=True):
     shift: FloatArray
 
 
-class Cost(msgspec.Struct, frozen=True):
+class QuadraticCost(msgspec.Struct, frozen=True):
     """The squared norm of a bend u and a shift m together: a |u|² + 2 b u·m + n |m|²."""
 
     a: float
@@ -65,7 +65,7 @@ class Cost(msgspec.Struct, frozen=True):
 def divided(
     answer: Callable[[FloatArray], FloatArray | None],
     pull: FloatArray,
-    cost: Cost,
+    cost: QuadraticCost,
     size: float,
     slope: FloatArray,
 ) -> Shares:
@@ -105,7 +105,7 @@ class _Search:
     """The best bend so far, what it does, and the Jacobian there."""
 
     def __init__(
-        self, answer: Callable[[FloatArray], FloatArray | None], cost: Cost, slope: FloatArray
+        self, answer: Callable[[FloatArray], FloatArray | None], cost: QuadraticCost, slope: FloatArray
     ) -> None:
         self._answer, self._cost, self._slope = answer, cost, slope
         self.bend, self.answer = np.zeros(2), np.zeros(2)

@@ -54,7 +54,7 @@ class CardinalView(BasisView, frozen=True, eq=False, dict=True):
 
 def cardinal_view(view: CurveView) -> CardinalView | None:
     """Sample the cardinal functions of a piecewise curve over its domain; None where there are none."""
-    curve, cardinal = view.skeleton, view.cardinal
+    curve, cardinal = view.basis_curve, view.cardinal
     if curve is None or cardinal is None:
         return None
     t, _, _ = segment_samples(curve.parameters)

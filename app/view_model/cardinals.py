@@ -10,7 +10,7 @@ import numpy as np
 
 from app.document.model import Curve, VelocityRule
 from app.view_model.jets import moved_with_points
-from app.view_model.node_arrays import NodeArrays
+from app.view_model.point_arrays import PointArrays
 from curvecore import Curve as CoreCurve
 from curvecore import CurveError, lebesgue_constant
 from curvecore.analysis.cardinal import CardinalBasis
@@ -50,7 +50,7 @@ class Cardinals:
     def __init__(self) -> None:
         self._known: Cardinal | None = None
 
-    def of(self, curve: Curve, points: FloatArray, skeleton: CoreCurve, arrays: NodeArrays) -> Cardinal:
+    def of(self, curve: Curve, points: FloatArray, basis_curve: CoreCurve, arrays: PointArrays) -> Cardinal:
         """Return the functions of a curve.
 
         Parameters
@@ -59,32 +59,34 @@ class Cardinals:
             The document's value.
         points
             Its points at its knots, (k, 2).
-        skeleton
+        basis_curve
             A core curve with its basis functions.
         arrays
-            The numbers in its nodes.
+            The numbers in its points.
         """
         rules: tuple[object, ...] = (
             curve.family, curve.velocity_rule, curve.acceleration_rule, curve.is_closed,
         )  # fmt: skip
         is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
-        numbers: tuple[FloatArray | BoolArray, ...] = (skeleton.parameters, arrays.corners, is_set)
+        numbers: tuple[FloatArray | BoolArray, ...] = (basis_curve.parameters, arrays.corners, is_set)
         if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
             rules, numbers = (*rules, curve.parametrization.alpha), (*numbers, points)
         known = self._known
         if known is None or known.rules != rules or not all(map(np.array_equal, known.numbers, numbers)):
-            known = Cardinal(rules, numbers, _made(curve, points, skeleton, arrays))
+            known = Cardinal(rules, numbers, _made(curve, points, basis_curve, arrays))
             self._known = known
         return known
 
 
-def _made(curve: Curve, points: FloatArray, skeleton: CoreCurve, arrays: NodeArrays) -> CardinalBasis | None:
+def _made(
+    curve: Curve, points: FloatArray, basis_curve: CoreCurve, arrays: PointArrays
+) -> CardinalBasis | None:
     if not curve.family.derivatives:
-        return CardinalBasis(skeleton)
-    follow = moved_with_points(curve, points, skeleton.parameters, arrays)
+        return CardinalBasis(basis_curve)
+    follow = moved_with_points(curve, points, basis_curve.parameters, arrays)
     try:
-        if len(curve.nodes) < _MANY:
-            return CardinalBasis(skeleton, follow, closed=curve.is_closed)
-        return CardinalBasis(skeleton, follow, closed=curve.is_closed, reach=_REACH)
+        if len(curve.points) < _MANY:
+            return CardinalBasis(basis_curve, follow, closed=curve.is_closed)
+        return CardinalBasis(basis_curve, follow, closed=curve.is_closed, reach=_REACH)
     except CurveError:
         return None

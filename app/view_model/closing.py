@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from app.document.edits import set_closed
 from app.document.model import Document
-from app.view_model.curve_view import CurveView, squeeze_of
+from app.view_model.curve_view import CurveView, scale_of
 
 
 def with_closed(document: Document, index: int, view: CurveView, closed: bool) -> Document:
@@ -17,7 +17,7 @@ def with_closed(document: Document, index: int, view: CurveView, closed: bool) -
     EditError
         If the curve cannot be closed.
     """
-    squeeze = 1.0
+    parameter_scale = 1.0
     if view.is_current and not view.source.is_manual:
-        squeeze = squeeze_of(view, replace(view.source, closed=closed))
-    return set_closed(document, index, closed, squeeze=squeeze)
+        parameter_scale = scale_of(view, replace(view.source, closed=closed))
+    return set_closed(document, index, closed, parameter_scale=parameter_scale)

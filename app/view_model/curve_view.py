@@ -11,11 +11,11 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import Curve, Node, Parametrization, ParametrizationKind, Vector
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
 from app.view_model.cardinals import Cardinals
 from app.view_model.flattener import Box, Flattener, FlatteningKey, Polyline
 from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
-from app.view_model.node_arrays import NodeArrays, arrays_of
+from app.view_model.point_arrays import PointArrays, arrays_of
 from app.view_model.refusals import refusal_of
 from curvecore import (
     CardinalBasis,
@@ -37,7 +37,7 @@ __all__ = [
     "CurveView",
     "Polyline",
     "appended_parameter",
-    "appended_squeeze",
+    "appended_scale",
     "parameters_of",
     "view_of",
 ]
@@ -60,28 +60,28 @@ _BY_COUNT = (ParametrizationKind.MANUAL, ParametrizationKind.UNIFORM, Parametriz
 class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """One curve of the document with everything that a canvas or panel draws of it.
 
-    The knots of the curve are its nodes, and for a closed curve the first node once more at the end.
+    The knots of the curve are its points, and for a closed curve the first point once more at the end.
 
     Attributes
     ----------
     source
         The document's value this was made from.
     points
-        The nodes' positions, (n, 2).
+        The points' positions, (n, 2).
     arrays
-        All numbers in the nodes; the view made after this one takes from here what stays.
+        All numbers in the points; the view made after this one takes from here what stays.
     curve
-        The core's curve; the last good one where the present nodes and rules give none, None where there
+        The core's curve; the last good one where the present points and rules give none, None where there
         never was one.
     problem
-        Why the present nodes and rules give no curve, as a sentence; empty where they do.
+        Why the present points and rules give no curve, as a sentence; empty where they do.
     sides
         The jets before and after each knot, where the family has derivatives and `curve` is current.
     """
 
     source: Curve
     points: FloatArray
-    arrays: NodeArrays
+    arrays: PointArrays
     curve: CoreCurve | None
     problem: str = ""
     sides: Sides | None = None
@@ -91,12 +91,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def is_current(self) -> bool:
-        """Whether `curve` belongs to the present nodes and rules."""
+        """Whether `curve` belongs to the present points and rules."""
         return self.curve is not None and not self.problem
 
     @cached_property
     def corners(self) -> list[int]:
-        """The nodes at which the curve may turn sharply; the ends of an open curve have one side only."""
+        """The points at which the curve may turn sharply; the ends of an open curve have one side only."""
         if not self.source.family.derivatives:
             return []
         last = len(self.points) - 1
@@ -114,7 +114,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self.curve.pieces if self.curve is not None else ()
 
     @cached_property
-    def skeleton(self) -> CoreCurve | None:
+    def basis_curve(self) -> CoreCurve | None:
         """A curve with the basis functions of `curve`, one set for each knot: corners do not change them."""
         if self.curve is None or len(self.pieces) == 1:
             return self.curve
@@ -127,15 +127,15 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
         None, too, where the derivatives that a point carries along are beyond all floats.
         """
-        if self.skeleton is None or not self.is_current:
+        if self.basis_curve is None or not self.is_current:
             return None
-        return self._cardinals.of(self.source, self.at_knots, self.skeleton, self.arrays).functions
+        return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays).functions
 
     @property
     def growth(self) -> float:
         """The Lebesgue constant of the points of a current curve; infinite where `cardinal` is None."""
-        assert self.skeleton is not None
-        return self._cardinals.of(self.source, self.at_knots, self.skeleton, self.arrays).growth
+        assert self.basis_curve is not None
+        return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays).growth
 
     def with_knots(self, points: FloatArray, parameters: FloatArray) -> CoreCurve:
         """Return the core curve through other points (k, 2), at parameters (k,), under the same rules."""
@@ -146,7 +146,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def at_knots(self) -> FloatArray:
-        """The nodes' positions, of a closed curve the first one once more at the end, (k, 2)."""
+        """The points' positions, of a closed curve the first one once more at the end, (k, 2)."""
         return np.vstack([self.points, self.points[:1]]) if self.source.is_closed else self.points
 
     @cached_property
@@ -185,26 +185,26 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self._flattened[key]
 
     def owner(self, knot: int) -> int:
-        """Return the node that a knot belongs to."""
-        return knot % len(self.source.nodes)
+        """Return the point that a knot belongs to."""
+        return knot % len(self.source.points)
 
-    def by_node(self, values: FloatArray) -> FloatArray:
-        """Add up what belongs to the same node: (k, …) to (n, …)."""
-        count = len(self.source.nodes)
+    def by_point(self, values: FloatArray) -> FloatArray:
+        """Add up what belongs to the same point: (k, …) to (n, …)."""
+        count = len(self.source.points)
         result = np.array(values[:count])
         if len(values) > count:
             result[0] += values[count]
         return result
 
     def velocity_of(self, index: int, *, ahead: bool = True) -> Vector | None:
-        """Return the velocity at node `index`, set or estimated; None where the family has none.
+        """Return the velocity at point `index`, set or estimated; None where the family has none.
 
-        At a corner there are two, one before the node and one ahead of it.
+        At a corner there are two, one before the point and one ahead of it.
         """
         return self._derivative(index, 1, ahead=ahead)
 
     def acceleration_of(self, index: int, *, ahead: bool = True) -> Vector | None:
-        """Return the acceleration at node `index`, set or estimated; None where the family has none."""
+        """Return the acceleration at point `index`, set or estimated; None where the family has none."""
         return self._derivative(index, 2, ahead=ahead)
 
     def _derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
@@ -214,11 +214,11 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return (float(x), float(y))
 
     def is_explicit(self, index: int, order: int, *, ahead: bool = True) -> bool:
-        """Whether the person set the velocity (order 1) or acceleration (2) of node `index`."""
-        return explicit_sides(self.source.nodes[index], order)[1 if ahead else 0] is not None
+        """Whether the person set the velocity (order 1) or acceleration (2) of point `index`."""
+        return explicit_sides(self.source.points[index], order)[1 if ahead else 0] is not None
 
     def spacing(self, index: int, *, ahead: bool) -> float | None:
-        """Return the length in t of the segment ahead of or behind node `index`, None beyond the ends."""
+        """Return the length in t of the segment ahead of or behind point `index`, None beyond the ends."""
         t = self.parameters
         if not self.is_current:
             return None
@@ -234,18 +234,18 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
     `previous` lends what did not change, and the last good curve if there is none now. The result is the
     same as without it, bit for bit.
     """
-    arrays = arrays_of(curve.nodes, previous.arrays if previous is not None else None)
-    if len(curve.nodes) < 2:
-        return CurveView(curve, arrays.points, arrays, None, TOO_FEW)
+    arrays = arrays_of(curve.points, previous.arrays if previous is not None else None)
+    if len(curve.points) < 2:
+        return CurveView(curve, arrays.positions, arrays, None, TOO_FEW)
     try:
         return _good_view(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
-        return CurveView(curve, arrays.points, arrays, last_good, refusal_of(problem, curve))
+        return CurveView(curve, arrays.positions, arrays, last_good, refusal_of(problem, curve))
 
 
-def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> CurveView:
-    points = arrays.points
+def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CurveView:
+    points = arrays.positions
     at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
     parameters = _known_parameters(curve, arrays, previous)
     if parameters is None:
@@ -264,9 +264,9 @@ def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> 
     return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
 
 
-def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> FloatArray | None:
+def _known_parameters(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> FloatArray | None:
     """Return the parameters of the curve before where they cannot be other ones: no rule moves them."""
-    if previous is None or not previous.is_current or len(previous.points) != len(arrays.points):
+    if previous is None or not previous.is_current or len(previous.points) != len(arrays.positions):
         return None
     old, rule = previous.source, curve.parametrization
     if rule.kind not in _BY_COUNT or rule is not old.parametrization or old.is_closed is not curve.is_closed:
@@ -286,7 +286,7 @@ def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView |
 
 
 def _piecewise(
-    curve: Curve, sides: Sides, parameters: FloatArray, arrays: NodeArrays, frozen: CoreCurve | None
+    curve: Curve, sides: Sides, parameters: FloatArray, arrays: PointArrays, frozen: CoreCurve | None
 ) -> CoreCurve:
     last = len(parameters) - 1
     corners = [index for index in corner_knots(arrays, last + 1) if 0 < index < last]
@@ -309,12 +309,12 @@ def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:
 def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = None) -> FloatArray:
     """Return the parameters that the rule of `curve` gives for the points at its knots, (k,).
 
-    `times` are the manual parameters of its nodes, where they are at hand.
+    `times` are the manual parameters of its points, where they are at hand.
     """
     rule = curve.parametrization
     if rule.kind is ParametrizationKind.MANUAL:
         if times is None:
-            times = np.array([np.nan if node.t is None else node.t for node in curve.nodes])
+            times = np.array([np.nan if point.t is None else point.t for point in curve.points])
         return np.append(times, rule.end) if curve.is_closed else times
     return _onto_interval(_PARAMETERS[rule.kind](points, rule.alpha), rule)
 
@@ -327,35 +327,35 @@ def _onto_interval(parameters: FloatArray, rule: Parametrization) -> FloatArray:
     return mapped
 
 
-def appended_squeeze(before: CurveView, nodes: Sequence[Node]) -> float:
-    """Return by which factor appending `nodes` squeezes the parameters of the points before them.
+def appended_scale(before: CurveView, points: Sequence[Point]) -> float:
+    """Return by which factor appending `points` squeezes the parameters of the points before them.
 
     One where the parameters stay, or where there is nothing to compare.
     """
     curve = before.source
-    if curve.is_manual or not before.is_current or len(curve.nodes) < 2:
+    if curve.is_manual or not before.is_current or len(curve.points) < 2:
         return 1.0
-    return squeeze_of(before, replace(curve, nodes=(*curve.nodes, *nodes)))
+    return scale_of(before, replace(curve, points=(*curve.points, *points)))
 
 
-def squeeze_of(before: CurveView, after: Curve) -> float:
+def scale_of(before: CurveView, after: Curve) -> float:
     """Return how much longer in t the points of `before` are in `after`, where they come first.
 
     One where their parameters all but meet, in `after` or before: then there is no curve to keep.
     """
-    last = len(before.source.nodes) - 1
-    points = np.array([node.position for node in after.nodes])
+    last = len(before.source.points) - 1
+    points = np.array([point.position for point in after.points])
     try:
         new = parameters_of(after, np.vstack([points, points[:1]]) if after.is_closed else points)
     except CurveError:
         return 1.0
     old = before.parameters
     longer, long = float(new[last] - new[0]), float(old[last] - old[0])
-    squeeze = longer / long if long > 0.0 else 1.0
-    return squeeze if 0.0 < squeeze < math.inf else 1.0
+    parameter_scale = longer / long if long > 0.0 else 1.0
+    return parameter_scale if 0.0 < parameter_scale < math.inf else 1.0
 
 
-def appended_parameter(before: CurveView, node: Node) -> float:
+def appended_parameter(before: CurveView, point: Point) -> float:
     """Return a manual parameter for a point appended to `before`: as fast as the curve so far.
 
     A closed curve's last segment is divided in proportion to the distances.
@@ -363,16 +363,16 @@ def appended_parameter(before: CurveView, node: Node) -> float:
     t = before.parameters
     if len(t) == 0 or not before.is_current:
         given, rule = (
-            [each.t for each in before.source.nodes if each.t is not None],
+            [each.t for each in before.source.points if each.t is not None],
             before.source.parametrization,
         )
         # After a lone point the whole interval: its handle was drawn for that.
         step = rule.end - rule.start if len(given) == 1 else 1.0
         return given[-1] + step if given else rule.start
     last = len(before.points) - 1
-    new = float(np.hypot(*(np.array(node.position) - before.points[last])))
+    new = float(np.hypot(*(np.array(point.position) - before.points[last])))
     if before.source.is_closed:
-        back = float(np.hypot(*(np.array(node.position) - before.points[0])))
+        back = float(np.hypot(*(np.array(point.position) - before.points[0])))
         share = new / (new + back) if new + back > 0 else 0.5
         return float(t[last] + np.clip(share, 0.01, 0.99) * (t[last + 1] - t[last]))
     total = float(np.hypot(*np.diff(before.points, axis=0).T).sum())

@@ -62,7 +62,7 @@ class Goal:
 
 
 @dataclass(frozen=True)
-class Standing:
+class GoalResult:
     """Where a curve stands.
 
     Attributes
@@ -99,17 +99,17 @@ def parse_goal(text: str, curve: str = "", kept: str = "") -> Goal:
     return goal
 
 
-def standing_of(goal: Goal, view: CurveView, given: Curve | None = None) -> Standing:
+def standing_of(goal: Goal, view: CurveView, given: Curve | None = None) -> GoalResult:
     """Return whether the curve of `view` meets `goal`, in words; `given` is the curve as it was given."""
     if goal.curve and view.source.name != goal.curve:
-        return Standing(False, f"{_asked(goal)}; click on the curve “{goal.curve}”, which is meant")
+        return GoalResult(False, f"{_asked(goal)}; click on the curve “{goal.curve}”, which is meant")
     if not view.is_current:
-        return Standing(False, f"{_asked(goal)}; there is no curve now")
+        return GoalResult(False, f"{_asked(goal)}; there is no curve now")
     is_met, now = _measured(goal, view)
     changed = [KEPT[name] for name in goal.kept if given is not None and not KEPT[name].is_kept(view, given)]
     if changed:
-        return Standing(False, f"{_asked(goal)}{now}, but {changed[0].words}")
-    return Standing(is_met, f"{_asked(goal)}{now}")
+        return GoalResult(False, f"{_asked(goal)}{now}, but {changed[0].words}")
+    return GoalResult(is_met, f"{_asked(goal)}{now}")
 
 
 def _asked(goal: Goal) -> str:
@@ -188,7 +188,7 @@ class Kept:
 
 def _keeps_points(view: CurveView, given: Curve) -> bool:
     """Whether there are as many points as given, each about where it was: a lesson may ask to move one."""
-    before = np.array([node.position for node in given.nodes])
+    before = np.array([point.position for point in given.points])
     if before.shape != view.points.shape:
         return False
     size = float(np.ptp(before, axis=0).max())

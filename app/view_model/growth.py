@@ -31,25 +31,25 @@ def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
     `basis` lends the functions of a Lagrange curve, of which many take long: the largest of their samples is
     as much of the constant as can be drawn. What is on screen may still be the functions of another curve.
     """
-    if not view.is_current or view.skeleton is None:
+    if not view.is_current or view.basis_curve is None:
         return math.nan
     return basis.lebesgue_constant if basis is not None and _lends(basis, view) else view.growth
 
 
 def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
     """Return the Lebesgue constant where velocities and accelerations stay as they are."""
-    if not view.is_current or view.skeleton is None:
+    if not view.is_current or view.basis_curve is None:
         return math.nan
-    if view.skeleton.is_positive:
+    if view.basis_curve.is_positive:
         return 1.0
     if basis is not None and _lends(basis, view):
         return basis.lebesgue_constant
-    return lebesgue_constant(view.skeleton)
+    return lebesgue_constant(view.basis_curve)
 
 
 def _lends(basis: BasisView, view: CurveView) -> bool:
     """Whether these are dense functions, and of this curve: family and parameters decide."""
-    if view.skeleton is None or basis.curve.is_local or basis.curve.name != view.skeleton.name:
+    if view.basis_curve is None or basis.curve.is_local or basis.curve.name != view.basis_curve.name:
         return False
     return bool(np.array_equal(basis.curve.parameters, view.parameters))
 

@@ -1,7 +1,7 @@
-"""Handles: the Bézier control points beside a node, which a person drags to set its derivatives.
+"""Handles: the Bézier control points beside a point, which a person drags to set its derivatives.
 
 On a segment of length h the cubic has its control points at p ± h·v/3; the quintic has them at p ± h·v/5
-and p ± 2h·v/5 + h²·a/20 (plus ahead of the node, minus behind it, with the h of the segment on that side).
+and p ± 2h·v/5 + h²·a/20 (plus ahead of the point, minus behind it, with the h of the segment on that side).
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from app.view_model.jets import explicit_sides
 
 
 class Handle(msgspec.Struct, frozen=True):
-    """One handle of a node.
+    """One handle of a point.
 
     Attributes
     ----------
     kind
         1 for a velocity, 2 for an acceleration.
     ahead
-        Whether it belongs to the segment after the node.
+        Whether it belongs to the segment after the point.
     position
         Where it lies in the plane.
     anchor
-        Where the line to it begins: the node, or the velocity handle.
+        Where the line to it begins: the point, or the velocity handle.
     explicit
         Whether the person set the value; otherwise a rule estimates it.
     """
@@ -42,12 +42,12 @@ class Handle(msgspec.Struct, frozen=True):
 
 
 def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handle]:
-    """Return the handles of node `index`; none for Lagrange, or while there is no curve.
+    """Return the handles of point `index`; none for Lagrange, or while there is no curve.
 
     With `free` an end of the curve has handles on its free side as well, mirrored from the other. A point
     that stands alone has the handle that was pulled out of it.
     """
-    if len(view.source.nodes) == 1:
+    if len(view.source.points) == 1:
         return _lone_handle(view)
     handles: list[Handle] = []
     for ahead in (True, False):
@@ -57,19 +57,19 @@ def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handl
 
 
 def _lone_handle(view: CurveView) -> list[Handle]:
-    node = view.source.nodes[0]
-    velocity = explicit_sides(node, 1)[1]
+    point = view.source.points[0]
+    velocity = explicit_sides(point, 1)[1]
     if not view.source.family.derivatives or velocity is None:
         return []
-    tip = _along(node.position, velocity, _whole_interval(view) / _degree(view))
-    return [Handle(1, True, tip, node.position, explicit=True)]
+    tip = _along(point.position, velocity, _whole_interval(view) / _degree(view))
+    return [Handle(1, True, tip, point.position, explicit=True)]
 
 
 def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
     if velocity is None or h is None:
         return []
-    p = view.source.nodes[index].position
+    p = view.source.points[index].position
     tip = _along(p, velocity, h / _degree(view))
     handles = [Handle(1, ahead, tip, p, view.is_explicit(index, 1, ahead=ahead))]
     acceleration = view.acceleration_of(index, ahead=ahead)
@@ -81,7 +81,7 @@ def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Ha
 
 def velocity_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
     """Return the velocity whose handle lies at `position`."""
-    p, h = view.source.nodes[index].position, _signed_spacing(view, index, ahead=ahead)
+    p, h = view.source.points[index].position, _signed_spacing(view, index, ahead=ahead)
     if h is None:
         # A point that stands alone: the interval it is going to open stands for h.
         h = _whole_interval(view)
@@ -97,16 +97,16 @@ def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, a
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
     if velocity is None or h is None:
         return (0.0, 0.0)
-    base = _along(view.source.nodes[index].position, velocity, 2 * h / 5)
+    base = _along(view.source.points[index].position, velocity, 2 * h / 5)
     # Not by h²: it may vanish where h does not.
     x, y = float(position[0] - base[0]), float(position[1] - base[1])
     return (20 * x / h / h, 20 * y / h / h)
 
 
 def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: float) -> Curve:
-    """Return the curve with explicit velocities at these nodes whose handles can be seen.
+    """Return the curve with explicit velocities at these points whose handles can be seen.
 
-    A handle nearer to its node than `visible` is pulled out by a third of the way to the neighbour, in the
+    A handle nearer to its point than `visible` is pulled out by a third of the way to the neighbour, in the
     direction of the velocity, or along the curve's points where that is zero.
 
     Raises
@@ -122,8 +122,8 @@ def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: f
 
 
 def _own_sides(view: CurveView, index: int) -> list[bool]:
-    """Return the sides of a node with velocities of their own: at a corner both, else ahead of it."""
-    if not view.source.nodes[index].corner:
+    """Return the sides of a point with velocities of their own: at a corner both, else ahead of it."""
+    if not view.source.points[index].corner:
         return [True]
     return [ahead for ahead in (False, True) if view.spacing(index, ahead=ahead) is not None]
 
@@ -136,8 +136,8 @@ def _pulled(view: CurveView, index: int, visible: float, ahead: bool) -> Vector:
     if math.hypot(*velocity) * abs(h) / _degree(view) >= visible:
         return velocity
     before, after = _neighbours(view, index)
-    if view.source.nodes[index].corner:
-        p = view.source.nodes[index].position
+    if view.source.points[index].corner:
+        p = view.source.points[index].position
         before, after = (p, after) if ahead else (before, p)
     direction = velocity if math.hypot(*velocity) > 0 else (after[0] - before[0], after[1] - before[1])
     length, reach = math.hypot(*direction), _way_to_neighbour(view, index, ahead=ahead)
@@ -148,16 +148,16 @@ def _pulled(view: CurveView, index: int, visible: float, ahead: bool) -> Vector:
 
 
 def _neighbours(view: CurveView, index: int) -> tuple[Vector, Vector]:
-    """Return the points before and after a node; at an end the node itself is one of them."""
-    nodes, last = view.source.nodes, len(view.source.nodes) - 1
+    """Return the points before and after a point; at an end the point itself is one of them."""
+    points, last = view.source.points, len(view.source.points) - 1
     if view.source.is_closed:
-        return nodes[index - 1].position, nodes[(index + 1) % len(nodes)].position
-    return nodes[max(index - 1, 0)].position, nodes[min(index + 1, last)].position
+        return points[index - 1].position, points[(index + 1) % len(points)].position
+    return points[max(index - 1, 0)].position, points[min(index + 1, last)].position
 
 
 def _way_to_neighbour(view: CurveView, index: int, *, ahead: bool) -> float:
     before, after = _neighbours(view, index)
-    p = view.source.nodes[index].position
+    p = view.source.points[index].position
     return math.dist(p, after if ahead else before) or math.dist(p, before if ahead else after)
 
 

@@ -1,6 +1,6 @@
 """The data of a Hermite curve: what the person set, and what the rules estimate for the rest.
 
-The knots of a curve are its nodes, and for a closed curve the first node once more. A corner divides the
+The knots of a curve are its points, and for a closed curve the first point once more. A corner divides the
 curve into pieces, and each piece is estimated for itself; a closed curve without a corner is estimated as
 the periodic curve it is.
 """
@@ -13,8 +13,8 @@ from itertools import pairwise
 import msgspec
 import numpy as np
 
-from app.document.model import AccelerationRule, Curve, Node, Vector, VelocityRule
-from app.view_model.node_arrays import NodeArrays, arrays_of
+from app.document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
+from app.view_model.point_arrays import PointArrays, arrays_of
 from curvecore import (
     bessel_velocities,
     catmull_rom_velocities,
@@ -39,10 +39,10 @@ class Sides(msgspec.Struct, frozen=True, eq=False):
 
 
 def sides_of(
-    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: NodeArrays | None = None
+    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: PointArrays | None = None
 ) -> Sides:
     """Return the jets of `curve` at its knots, whose points (k, 2) and parameters (k,) are given."""
-    arrays = arrays or arrays_of(curve.nodes)
+    arrays = arrays or arrays_of(curve.points)
     before = np.empty((len(points), curve.family.derivatives + 1, 2))
     before[:, 0] = points
     after = before.copy()
@@ -54,9 +54,9 @@ def sides_of(
 
 
 def moved_with_points(
-    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: NodeArrays
+    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: PointArrays
 ) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
-    """Return what moves of the nodes, (n, m), do to the derivatives before and after each knot.
+    """Return what moves of the points, (n, m), do to the derivatives before and after each knot.
 
     At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points. What the
     person set stays.
@@ -97,7 +97,7 @@ def _of_moves(estimate: Estimate) -> Estimate:
     return lambda both, t: estimate(both[:, 2:], t)
 
 
-def corner_knots(arrays: NodeArrays, count: int) -> list[int]:
+def corner_knots(arrays: PointArrays, count: int) -> list[int]:
     """Return which of the `count` knots are corners."""
     corners: list[int] = np.flatnonzero(arrays.corners).tolist()
     if count > len(arrays.corners) and arrays.corners[0]:
@@ -172,21 +172,21 @@ def _estimate_closed(
     before[count], after[count] = before[0], after[0]
 
 
-def _set_explicit(before: FloatArray, after: FloatArray, arrays: NodeArrays, order: int) -> None:
+def _set_explicit(before: FloatArray, after: FloatArray, arrays: PointArrays, order: int) -> None:
     for side, derivatives in enumerate((before, after)):
         rows = _given_rows(arrays, side, order, len(derivatives))
         derivatives[rows] = arrays.given[rows % len(arrays.given), side, order - 1]
 
 
-def _given_rows(arrays: NodeArrays, side: int, order: int, count: int) -> IntArray:
-    """Return the knots, of `count`, whose derivative was set; a closed curve ends at its first node."""
+def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntArray:
+    """Return the knots, of `count`, whose derivative was set; a closed curve ends at its first point."""
     rows = np.flatnonzero(~np.isnan(arrays.given[:, side, order - 1, 0]))
     return np.append(rows, count - 1) if len(rows) and rows[0] == 0 and count > len(arrays.given) else rows
 
 
-def explicit_sides(node: Node, order: int) -> tuple[Vector | None, Vector | None]:
-    """Return the velocity (order 1) or acceleration (2) that the person set before and after a node."""
-    first = node.velocity if order == 1 else node.acceleration
-    if not node.corner:
+def explicit_sides(point: Point, order: int) -> tuple[Vector | None, Vector | None]:
+    """Return the velocity (order 1) or acceleration (2) that the person set before and after a point."""
+    first = point.velocity if order == 1 else point.acceleration
+    if not point.corner:
         return first, first
-    return first, node.velocity_after if order == 1 else node.acceleration_after
+    return first, point.velocity_after if order == 1 else point.acceleration_after

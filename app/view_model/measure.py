@@ -19,7 +19,7 @@ _KEPT = 1e-8
 
 def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
     """Tell whether the shape of these curves is the same but for roundings, `residual` being what changed."""
-    points = np.array([node.position for curve in curves for node in curve.nodes])
+    points = np.array([point.position for curve in curves for point in curve.points])
     return residual <= _KEPT * float(np.ptp(points, axis=0).max())
 
 

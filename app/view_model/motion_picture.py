@@ -194,7 +194,7 @@ def jumps_in_words(views: dict[Role, CurveView]) -> str:
 
 def _is_estimated(view: CurveView) -> bool:
     rule = view.source.velocity_rule
-    return rule is VelocityRule.NATURAL_SPLINE and not any(node.velocity for node in view.source.nodes)
+    return rule is VelocityRule.NATURAL_SPLINE and not any(point.velocity for point in view.source.points)
 
 
 def _jump_in_words(name: str, view: CurveView) -> str:
@@ -210,5 +210,5 @@ def _jump_in_words(name: str, view: CurveView) -> str:
     sizes = [float(np.hypot(*joint.acceleration_jump)) for joint in jumping]
     worst = int(np.argmax(sizes))
     where = f"at {len(jumping)} of {len(joints)} joints, most" if len(joints) > 1 else "at its joint,"
-    node = view.owner(jumping[worst].joint)
-    return f"{name}: acceleration jumps {where} at point {node} by {short(sizes[worst])}."
+    point = view.owner(jumping[worst].joint)
+    return f"{name}: acceleration jumps {where} at point {point} by {short(sizes[worst])}."

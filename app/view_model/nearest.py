@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from curvecore import NearestWithin
 
 
-class Nearest(msgspec.Struct, frozen=True):
+class NearestCurvePoint(msgspec.Struct, frozen=True):
     """A point of a curve, its parameter and its distance."""
 
     t: float
@@ -30,7 +30,7 @@ class NearestPoint:
     def __init__(self, view: CurveView) -> None:
         self._curve = view.curve if view.is_current else None
 
-    def within(self, place: Vector, reach: float) -> Nearest | None:
+    def within(self, place: Vector, reach: float) -> NearestCurvePoint | None:
         """Return the nearest point if it is at most `reach` away: the nearest of all, wherever it lies."""
         if self._curve is None or not np.isfinite(place).all():
             return None
@@ -38,7 +38,7 @@ class NearestPoint:
         if found is None:
             return None
         x, y = found.point.tolist()
-        return Nearest(found.parameter, (x, y), found.distance)
+        return NearestCurvePoint(found.parameter, (x, y), found.distance)
 
     @cached_property
     def _search(self) -> NearestWithin:

@@ -10,75 +10,79 @@ from msgspec.structs import replace
 from app.document.edits import (
     EditError,
     freeze_parameters,
-    insert_nodes,
+    insert_points,
     set_interval,
-    set_nodes,
+    set_points,
     stretched,
 )
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.words import number
-from app.view_model.appending import with_nodes_appended
+from app.view_model.appending import with_points_appended
 from app.view_model.curve_view import CurveView, appended_parameter, view_of
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return a curve of the nodes at `indices` alone; each carries the parameter that is in force."""
-    t = view.parameters.tolist() if view.is_current else [None] * len(view.source.nodes)
-    nodes = tuple(replace(view.source.nodes[index], t=t[index]) for index in sorted(indices))
+    """Return a curve of the points at `indices` alone; each carries the parameter that is in force."""
+    t = view.parameters.tolist() if view.is_current else [None] * len(view.source.points)
+    points = tuple(replace(view.source.points[index], t=t[index]) for index in sorted(indices))
     rules = view.source.parametrization
-    if any(node.t is None for node in nodes):
-        nodes = tuple(replace(node, t=None) for node in nodes)
+    if any(point.t is None for point in points):
+        points = tuple(replace(point, t=None) for point in points)
         rules = replace(rules, kind=ParametrizationKind.CHORD_LENGTH) if view.source.is_manual else rules
-    return replace(view.source, nodes=nodes, parametrization=rules, closed=False, visible=True, locked=False)
+    return replace(
+        view.source, points=points, parametrization=rules, closed=False, visible=True, locked=False
+    )
 
 
-def appended(view: CurveView, pasted: Sequence[Node]) -> Curve:
+def appended(view: CurveView, pasted: Sequence[Point]) -> Curve:
     """Return the curve of `view` with `pasted` appended.
 
     Their own parameters count as distances in t. Under a rule they get others, and the derivatives are
     rescaled so that the handles of the points pasted together keep their proportions.
     """
-    document, count = Document((view.source,)), len(view.source.nodes)
+    document, count = Document((view.source,)), len(view.source.points)
     if view.source.is_manual:
-        return with_nodes_appended(document, 0, view, _later(view, pasted)).curves[0]
-    document = with_nodes_appended(document, 0, view, [replace(node, t=None) for node in pasted])
+        return with_points_appended(document, 0, view, _later(view, pasted)).curves[0]
+    document = with_points_appended(document, 0, view, [replace(point, t=None) for point in pasted])
     factor = _factor(pasted, view_of(document.curves[0]))
-    nodes = document.curves[0].nodes
-    new = (stretched(node, factor) for node in nodes[count:])
-    return set_nodes(document, 0, (*nodes[:count], *new)).curves[0]
+    points = document.curves[0].points
+    new = (stretched(point, factor) for point in points[count:])
+    return set_points(document, 0, (*points[:count], *new)).curves[0]
 
 
-def _later(view: CurveView, pasted: Sequence[Node]) -> list[Node]:
+def _later(view: CurveView, pasted: Sequence[Point]) -> list[Point]:
     """Return `pasted` with manual parameters after those of the curve, the distances in t kept."""
     first = appended_parameter(view, pasted[0])
-    own = [node.t for node in pasted]
+    own = [point.t for point in pasted]
     steps = [t - own[0] for t in own if t is not None and own[0] is not None]
     if len(steps) < len(pasted):
-        last = view.source.nodes[-1].t if view.source.nodes else None
+        last = view.source.points[-1].t if view.source.points else None
         step = first - last if last is not None else 1.0
         steps = [step * place for place in range(len(pasted))]
-    return [replace(node, t=first + step) for node, step in zip(pasted, steps, strict=True)]
+    return [replace(point, t=first + step) for point, step in zip(pasted, steps, strict=True)]
 
 
-def _factor(pasted: Sequence[Node], after: CurveView) -> float:
+def _factor(pasted: Sequence[Point], after: CurveView) -> float:
     """Return how much longer in t the way through the pasted points is than it was."""
     first, last = pasted[0].t, pasted[-1].t
     if first is None or last is None or not last > first or not after.is_current:
         return 1.0
-    end = len(after.source.nodes)
+    end = len(after.source.points)
     new = after.parameters[end - len(pasted) : end]
     return float((new[-1] - new[0]) / (last - first))
 
 
-def appended_with_parameters(view: CurveView, pasted: Sequence[Node], first_row: int) -> Curve:
+def appended_with_parameters(view: CurveView, pasted: Sequence[Point], first_row: int) -> Curve:
     """Return the curve with `pasted` appended at the parameters they carry; all become manual.
 
     `first_row` is the number of the first one's row in the text, for messages.
     """
     refuse_unordered(pasted, first_row)
-    count = len(view.source.nodes)
+    count = len(view.source.points)
     if view.source.is_manual or view.is_current:
-        parameters = view.parameters.tolist() if view.is_current else [node.t for node in view.source.nodes]
+        parameters = (
+            view.parameters.tolist() if view.is_current else [point.t for point in view.source.points]
+        )
     elif count:
         raise EditError(f"There are no parameters to go on from. {view.problem}")
     else:
@@ -90,22 +94,22 @@ def appended_with_parameters(view: CurveView, pasted: Sequence[Node], first_row:
             f"Row {first_row}: t must be greater than {number(last, 6)}, the t of the last point, "
             f"not {number(first, 6)}."
         )
-    document = insert_nodes(Document((view.source,)), 0, count, pasted)
-    own = [*parameters[:count], *(node.t or 0.0 for node in pasted)]
+    document = insert_points(Document((view.source,)), 0, count, pasted)
+    own = [*parameters[:count], *(point.t or 0.0 for point in pasted)]
     return freeze_parameters(document, 0, own).curves[0]
 
 
-def refuse_unordered(pasted: Sequence[Node], first_row: int) -> None:
+def refuse_unordered(pasted: Sequence[Point], first_row: int) -> None:
     """Raise EditError unless the parameters of the rows increase."""
-    for row, (before, node) in enumerate(pairwise(pasted), start=first_row + 1):
-        if not (node.t or 0.0) > (before.t or 0.0):
+    for row, (before, point) in enumerate(pairwise(pasted), start=first_row + 1):
+        if not (point.t or 0.0) > (before.t or 0.0):
             raise EditError(
                 f"Row {row}: t must be greater than {number(before.t or 0.0, 6)}, "
-                f"the t of the row before it, not {number(node.t or 0.0, 6)}."
+                f"the t of the row before it, not {number(point.t or 0.0, 6)}."
             )
 
 
-def nodes_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Node, ...]:
+def points_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Point, ...]:
     """Return the points of rows with two columns, x y, or three, t x y.
 
     Raises
@@ -115,9 +119,9 @@ def nodes_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Node, ...]:
     """
     width = len(rows[0])
     if width == 2:
-        return tuple(Node(x, y) for x, y in rows)
+        return tuple(Point(x, y) for x, y in rows)
     if width == 3:
-        return tuple(Node(x, y, t=t) for t, x, y in rows)
+        return tuple(Point(x, y, t=t) for t, x, y in rows)
     raise EditError(
         f"Points are two columns, x y, or three, t x y; {_columns(width)}. The point table takes them all."
     )
@@ -127,13 +131,13 @@ def _columns(width: int) -> str:
     return "this is one column" if width == 1 else f"these are {width} columns"
 
 
-def as_new_curve(like: Curve, pasted: Sequence[Node], name: str) -> Curve:
+def as_new_curve(like: Curve, pasted: Sequence[Point], name: str) -> Curve:
     """Return a curve of `pasted` with the family and tangent rules of `like`; manual where they carry t.
 
     Otherwise its parameters are those of every new curve: interval and rule of another say nothing of it.
     """
-    curve = replace(make_curve((), name=name, family=like.family), nodes=tuple(pasted))
-    timed = all(node.t is not None for node in pasted)
+    curve = replace(make_curve((), name=name, family=like.family), points=tuple(pasted))
+    timed = all(point.t is not None for point in pasted)
     kind = ParametrizationKind.MANUAL if timed else ParametrizationKind.CHORD_LENGTH
     return replace(
         curve,
@@ -149,8 +153,8 @@ def copied_as_new_curve(copy: Curve, name: str) -> Curve:
     Under a rule the parameters that came along are only distances; the rule gives its own. Manual ones are
     mapped, and the derivatives with them: the shape is that of the copy.
     """
-    if not copy.is_manual or len(copy.nodes) < 2:
-        nodes = tuple(replace(node, t=None) for node in copy.nodes)
+    if not copy.is_manual or len(copy.points) < 2:
+        points = tuple(replace(point, t=None) for point in copy.points)
         kind = ParametrizationKind.CHORD_LENGTH if copy.is_manual else copy.parametrization.kind
-        copy = replace(copy, nodes=nodes, parametrization=replace(copy.parametrization, kind=kind))
+        copy = replace(copy, points=points, parametrization=replace(copy.parametrization, kind=kind))
     return replace(set_interval(Document((copy,)), 0, 0.0, 1.0).curves[0], name=name)

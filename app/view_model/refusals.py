@@ -22,9 +22,9 @@ def refusal_of(problem: CurveError, curve: Curve) -> str:
     text = str(problem)
     if text.startswith("parameters must be strictly increasing") and len(problem.indices) == 2:
         return _not_increasing(text, problem.indices, curve)
-    if curve.is_closed and len(curve.nodes) in problem.indices:
+    if curve.is_closed and len(curve.points) in problem.indices:
         # Where the curve returns to its first point.
-        text = re.sub(rf"\b{len(curve.nodes)}\b", "0", text)
+        text = re.sub(rf"\b{len(curve.points)}\b", "0", text)
     return sentence(in_words(text))
 
 
@@ -46,9 +46,9 @@ def _not_increasing(text: str, indices: tuple[int, ...], curve: Curve) -> str:
         return (
             f"{_t(before)} and {_t(after)} are the same number, {first}: for an interval from "
             f"{_number(repr(curve.parametrization.start))} to {_number(repr(curve.parametrization.end))} "
-            f"points {before} and {after % len(curve.nodes)} lie too close together."
+            f"points {before} and {after % len(curve.points)} lie too close together."
         )
-    if after == len(curve.nodes):
+    if after == len(curve.points):
         return (
             f"{_t(before)} = {first} must be less than {second}, where the curve returns to its first point."
         )

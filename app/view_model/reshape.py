@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from app.document.curve_edits import reverse_curve
 from app.document.edits import EditError, freeze_parameters, stretched
 from app.document.jet_edits import JetValue, with_jet_values
-from app.document.model import Curve, Document, Node, Vector
+from app.document.model import Curve, Document, Point, Vector
 from app.document.words import number
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.jets import Sides
@@ -60,8 +60,8 @@ def baked(view: CurveView) -> Curve:
     curve = document.curves[0]
     if view.sides is None:
         return curve
-    nodes = (with_jets(node, view.sides, index) for index, node in enumerate(curve.nodes))
-    return replace(curve, nodes=tuple(nodes))
+    points = (with_jets(point, view.sides, index) for index, point in enumerate(curve.points))
+    return replace(curve, points=tuple(points))
 
 
 def refuse_without_curve(view: CurveView) -> None:
@@ -70,15 +70,15 @@ def refuse_without_curve(view: CurveView) -> None:
         raise EditError(f"There is no curve yet. {view.problem}")
 
 
-def with_jets(node: Node, sides: Sides, index: int) -> Node:
-    """Return `node` with the derivatives at knot `index` made explicit, on both sides of a corner."""
+def with_jets(point: Point, sides: Sides, index: int) -> Point:
+    """Return `point` with the derivatives at knot `index` made explicit, on both sides of a corner."""
     names = ("velocity", "acceleration")[: sides.before.shape[1] - 1]
     changed: dict[str, Vector] = {}
     for order, name in enumerate(names, start=1):
         changed[name] = _vector(sides.before[index, order])
-        if node.corner:
+        if point.corner:
             changed[f"{name}_after"] = _vector(sides.after[index, order])
-    return replace(node, **changed) if changed else node
+    return replace(point, **changed) if changed else point
 
 
 def _vector(values: FloatArray) -> Vector:
@@ -103,15 +103,15 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     refuse_without_curve(view)
     index = _place_between(view, t)
     curve = view.source
-    node = _sampled(view, t)
+    point = _sampled(view, t)
     if curve.is_manual:
-        grown = replace(curve, nodes=(*curve.nodes[:index], node, *curve.nodes[index:]))
-        own = np.arange(len(curve.nodes))
+        grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
+        own = np.arange(len(curve.points))
         grown = estimates_kept(view, grown, own, np.where(own < index, own, own + 1))
         after = view_of(grown)
         return Reshaped(grown, _change(view, after, after.parameters))
-    node = replace(node, t=None)
-    grown = replace(curve, nodes=(*curve.nodes[:index], node, *curve.nodes[index:]))
+    point = replace(point, t=None)
+    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     grown = _stretched_along(view, grown, index, t)
     after = view_of(grown)
     return Reshaped(grown, _change(view, after, np.insert(view.parameters, index, t)), parameters_moved=True)
@@ -127,19 +127,19 @@ def _place_between(view: CurveView, t: float) -> int:
     return int(np.searchsorted(knots, t))
 
 
-def _sampled(view: CurveView, t: float) -> Node:
-    """Return a node on the curve at `t` with the derivatives there."""
+def _sampled(view: CurveView, t: float) -> Point:
+    """Return a point on the curve at `t` with the derivatives there."""
     assert view.curve is not None
     orders = range(view.source.family.derivatives + 1)
     position, *derivatives = (_vector(view.curve.evaluate(t, order)) for order in orders)
     velocity, acceleration, *_ = (*derivatives, None, None)
-    return Node(*position, t=t, velocity=velocity, acceleration=acceleration)
+    return Point(*position, t=t, velocity=velocity, acceleration=acceleration)
 
 
 def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:
     """Make explicit, as they were in `before`, the estimates that are others in `changed`, and only those.
 
-    The nodes `old` of the curve before are the nodes `new` of the changed one.
+    The points `old` of the curve before are the points `new` of the changed one.
     """
     after = view_of(changed)
     refuse_without_curve(after)
@@ -161,15 +161,15 @@ def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> C
     after = view_of(grown)
     refuse_without_curve(after)
     factors = np.diff(after.parameters) / np.diff(np.insert(before.parameters, index, t))
-    nodes = [
-        stretched(node, _factor_at(factors, place, index, is_closed=grown.is_closed))
-        for place, node in enumerate(grown.nodes)
+    points = [
+        stretched(point, _factor_at(factors, place, index, is_closed=grown.is_closed))
+        for place, point in enumerate(grown.points)
     ]
-    return replace(grown, nodes=tuple(nodes))
+    return replace(grown, points=tuple(points))
 
 
 def _factor_at(factors: FloatArray, place: int, inserted: int, *, is_closed: bool) -> float:
-    """Return the factor of time at a node: that of a segment beside it, if possible one that was not cut."""
+    """Return the factor of time at a point: that of a segment beside it, if possible one that was not cut."""
     beside = [place - 1, place]
     if is_closed and place == 0:
         beside[0] = len(factors) - 1

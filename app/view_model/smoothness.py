@@ -17,16 +17,16 @@ from app.view_model.curve_view import CurveView
 from app.view_model.reshape import estimates_kept, with_jets
 
 ENDS_STAY = "the ends of an open curve cannot be corners"
-"""What is said where some of the nodes chosen are such ends."""
+"""What is said where some of the points chosen are such ends."""
 
 
-def inner_nodes(curve: Curve, indices: Collection[int]) -> list[int]:
-    """Return those of the nodes `indices` that have curve on both sides, in order."""
-    return sorted(index for index in indices if curve.is_closed or 0 < index < len(curve.nodes) - 1)
+def inner_points(curve: Curve, indices: Collection[int]) -> list[int]:
+    """Return those of the points `indices` that have curve on both sides, in order."""
+    return sorted(index for index in indices if curve.is_closed or 0 < index < len(curve.points) - 1)
 
 
 def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with corners at these nodes: both sides are explicit, and the shape stays.
+    """Return the curve with corners at these points: both sides are explicit, and the shape stays.
 
     Ends of an open curve are left out.
 
@@ -37,25 +37,25 @@ def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
     """
     for index in indices:
         _refuse_without_tangent(view, index)
-    inner = inner_nodes(view.source, indices)
+    inner = inner_points(view.source, indices)
     if len(inner) < len(indices) == 1:
         raise EditError(f"Point {min(indices)} is an end of the curve; a corner needs curve on both sides.")
     if not inner:
         raise EditError(f"{ENDS_STAY[0].upper()}{ENDS_STAY[1:]}.")
-    new = [index for index in inner if not view.source.nodes[index].corner]
+    new = [index for index in inner if not view.source.points[index].corner]
     document = Document((view.source,))
     for index in new:
         document = make_corner(document, 0, index, None, None)
     if not new or view.sides is None:
         return view.source
-    nodes = list(document.curves[0].nodes)
+    points = list(document.curves[0].points)
     for index in new:
-        nodes[index] = with_jets(nodes[index], view.sides, index)
-    return _kept(view, replace(view.source, nodes=tuple(nodes)), new)
+        points[index] = with_jets(points[index], view.sides, index)
+    return _kept(view, replace(view.source, points=tuple(points)), new)
 
 
 def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with one velocity, and one acceleration, on both sides of these nodes.
+    """Return the curve with one velocity, and one acceleration, on both sides of these points.
 
     Each is the mean of the two; where they are alike already, the shape stays.
 
@@ -65,15 +65,15 @@ def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
         If there is no curve.
     """
     document = Document((view.source,))
-    corners = [index for index in indices if view.source.nodes[index].corner]
+    corners = [index for index in indices if view.source.points[index].corner]
     for index in indices:
         _refuse_without_tangent(view, index)
         document = make_smooth(document, 0, index, _mean(view, index, 1))
-    nodes = list(document.curves[0].nodes)
+    points = list(document.curves[0].points)
     if view.source.family.derivatives > 1:
         for index in corners:
-            nodes[index] = replace(nodes[index], acceleration=_mean(view, index, 2))
-    return _kept(view, replace(view.source, nodes=tuple(nodes)), corners)
+            points[index] = replace(points[index], acceleration=_mean(view, index, 2))
+    return _kept(view, replace(view.source, points=tuple(points)), corners)
 
 
 def _refuse_without_tangent(view: CurveView, index: int) -> None:
@@ -82,18 +82,18 @@ def _refuse_without_tangent(view: CurveView, index: int) -> None:
 
 
 def _mean(view: CurveView, index: int, order: int) -> Vector:
-    """Return the mean of a derivative before and after a node; at an end, that of its one side."""
+    """Return the mean of a derivative before and after a point; at an end, that of its one side."""
     assert view.sides is not None
     before, after = view.sides.before[index, order], view.sides.after[index, order]
     if not view.source.is_closed and index == 0:
         before = after
-    elif not view.source.is_closed and index == len(view.source.nodes) - 1:
+    elif not view.source.is_closed and index == len(view.source.points) - 1:
         after = before
     x, y = ((before + after) / 2).tolist()
     return (x, y)
 
 
 def _kept(view: CurveView, changed: Curve, but: Collection[int]) -> Curve:
-    """Return `changed` with all estimates as they were, except at the nodes `but`."""
-    own = np.delete(np.arange(len(changed.nodes)), sorted(but))
+    """Return `changed` with all estimates as they were, except at the points `but`."""
+    own = np.delete(np.arange(len(changed.points)), sorted(but))
     return estimates_kept(view, changed, own, own)

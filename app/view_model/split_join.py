@@ -10,7 +10,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.edits import EditError
-from app.document.model import Curve, Node, ParametrizationKind, Vector
+from app.document.model import Curve, ParametrizationKind, Point, Vector
 from app.document.words import number
 from app.families import HERMITE, titles_with_derivatives
 from app.view_model.curve_view import CurveView, view_of
@@ -76,7 +76,7 @@ def split(view: CurveView, t: float) -> Split:
 
 
 def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
-    count = len(view.source.nodes)
+    count = len(view.source.points)
     if count > MOST_POINTS_SPLIT:
         raise EditError(
             f"{view.source.family.subject} of {count} points cannot be split well: each half needs as "
@@ -92,12 +92,12 @@ def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
     )
 
 
-def _on_polynomial(view: CurveView, start: float, end: float) -> list[Node]:
+def _on_polynomial(view: CurveView, start: float, end: float) -> list[Point]:
     assert view.curve is not None
-    t = start + chebyshev(len(view.source.nodes)) * (end - start)
+    t = start + chebyshev(len(view.source.points)) * (end - start)
     t[-1] = end
     points = view.curve.evaluate(t)
-    return [Node(x, y, t=each) for (x, y), each in zip(points.tolist(), t.tolist(), strict=True)]
+    return [Point(x, y, t=each) for (x, y), each in zip(points.tolist(), t.tolist(), strict=True)]
 
 
 def _split_pieces(view: CurveView, t: float) -> tuple[Curve, ...]:
@@ -110,42 +110,42 @@ def _split_pieces(view: CurveView, t: float) -> tuple[Curve, ...]:
         nearest = int(np.searchsorted(whole.parameters, t))
     if whole.source.is_closed:
         return (_opened(whole, whole.owner(nearest)),)
-    nodes = whole.source.nodes
-    if not 0 < nearest < len(nodes) - 1:
+    points = whole.source.points
+    if not 0 < nearest < len(points) - 1:
         raise EditError("The curve can be split between its ends, not at them.")
     first, second = _names_of_parts(view.source.name)
-    ending, beginning = _ending(nodes[nearest]), _beginning(nodes[nearest])
+    ending, beginning = _ending(points[nearest]), _beginning(points[nearest])
     return (
-        _part(whole.source, [*nodes[:nearest], ending], ending.t or 0.0, first),
-        _part(whole.source, [beginning, *nodes[nearest + 1 :]], nodes[-1].t or 0.0, second),
+        _part(whole.source, [*points[:nearest], ending], ending.t or 0.0, first),
+        _part(whole.source, [beginning, *points[nearest + 1 :]], points[-1].t or 0.0, second),
     )
 
 
 def _opened(whole: CurveView, at: int) -> Curve:
-    """Return a baked closed curve as an open one from node `at` once round to it."""
-    nodes = whole.source.nodes
+    """Return a baked closed curve as an open one from point `at` once round to it."""
+    points = whole.source.points
     period = float(whole.parameters[-1] - whole.parameters[0])
-    later = [replace(node, t=(node.t or 0.0) + period) for node in nodes[: at + 1]]
-    around = [_beginning(nodes[at]), *nodes[at + 1 :], *later[:-1], _ending(later[-1])]
+    later = [replace(point, t=(point.t or 0.0) + period) for point in points[: at + 1]]
+    around = [_beginning(points[at]), *points[at + 1 :], *later[:-1], _ending(later[-1])]
     return _part(whole.source, around, around[-1].t or 0.0, whole.source.name)
 
 
-def _ending(node: Node) -> Node:
-    """Return `node` as the last of a curve: with what it has before it."""
-    return replace(node, corner=False, velocity_after=None, acceleration_after=None)
+def _ending(point: Point) -> Point:
+    """Return `point` as the last of a curve: with what it has before it."""
+    return replace(point, corner=False, velocity_after=None, acceleration_after=None)
 
 
-def _beginning(node: Node) -> Node:
-    """Return `node` as the first of a curve: with what it has after it."""
-    if not node.corner:
-        return node
-    ahead = replace(node, velocity=node.velocity_after, acceleration=node.acceleration_after)
+def _beginning(point: Point) -> Point:
+    """Return `point` as the first of a curve: with what it has after it."""
+    if not point.corner:
+        return point
+    ahead = replace(point, velocity=point.velocity_after, acceleration=point.acceleration_after)
     return _ending(ahead)
 
 
-def _part(curve: Curve, nodes: Sequence[Node], end: float, name: str) -> Curve:
-    rule = replace(curve.parametrization, kind=ParametrizationKind.MANUAL, start=nodes[0].t or 0.0, end=end)
-    return replace(curve, name=name, nodes=tuple(nodes), parametrization=rule, closed=False)
+def _part(curve: Curve, points: Sequence[Point], end: float, name: str) -> Curve:
+    rule = replace(curve.parametrization, kind=ParametrizationKind.MANUAL, start=points[0].t or 0.0, end=end)
+    return replace(curve, name=name, points=tuple(points), parametrization=rule, closed=False)
 
 
 def _names_of_parts(name: str) -> tuple[str, str]:
@@ -175,22 +175,22 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     """
     _refuse_to_join(first, second)
     a, b = baked(first), baked(second)
-    ending, beginning = _ending(a.nodes[-1]), _beginning(b.nodes[0])
+    ending, beginning = _ending(a.points[-1]), _beginning(b.points[0])
     gap = _gap(first, second)
     size = max(float(np.ptp(np.vstack([first.points, second.points]), axis=0).max()), 1e-300)
     if gap <= _COINCIDE * size:
         wait = 0.0
-        seam, after = (_merged(ending, beginning),), b.nodes[1:]
+        seam, after = (_merged(ending, beginning),), b.points[1:]
     else:
         wait = gap / _speed_at_seam(first, second)
-        seam, after = (ending,), (beginning, *b.nodes[1:])
+        seam, after = (ending,), (beginning, *b.points[1:])
     end = float(first.parameters[-1])
     start = float(second.parameters[0])
-    later = tuple(replace(node, t=end + wait + ((node.t or 0.0) - start)) for node in after)
-    nodes = (*a.nodes[:-1], *seam, *later)
-    if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(nodes)):
+    later = tuple(replace(point, t=end + wait + ((point.t or 0.0) - start)) for point in after)
+    points = (*a.points[:-1], *seam, *later)
+    if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(points)):
         raise EditError("The parameters of the second curve lie too close together to follow the first's.")
-    curve = _part(a, nodes, nodes[-1].t or 0.0, a.name)
+    curve = _part(a, points, points[-1].t or 0.0, a.name)
     residual = _residual_of_join(first, second, view_of(curve), end + wait - start)
     if not is_kept(residual, (first.source, second.source)):
         raise EditError(
@@ -233,7 +233,7 @@ def _speed_at_seam(first: CurveView, second: CurveView) -> float:
     return max(chord, 1e-300) / float(first.parameters[-1] - first.parameters[0])
 
 
-def _merged(end: Node, start: Node) -> Node:
+def _merged(end: Point, start: Point) -> Point:
     """Return the point where a curve ends and another starts; a corner where they do not go on alike."""
     pairs = ((end.velocity, start.velocity), (end.acceleration, start.acceleration))
     if all(_alike(x, y) for x, y in pairs):

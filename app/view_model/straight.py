@@ -31,8 +31,8 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
 
 
 def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:
-    """Return the segments of which both ends are among the nodes `indices`."""
-    count = len(curve.nodes)
+    """Return the segments of which both ends are among the points `indices`."""
+    count = len(curve.points)
     last = count if curve.is_closed else count - 1
     return [index for index in range(last) if {index, (index + 1) % count} <= set(indices)]
 

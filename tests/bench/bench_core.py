@@ -49,7 +49,7 @@ def compare(benchmark, capsys, request):
         ours, theirs = benchmark.stats.stats.median, statistics.median(times)
         benchmark.extra_info["peer_median_ms"] = 1e3 * theirs
         with capsys.disabled():
-            name = request.node.name
+            name = request.point.name
             figures = f"core {1e3 * ours:9.3f} ms  scipy {1e3 * theirs:9.3f} ms  x {theirs / ours:7.1f}"
             print(f"\n{name:48s} {figures}")
         return theirs / ours
@@ -70,7 +70,7 @@ def test_lagrange_functions_and_curve(compare, request, rng, n):
         functions = interpolate.BarycentricInterpolator(parameters, np.eye(n))
         return functions(t), interpolate.BarycentricInterpolator(parameters, points)(t)
 
-    assert targets.at_least(request.node.name, compare(core, peer, 5 if n == 1000 else 31), 1)
+    assert targets.at_least(request.point.name, compare(core, peer, 5 if n == 1000 else 31), 1)
 
 
 @pytest.mark.parametrize("n", SIZES)
@@ -88,7 +88,7 @@ def test_hermite_functions_and_curve(compare, request, rng, n):
         velocity = interpolate.CubicHermiteSpline(parameters, zero, unit)(t)
         return position, velocity, interpolate.CubicHermiteSpline(parameters, points, velocities)(t)
 
-    assert targets.at_least(request.node.name, compare(core, peer, 5 if n == 1000 else 31), 1)
+    assert targets.at_least(request.point.name, compare(core, peer, 5 if n == 1000 else 31), 1)
 
 
 @pytest.mark.parametrize("family", ["lagrange", "hermite", "quintic_hermite"])

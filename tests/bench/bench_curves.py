@@ -56,7 +56,7 @@ def times(qtbot, count: int, shown: str, chosen: int = 1) -> Times:
     editor.show_dock(shown)
     editor.fit()
     editor.trigger("freezeParameters")
-    session.choose_curves(range(chosen))
+    session.select_curves(range(chosen))
     paints = Paints()
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
@@ -85,7 +85,7 @@ def test_thirty_chosen_curves_follow_the_pointer(qtbot):
     editor = Editor(qtbot, session, size=(1200, 900))
     session.commit(document(30), "Open")
     editor.fit()
-    session.choose_curves(range(30))
+    session.select_curves(range(30))
     paints, canvas = Paints(), editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
     x, y = session.views[29].curve.evaluate(0.513)
@@ -98,7 +98,7 @@ def test_thirty_chosen_curves_follow_the_pointer(qtbot):
 def test_the_facts_of_a_small_curve_cost_little_more_than_the_curve():
     """`curvebench info` of thousands: 18 times what it takes to compute them, when each was for itself."""
     curves = document(1000).curves
-    small = Document(tuple(replace(curve, nodes=curve.nodes[:5]) for curve in curves))
+    small = Document(tuple(replace(curve, points=curve.points[:5]) for curve in curves))
     made = shortest(lambda: [view_of(curve) for curve in small.curves])
     ratio = shortest(lambda: facts_of(small)) / made
     print(f"\nfacts of 1000 curves: {ratio:.1f} times the curves")

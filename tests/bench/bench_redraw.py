@@ -23,7 +23,7 @@ from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.session import Session
 from app.testing import Editor
@@ -38,8 +38,8 @@ def document(n: int, family: Family, kind: ParametrizationKind) -> Document:
     if family is LAGRANGE:
         s = (1 - np.cos(np.pi * s)) / 2
     x, y = 4 * s, 1 + 0.7 * np.sin(14 * s)
-    nodes = tuple(Node(float(a), float(b)) for a, b in zip(x, y, strict=True))
-    return Document((Curve("Wave", family, Parametrization(kind), nodes),))
+    points = tuple(Point(float(a), float(b)) for a, b in zip(x, y, strict=True))
+    return Document((Curve("Wave", family, Parametrization(kind), points),))
 
 
 @pytest.fixture
@@ -99,14 +99,14 @@ def drag_point(editor: Editor, awaited: list[str]) -> Times:
     # The handles of a selected point would lie in the way.
     editor.select([])
     canvas = editor.window.canvas
-    place = QPointF(canvas.to_pixel(*editor.point(len(editor.curve.nodes) // 2)))
+    place = QPointF(canvas.to_pixel(*editor.point(len(editor.curve.points) // 2)))
     return drag(canvas.viewport(), place, counted(editor), awaited, pace=PACE)
 
 
 def drag_tick(editor: Editor) -> Times:
     """Drag the parameter in the middle, so that every basis function changes."""
     panel = editor.window.basis_panel
-    place = panel.rail_pixel(editor.parameters[len(editor.curve.nodes) // 2])
+    place = panel.rail_pixel(editor.parameters[len(editor.curve.points) // 2])
     awaited = ["canvas", "basis"]
     return drag(panel.viewport(), place, counted(editor), awaited, horizontal=True, reach=10, pace=PACE)
 
@@ -238,7 +238,9 @@ def test_one_of_a_hundred_curves(open_wave):
     one = document(20, HERMITE, ParametrizationKind.UNIFORM).curves[0]
     alone = calmest(lambda: drag_point(open_wave.document(Document((one,))), ["canvas"]))
     others = tuple(
-        replace(one, name=f"Wave {k}", nodes=tuple(replace(node, y=node.y + 0.02 * k) for node in one.nodes))
+        replace(
+            one, name=f"Wave {k}", points=tuple(replace(point, y=point.y + 0.02 * k) for point in one.points)
+        )
         for k in range(1, 100)
     )
     editor = open_wave.document(Document((one, *others)))

@@ -35,9 +35,9 @@ def test_soak(qtbot):
     for number in range(DRAGS):
         if number == WARM:
             before = resident()
-        index = number % len(editor.curve.nodes)
+        index = number % len(editor.curve.points)
         place = QPointF(canvas.to_pixel(*editor.point(index)))
-        way = QPointF(12 if number % 2 else -12, 9 if number // len(editor.curve.nodes) % 2 else -9)
+        way = QPointF(12 if number % 2 else -12, 9 if number // len(editor.curve.points) % 2 else -9)
         send(viewport, QEvent.Type.MouseButtonPress, place, held=True)
         send(viewport, QEvent.Type.MouseMove, place + way / 2, held=True)
         send(viewport, QEvent.Type.MouseMove, place + way, held=True)

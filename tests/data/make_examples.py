@@ -7,7 +7,7 @@ rounded to 12 decimals, because mathematical libraries differ in the last bit.
 import math
 from pathlib import Path
 
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.files import save
 
@@ -27,14 +27,14 @@ def examples():
 
 def letter_s():
     """A letter as sketched by hand; the ends have velocities of their own, so that they curl."""
-    points = [
+    places = [
         (5.6, 8.2), (3.6, 9.9), (1.0, 8.9), (0.85, 6.7), (3.3, 5.1),
         (5.85, 3.3), (5.5, 0.95), (2.9, -0.05), (0.35, 2.0),
     ]  # fmt: skip
-    nodes = [Node(x, y) for x, y in points]
-    nodes[0] = Node(*points[0], velocity=(-7.0, 20.0))
-    nodes[-1] = Node(*points[-1], velocity=(-6.0, 22.0))
-    return Curve("Letter S", HERMITE, Parametrization(), tuple(nodes))
+    points = [Point(x, y) for x, y in places]
+    points[0] = Point(*places[0], velocity=(-7.0, 20.0))
+    points[-1] = Point(*places[-1], velocity=(-6.0, 22.0))
+    return Curve("Letter S", HERMITE, Parametrization(), tuple(points))
 
 
 def runge(x):
@@ -55,41 +55,41 @@ def runge_chebyshev():
 
 def _runge_curve(name, kind, abscissae):
     """On the interval [-1, 1], x equals t: the curve is the graph of the interpolant."""
-    nodes = tuple(Node(x, runge(x)) for x in abscissae)
-    return Curve(name, LAGRANGE, Parametrization(kind, start=-1.0, end=1.0), nodes)
+    points = tuple(Point(x, runge(x)) for x in abscissae)
+    return Curve(name, LAGRANGE, Parametrization(kind, start=-1.0, end=1.0), points)
 
 
 def robot_move():
     """A pick-and-place move in metres, in 2.5 s, from rest to rest; a via point every half second."""
     still = (0.0, 0.0)
-    nodes = (
-        Node(0.0, 0.0, velocity=still, acceleration=still),
-        Node(0.02, 0.18),
-        Node(0.22, 0.43),
-        Node(0.58, 0.45),
-        Node(0.78, 0.27),
-        Node(0.8, 0.12, velocity=still, acceleration=still),
+    points = (
+        Point(0.0, 0.0, velocity=still, acceleration=still),
+        Point(0.02, 0.18),
+        Point(0.22, 0.43),
+        Point(0.58, 0.45),
+        Point(0.78, 0.27),
+        Point(0.8, 0.12, velocity=still, acceleration=still),
     )
     rule = Parametrization(ParametrizationKind.UNIFORM, start=0.0, end=2.5)
-    return Curve("Robot move", QUINTIC_HERMITE, rule, nodes)
+    return Curve("Robot move", QUINTIC_HERMITE, rule, points)
 
 
-def airfoil_naca(camber=0.02, position=0.4, thickness=0.12, points=41):
+def airfoil_naca(camber=0.02, position=0.4, thickness=0.12, count=41):
     """NACA 2412 from the trailing edge over the top to the nose and back below, chord 1.
 
     Formulas: Jacobs, Ward, Pinkerton, NACA Report 460 (1933), with the last coefficient of the thickness
     changed from -0.1015 to -0.1036, which closes the trailing edge. Cosine spacing.
     """
-    nodes = tuple(
-        Node(
+    points = tuple(
+        Point(
             *(
                 _rounded(value)
-                for value in _naca_point(2 * math.pi * i / (points - 1), camber, position, thickness)
+                for value in _naca_point(2 * math.pi * i / (count - 1), camber, position, thickness)
             )
         )
-        for i in range(points)
+        for i in range(count)
     )
-    return Curve("NACA 2412", HERMITE, Parametrization(), nodes)
+    return Curve("NACA 2412", HERMITE, Parametrization(), points)
 
 
 def _naca_point(angle, camber, position, thickness):

@@ -5,7 +5,7 @@ A test compares the files with what this makes, bit for bit.
 
 from pathlib import Path
 
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.files import save
 
@@ -37,13 +37,13 @@ def lessons():
 def lagrange(name, points, kind=UNIFORM, end=1.0, **other):
     """A Lagrange curve through points under a rule, on the interval from 0 to `end`."""
     rule = Parametrization(kind, end=end)
-    return Curve(name, LAGRANGE, rule, tuple(Node(x, y) for x, y in points), **other)
+    return Curve(name, LAGRANGE, rule, tuple(Point(x, y) for x, y in points), **other)
 
 
 def timed(name, points, parameters, **other):
     """A Lagrange curve with parameters set by hand."""
-    nodes = tuple(Node(x, y, t=t) for (x, y), t in zip(points, parameters, strict=True))
-    return Curve(name, LAGRANGE, Parametrization(MANUAL), nodes, **other)
+    points = tuple(Point(x, y, t=t) for (x, y), t in zip(points, parameters, strict=True))
+    return Curve(name, LAGRANGE, Parametrization(MANUAL), points, **other)
 
 
 def five_points():
@@ -102,9 +102,9 @@ def stations():
     velocities = [still, (1.1, 0.7), (1.1, -0.4), (0.8, -0.5), still]
     accelerations = [still, (0.3, -0.8), (-0.2, -0.7), (0.2, 0.6), still]
     rule = Parametrization(UNIFORM, end=4.0)
-    cubic = tuple(Node(*place, velocity=v) for place, v in zip(places, velocities, strict=True))
+    cubic = tuple(Point(*place, velocity=v) for place, v in zip(places, velocities, strict=True))
     quintic = tuple(
-        Node(x, y + 1.6, velocity=v, acceleration=a)
+        Point(x, y + 1.6, velocity=v, acceleration=a)
         for (x, y), v, a in zip(places, velocities, accelerations, strict=True)
     )
     return (

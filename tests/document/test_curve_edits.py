@@ -7,7 +7,7 @@ from msgspec.structs import replace
 
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.several_curves import move_curves
 from app.families import HERMITE, LAGRANGE
 from app.storage.format import validate
@@ -28,9 +28,9 @@ def names(document):
 
 def manual(family=HERMITE, **changes):
     """A document with a square of manual parameters 0, 1, 2, 3."""
-    nodes = tuple(Node(x, y, t=float(t)) for t, (x, y) in enumerate(SQUARE))
+    points = tuple(Point(x, y, t=float(t)) for t, (x, y) in enumerate(SQUARE))
     rule = Parametrization(ParametrizationKind.MANUAL)
-    return Document((replace(make_curve((), family=family), nodes=nodes, parametrization=rule, **changes),))
+    return Document((replace(make_curve((), family=family), points=points, parametrization=rule, **changes),))
 
 
 def test_curves_are_added_moved_and_removed(three):
@@ -44,7 +44,7 @@ def test_curves_are_added_moved_and_removed(three):
 
 def test_removing_the_last_curve_leaves_an_empty_one():
     (curve,) = curve_edits.remove_curve(manual(), 0).curves
-    assert curve.nodes == ()
+    assert curve.points == ()
 
 
 def test_a_new_name_is_free(three):
@@ -59,7 +59,7 @@ def test_looks_are_set_and_nothing_else(three):
     changed = curve_edits.set_locked(changed, 1, True)
     curve = changed.curves[1]
     assert (curve.colour, curve.visible, curve.locked) == ("#0072b2", False, True)
-    assert curve.nodes == three.curves[1].nodes
+    assert curve.points == three.curves[1].points
     assert changed.curves[0] is three.curves[0]
     validate(changed)
 
@@ -70,7 +70,7 @@ def test_looks_are_set_and_nothing_else(three):
 def test_a_locked_curve_may_not_change(three):
     locked = curve_edits.set_locked(three, 1, True)
     for changed in (
-        edits.move_nodes(locked, 1, [0], (1.0, 0.0)),
+        edits.move_points(locked, 1, [0], (1.0, 0.0)),
         edits.set_family(locked, 1, LAGRANGE),
         curve_edits.remove_curve(locked, 1),
     ):
@@ -88,7 +88,7 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
         curve_edits.set_locked(locked, 1, False),
         move_curves(locked, {1}, 1, 0),
         curve_edits.remove_curve(locked, 0),
-        edits.move_nodes(locked, 0, [0], (1.0, 0.0)),
+        edits.move_points(locked, 0, [0], (1.0, 0.0)),
     ):
         curve_edits.refuse_locked(locked, changed)
 
@@ -99,39 +99,39 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
 def test_a_corner_has_two_velocities_and_both_accelerations():
     document = edits.set_acceleration(manual(), 0, 1, (1.0, 2.0))
     cornered = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
-    node = cornered.curves[0].nodes[1]
-    assert (node.corner, node.velocity, node.velocity_after) == (True, (1.0, 0.0), (0.0, 1.0))
-    assert node.acceleration == node.acceleration_after == (1.0, 2.0)
+    point = cornered.curves[0].points[1]
+    assert (point.corner, point.velocity, point.velocity_after) == (True, (1.0, 0.0), (0.0, 1.0))
+    assert point.acceleration == point.acceleration_after == (1.0, 2.0)
     validate(cornered)
 
 
 def test_a_smooth_point_has_one_velocity():
     cornered = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
-    node = edits.make_smooth(cornered, 0, 1, (0.5, 0.5)).curves[0].nodes[1]
-    assert node == replace(manual().curves[0].nodes[1], velocity=(0.5, 0.5))
+    point = edits.make_smooth(cornered, 0, 1, (0.5, 0.5)).curves[0].points[1]
+    assert point == replace(manual().curves[0].points[1], velocity=(0.5, 0.5))
 
 
 def test_each_side_of_a_corner_is_set_alone():
     document = edits.make_corner(manual(), 0, 1, None, None)
     document = edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)
     document = edits.set_acceleration(document, 0, 1, (4.0, 0.0), ahead=False)
-    node = document.curves[0].nodes[1]
-    assert (node.velocity, node.velocity_after) == (None, (3.0, 0.0))
-    assert (node.acceleration, node.acceleration_after) == ((4.0, 0.0), None)
+    point = document.curves[0].points[1]
+    assert (point.velocity, point.velocity_after) == (None, (3.0, 0.0))
+    assert (point.acceleration, point.acceleration_after) == ((4.0, 0.0), None)
 
 
 def test_estimating_clears_both_sides_of_a_corner():
     document = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
-    node = edits.estimate_derivatives(document, 0, [1]).curves[0].nodes[1]
-    assert (node.corner, node.velocity, node.velocity_after) == (True, None, None)
+    point = edits.estimate_derivatives(document, 0, [1]).curves[0].points[1]
+    assert (point.corner, point.velocity, point.velocity_after) == (True, None, None)
 
 
 def test_numbers_of_a_corner_are_checked_too():
-    wild = Node(0.0, 0.0, corner=True, velocity_after=(1e13, 0.0))
+    wild = Point(0.0, 0.0, corner=True, velocity_after=(1e13, 0.0))
     with pytest.raises(EditError, match="x of the velocity of point 0"):
-        edits.set_nodes(manual(), 0, [wild])
+        edits.set_points(manual(), 0, [wild])
     with pytest.raises(EditError, match="x of the velocity of the point"):
-        edits.insert_nodes(manual(), 0, 0, [wild])
+        edits.insert_points(manual(), 0, 0, [wild])
 
 
 # Closed
@@ -143,7 +143,7 @@ def test_a_polynomial_is_not_closed():
 
 
 def test_two_points_are_not_closed():
-    document = edits.delete_nodes(manual(), 0, [0, 1])
+    document = edits.delete_points(manual(), 0, [0, 1])
     with pytest.raises(EditError, match="at least three points"):
         edits.set_closed(document, 0, True)
 
@@ -158,16 +158,16 @@ def test_closing_manual_parameters_adds_a_segment_of_mean_length():
 
 def test_handles_stay_when_a_curve_is_closed():
     document = edits.set_velocity(manual(), 0, 0, (4.0, 2.0))
-    closed = edits.set_closed(document, 0, True, squeeze=0.5)
-    assert closed.curves[0].nodes[0].velocity == (8.0, 4.0)
+    closed = edits.set_closed(document, 0, True, parameter_scale=0.5)
+    assert closed.curves[0].points[0].velocity == (8.0, 4.0)
 
 
 @pytest.mark.parametrize(
     "change",
     [
         lambda document: edits.freeze_parameters(document, 0, [0.0, 5.0, 6.0, 9.0]),
-        lambda document: edits.insert_nodes(document, 0, 4, [Node(1.0, 3.0, t=7.0)]),
-        lambda document: edits.append_node(document, 0, Node(1.0, 3.0, t=4.5)),
+        lambda document: edits.insert_points(document, 0, 4, [Point(1.0, 3.0, t=7.0)]),
+        lambda document: edits.append_point(document, 0, Point(1.0, 3.0, t=4.5)),
         lambda document: edits.set_family(edits.set_family(document, 0, LAGRANGE), 0, HERMITE),
     ],
 )
@@ -204,10 +204,10 @@ def test_the_t_of_the_last_point_stays_before_the_return():
 def test_reversing_turns_points_parameters_and_sides_round():
     document = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
     turned = curve_edits.reverse_curve(document, 0, [0.0, 1.0, 2.0, 3.0])
-    nodes = turned.curves[0].nodes
-    assert [node.position for node in nodes] == list(reversed(SQUARE))
-    assert [node.t for node in nodes] == [0, 1, 2, 3]
-    assert (nodes[2].velocity, nodes[2].velocity_after) == ((0.0, -1.0), (-1.0, 0.0))
+    points = turned.curves[0].points
+    assert [point.position for point in points] == list(reversed(SQUARE))
+    assert [point.t for point in points] == [0, 1, 2, 3]
+    assert (points[2].velocity, points[2].velocity_after) == ((0.0, -1.0), (-1.0, 0.0))
     validate(turned)
     assert curve_edits.reverse_curve(turned, 0, [0.0, 1.0, 2.0, 3.0]) == document
 
@@ -215,7 +215,12 @@ def test_reversing_turns_points_parameters_and_sides_round():
 def test_a_closed_curve_goes_on_beginning_where_it_began():
     closed = edits.set_closed(manual(), 0, True)
     turned = curve_edits.reverse_curve(closed, 0, [0.0, 1.0, 2.0, 3.0, 4.0])
-    assert [node.position for node in turned.curves[0].nodes] == [SQUARE[0], SQUARE[3], SQUARE[2], SQUARE[1]]
+    assert [point.position for point in turned.curves[0].points] == [
+        SQUARE[0],
+        SQUARE[3],
+        SQUARE[2],
+        SQUARE[1],
+    ]
     validate(turned)
 
 

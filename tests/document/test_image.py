@@ -107,7 +107,7 @@ def test_edits_of_curves_keep_the_image():
     changed = [
         curve_edits.add_curve(document, 0, make_curve([(5, 5)])),
         curve_edits.remove_curve(document, 0),
-        edits.move_nodes(document, 0, {0}, (1, 1)),
+        edits.move_points(document, 0, {0}, (1, 1)),
         edits.set_family(document, 0, HERMITE),
         move_curves(curve_edits.add_curve(document, 0, make_curve(())), {0}, 0, 1),
     ]

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.edits import EditError, delete_nodes, move_nodes, set_position
+from app.document.edits import EditError, delete_points, move_points, set_position
 from app.document.model import (
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
 )
-from app.document.transforms import rotation, scaling, step_nodes, transform_nodes
+from app.document.transforms import rotation, scaling, step_points, transform_points
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve_view import view_of
 
@@ -28,12 +28,12 @@ WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
 
 
 def document(rule, family=HERMITE, *, closed=False):
-    """A curve all of whose derivatives are set, with a corner at node 5."""
-    nodes = [
-        Node(float(x), float(y), velocity=(3.0 + x, 2.0 - y), acceleration=(float(y), 5.0)) for x, y in SHAPE
+    """A curve all of whose derivatives are set, with a corner at point 5."""
+    points = [
+        Point(float(x), float(y), velocity=(3.0 + x, 2.0 - y), acceleration=(float(y), 5.0)) for x, y in SHAPE
     ]
-    nodes[5] = replace(nodes[5], corner=True, velocity_after=(1.0, -7.0), acceleration_after=(2.0, 2.0))
-    return Document((Curve("Wave", family, rule, tuple(nodes), closed=closed),))
+    points[5] = replace(points[5], corner=True, velocity_after=(1.0, -7.0), acceleration_after=(2.0, 2.0))
+    return Document((Curve("Wave", family, rule, tuple(points), closed=closed),))
 
 
 def controls(doc):
@@ -62,9 +62,9 @@ def same(a, b):
 def test_one_moved_point_changes_the_two_segments_beside_it(rule, family, closed, index):
     before = document(rule, family, closed=closed)
     for after in (
-        move_nodes(before, 0, {index}, (2.3, 0.7)),
+        move_points(before, 0, {index}, (2.3, 0.7)),
         set_position(before, 0, index, (9.0, 9.0)),
-        step_nodes(before, 0, {index}, (-0.1, 0.2)),
+        step_points(before, 0, {index}, (-0.1, 0.2)),
     ):
         old, new = controls(before), controls(after)
         beside = {index - 1, index} if not closed else {(index - 1) % 8, index}
@@ -82,10 +82,10 @@ def handles(doc, segment):
 def test_handles_on_which_nothing_else_hangs_stay_as_they_were(rule, family):
     """A point dragged far away made those of its neighbour at the end eight times as long."""
     before = document(rule, family)
-    after = move_nodes(before, 0, {1}, (20.0, -30.0))
+    after = move_points(before, 0, {1}, (20.0, -30.0))
     # The first point has one handle, the last one too; both sides of a corner are their own.
     assert handles(after, 0)[0] == pytest.approx(handles(before, 0)[0], rel=1e-12)
-    after = move_nodes(before, 0, {4}, (20.0, -30.0))
+    after = move_points(before, 0, {4}, (20.0, -30.0))
     assert handles(after, 4)[1] == pytest.approx(handles(before, 4)[1], rel=1e-12)
     assert handles(after, 5)[0] == pytest.approx(handles(before, 5)[0], rel=1e-12)
 
@@ -93,7 +93,7 @@ def test_handles_on_which_nothing_else_hangs_stay_as_they_were(rule, family):
 @pytest.mark.parametrize("rule", BY_DISTANCE)
 def test_the_handles_of_a_moved_point_together_stay_as_long_as_they_were(rule):
     before = document(rule)
-    after = move_nodes(before, 0, {3}, (5.0, 8.0))
+    after = move_points(before, 0, {3}, (5.0, 8.0))
     old, new = (np.hypot(*handles(each, 2)[1]) + np.hypot(*handles(each, 3)[0]) for each in (before, after))
     assert new == pytest.approx(old, rel=1e-12)
 
@@ -106,7 +106,7 @@ def test_the_handles_of_a_moved_point_together_stay_as_long_as_they_were(rule):
 def test_points_transformed_together_take_their_handles_along(rule, family, by):
     before = document(rule, family)
     chosen = {2, 3, 4, 5}
-    old, new = controls(before), controls(transform_nodes(before, 0, chosen, by))
+    old, new = controls(before), controls(transform_points(before, 0, chosen, by))
     for segment in (2, 3, 4):
         assert same([by.point(tuple(p)) for p in old[segment]], [tuple(p) for p in new[segment]])
     for segment in (0, 6):
@@ -116,7 +116,7 @@ def test_points_transformed_together_take_their_handles_along(rule, family, by):
 @pytest.mark.parametrize("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
 def test_a_transform_of_all_points_is_one_of_the_curve(rule):
     before, by = document(rule), scaling(3.0, 3.0, (1.0, 2.0))
-    old, new = controls(before), controls(transform_nodes(before, 0, range(8), by))
+    old, new = controls(before), controls(transform_points(before, 0, range(8), by))
     for segment in range(7):
         assert same([by.point(tuple(p)) for p in old[segment]], [tuple(p) for p in new[segment]])
 
@@ -124,7 +124,7 @@ def test_a_transform_of_all_points_is_one_of_the_curve(rule):
 @pytest.mark.parametrize("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
 def test_what_is_far_from_a_deleted_point_stays(rule):
     before = document(rule)
-    old, new = controls(before), controls(delete_nodes(before, 0, {4}))
+    old, new = controls(before), controls(delete_points(before, 0, {4}))
     assert all(same(old[k], new[k]) for k in (0, 1, 2))
     assert all(same(old[k], new[k - 1]) for k in (5, 6))
 
@@ -134,32 +134,32 @@ def test_what_is_far_from_a_deleted_point_stays(rule):
 )
 def test_where_distances_do_not_matter_derivatives_stay(kind):
     before = document(Parametrization(kind))
-    nodes = tuple(replace(node, t=k / 7) for k, node in enumerate(before.curves[0].nodes))
-    before = before.with_curve(0, replace(before.curves[0], nodes=nodes))
-    after = move_nodes(before, 0, {3}, (5.0, 5.0))
-    assert [node.velocity for node in after.curves[0].nodes] == [node.velocity for node in nodes]
+    points = tuple(replace(point, t=k / 7) for k, point in enumerate(before.curves[0].points))
+    before = before.with_curve(0, replace(before.curves[0], points=points))
+    after = move_points(before, 0, {3}, (5.0, 5.0))
+    assert [point.velocity for point in after.curves[0].points] == [point.velocity for point in points]
 
 
 @pytest.mark.parametrize("rule", BY_DISTANCE)
 def test_there_and_back_again_is_the_same_document(rule):
     before = document(rule)
-    away = move_nodes(before, 0, {3}, (0.5, 0.25))
-    assert move_nodes(before, 0, {3}, (0.0, 0.0)) == before
-    back = move_nodes(away, 0, {3}, (-0.5, -0.25)).curves[0].nodes
-    for one, other in zip(back, before.curves[0].nodes, strict=True):
+    away = move_points(before, 0, {3}, (0.5, 0.25))
+    assert move_points(before, 0, {3}, (0.0, 0.0)) == before
+    back = move_points(away, 0, {3}, (-0.5, -0.25)).curves[0].points
+    for one, other in zip(back, before.curves[0].points, strict=True):
         assert one.velocity == pytest.approx(other.velocity, rel=1e-14)
 
 
 def test_nothing_explodes_where_all_points_coincide():
     rule = BY_DISTANCE[0]
-    nodes = tuple(Node(1.0, 1.0, velocity=(1.0, 0.0)) for _ in range(3))
-    before = Document((Curve("Heap", HERMITE, rule, nodes),))
-    after = move_nodes(before, 0, {1}, (1.0, 0.0))
-    assert [node.velocity for node in after.curves[0].nodes] == [(1.0, 0.0)] * 3
+    points = tuple(Point(1.0, 1.0, velocity=(1.0, 0.0)) for _ in range(3))
+    before = Document((Curve("Heap", HERMITE, rule, points),))
+    after = move_points(before, 0, {1}, (1.0, 0.0))
+    assert [point.velocity for point in after.curves[0].points] == [(1.0, 0.0)] * 3
 
 
 def test_a_derivative_beyond_what_a_document_may_hold_is_refused():
-    nodes = (Node(0.0, 0.0, velocity=(9e11, 0.0)), Node(1e-6, 0.0), Node(2e-6, 0.0))
-    before = Document((Curve("Tiny", HERMITE, BY_DISTANCE[0], nodes),))
+    points = (Point(0.0, 0.0, velocity=(9e11, 0.0)), Point(1e-6, 0.0), Point(2e-6, 0.0))
+    before = Document((Curve("Tiny", HERMITE, BY_DISTANCE[0], points),))
     with pytest.raises(EditError, match="derivative"):
-        move_nodes(before, 0, {2}, (1.0, 0.0))
+        move_points(before, 0, {2}, (1.0, 0.0))

@@ -15,7 +15,7 @@ DOCUMENT = Document((make_curve([(0, 0), (1, 1), (2, 0)]),))
 
 def test_they_become_the_manual_parameters():
     curve = set_parameters(DOCUMENT, 0, [-1.0, 0.25, 7]).curves[0]
-    assert [node.t for node in curve.nodes] == [-1.0, 0.25, 7.0]
+    assert [point.t for point in curve.points] == [-1.0, 0.25, 7.0]
     assert curve.is_manual
 
 

@@ -10,7 +10,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
-from app.document.model import Document, Node, Parametrization, ReferenceImage, make_curve
+from app.document.model import Document, Parametrization, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.families import HERMITE
 from app.storage.format import FormatError, encode, validate
@@ -28,14 +28,14 @@ WILD = (
 def document_of(x):
     """Return a document with `x` at every place where a number may be, and NumPy's truth for every flag."""
     pair = (x, x)
-    nodes = (
-        Node(0.0, 0.0),
-        Node(x, x, x, pair, pair, np.True_, pair, pair),
-        Node(1.0, 2.0, velocity=[x, np.float64(2.0)]),
+    points = (
+        Point(0.0, 0.0),
+        Point(x, x, x, pair, pair, np.True_, pair, pair),
+        Point(1.0, 2.0, velocity=[x, np.float64(2.0)]),
     )
     curve = replace(
         make_curve(()),
-        nodes=nodes,
+        points=points,
         family=HERMITE,
         parametrization=Parametrization(alpha=np.float64(0.5), start=np.float64(0.0), end=10),
         closed=np.False_,
@@ -52,9 +52,9 @@ def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
     document = plain(given)
     assert odd_values(document) == []
     value = float(number)
-    node = document.curves[1].nodes[1]
-    assert node == Node(value, value, value, (value,) * 2, (value,) * 2, True, (value,) * 2, (value,) * 2)
-    assert document.curves[1].nodes[2].velocity == (value, 2.0)
+    point = document.curves[1].points[1]
+    assert point == Point(value, value, value, (value,) * 2, (value,) * 2, True, (value,) * 2, (value,) * 2)
+    assert document.curves[1].points[2].velocity == (value, 2.0)
     assert document.curves[1].parametrization == Parametrization(alpha=0.5, end=10.0)
     assert document.image == ReferenceImage("/a.png", value, value, value, value, 1.0, True)
     assert b"null" not in encode(document)
@@ -63,25 +63,25 @@ def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
 def test_what_is_plain_stays_the_same_object():
     document = Document((make_curve([(0, 0), (1, 1)]), make_curve([(0, 0)])))
     assert plain(document) is document
-    moved = edits.move_nodes(document, 0, [1], (0.5, 0.5))
+    moved = edits.move_points(document, 0, [1], (0.5, 0.5))
     assert plain(moved, document) is moved
-    with_numpy = edits.insert_nodes(document, 0, 2, [Node(np.float64(3.0), 0.0)])
+    with_numpy = edits.insert_points(document, 0, 2, [Point(np.float64(3.0), 0.0)])
     mended = plain(with_numpy, document)
     assert mended.curves[1] is document.curves[1]
-    assert mended.curves[0].nodes[:2] == document.curves[0].nodes
-    assert all(a is b for a, b in zip(mended.curves[0].nodes, document.curves[0].nodes, strict=False))
+    assert mended.curves[0].points[:2] == document.curves[0].points
+    assert all(a is b for a, b in zip(mended.curves[0].points, document.curves[0].points, strict=False))
 
 
 def test_only_what_changed_is_looked_at():
     before = document_of(np.float64(2.0))
     assert plain(before, before) is before
     curve = before.curves[1]
-    moved = before.with_curve(1, replace(curve, nodes=(Node(1.0, 1.0), *curve.nodes[1:])))
-    assert type(plain(moved, before).curves[1].nodes[1].x) is np.float64
+    moved = before.with_curve(1, replace(curve, points=(Point(1.0, 1.0), *curve.points[1:])))
+    assert type(plain(moved, before).curves[1].points[1].x) is np.float64
 
 
 @pytest.mark.parametrize("odd", [True, None, "1", Decimal(1), 10**400, np.float64("nan"), np.float64("inf")])
 def test_what_is_no_number_is_left_for_the_sentence_that_refuses_it(odd):
-    curve = replace(make_curve([(0, 0)]), nodes=(Node(odd, 0.0),))
+    curve = replace(make_curve([(0, 0)]), points=(Point(odd, 0.0),))
     with pytest.raises(FormatError, match=r"curves\[0\]\.points\[0\]\.x must"):
         validate(plain(Document((curve,))))

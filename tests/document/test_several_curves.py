@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document.choice import followed_curves
-from app.document.edits import EditError, append_node, set_family
-from app.document.model import Document, Node, make_curve
+from app.document.edits import EditError, append_point, set_family
+from app.document.model import Document, Point, make_curve
+from app.document.selection import followed_curves
 from app.document.several_curves import (
     active_after_removal,
     add_copies,
@@ -18,7 +18,7 @@ from app.document.several_curves import (
     move_curves,
     moved,
     named,
-    nodes_of,
+    points_of,
     remove_curves,
     step_curves,
     whole_curves,
@@ -35,10 +35,10 @@ def names(document):
 @pytest.fixture
 def four():
     curves = [make_curve([(0, level), (1, level)], name=name) for level, name in enumerate("ABCD")]
-    turning = Node(
+    turning = Point(
         2.0, 0.0, velocity=(1.0, 0.0), acceleration=(0.0, 3.0), corner=True, velocity_after=(0.0, 2.0)
     )
-    curves[1] = replace(curves[1], nodes=(*curves[1].nodes, turning))
+    curves[1] = replace(curves[1], points=(*curves[1].points, turning))
     return Document(tuple(curves))
 
 
@@ -48,21 +48,21 @@ def locked(document, *places):
 
 def test_whole_curves_turn_with_all_derivatives_that_were_set(four):
     turned = mapped(four, whole_curves(four, {1, 3}), rotation(90.0, (0.0, 0.0)))
-    assert turned.curves[1].nodes[2] == Node(
+    assert turned.curves[1].points[2] == Point(
         0.0, 2.0, velocity=(0.0, 1.0), acceleration=(-3.0, 0.0), corner=True, velocity_after=(-2.0, 0.0)
     )
-    assert [node.position for node in turned.curves[3].nodes] == [(-3.0, 0.0), (-3.0, 1.0)]
+    assert [point.position for point in turned.curves[3].points] == [(-3.0, 0.0), (-3.0, 1.0)]
     assert turned.curves[0] is four.curves[0]
     assert turned.curves[2] is four.curves[2]
 
 
-def test_some_nodes_of_one_curve_are_a_group_too(four):
-    after = moved(four, nodes_of(2, [1]), (0.5, 0.25))
-    assert [node.position for node in after.curves[2].nodes] == [(0.0, 2.0), (1.5, 2.25)]
+def test_some_points_of_one_curve_are_a_group_too(four):
+    after = moved(four, points_of(2, [1]), (0.5, 0.25))
+    assert [point.position for point in after.curves[2].points] == [(0.0, 2.0), (1.5, 2.25)]
 
 
 def test_what_is_too_large_changes_nothing(four):
-    far = replace(four.curves[3], nodes=(Node(9e11, 0.0), Node(0.0, 0.0)))
+    far = replace(four.curves[3], points=(Point(9e11, 0.0), Point(0.0, 0.0)))
     with pytest.raises(EditError, match="1e12"):
         moved(four.with_curve(3, far), whole_curves(four, {0, 3}), (2e11, 0.0))
 
@@ -91,7 +91,7 @@ def test_locked_curves_are_named(four, places, sentence, act):
 def test_locked_curves_that_are_not_meant_are_no_hindrance(four):
     document = locked(four, 2)
     assert names(remove_curves(document, {0, 3})) == "BC"
-    assert moved(document, whole_curves(document, {0, 1}), (1.0, 0.0)).curves[0].nodes[0].x == 1.0
+    assert moved(document, whole_curves(document, {0, 1}), (1.0, 0.0)).curves[0].points[0].x == 1.0
 
 
 def test_looks_are_changed_as_far_as_given(four):
@@ -141,7 +141,7 @@ def test_a_choice_follows_its_curves(order, chosen, gone):
 
 
 def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
-    document = set_family(append_node(four, 1, Node(9.0, 9.0)), 3, HERMITE)
+    document = set_family(append_point(four, 1, Point(9.0, 9.0)), 3, HERMITE)
     assert followed_curves({1, 3}, four.curves, document.curves) == {1, 3}
     lowered = move_curves(four, {1}, 1, 2)
     assert followed_curves({1, 3}, four.curves, lowered.curves) == {2, 3}

@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.edits import EditError
-from app.document.model import Document, Node, make_curve
+from app.document.model import Document, Point, make_curve
 from app.document.straight_edits import corners_of, straighten
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 
@@ -19,29 +19,29 @@ def document(family=QUINTIC_HERMITE, *, closed=False):
 
 
 def test_only_the_inner_sides_are_set():
-    nodes = list(document().curves[0].nodes)
-    nodes[1] = replace(nodes[1], velocity=(5.0, 6.0), acceleration=(7.0, 8.0))
-    before = document().with_curve(0, replace(document().curves[0], nodes=tuple(nodes)))
-    after = straighten(before, 0, [1], TIMES).curves[0].nodes
-    assert after[0] is nodes[0]
-    assert after[3] is nodes[3]
+    points = list(document().curves[0].points)
+    points[1] = replace(points[1], velocity=(5.0, 6.0), acceleration=(7.0, 8.0))
+    before = document().with_curve(0, replace(document().curves[0], points=tuple(points)))
+    after = straighten(before, 0, [1], TIMES).curves[0].points
+    assert after[0] is points[0]
+    assert after[3] is points[3]
     before_it = {"velocity": (5.0, 6.0), "acceleration": (7.0, 8.0)}
     ahead = {"velocity_after": (4.0, 0.0), "acceleration_after": (0.0, 0.0)}
-    assert after[1] == Node(1.0, 2.0, corner=True, **before_it, **ahead)
-    assert after[2] == Node(3.0, 2.0, corner=True, velocity=(4.0, 0.0), acceleration=(0.0, 0.0))
+    assert after[1] == Point(1.0, 2.0, corner=True, **before_it, **ahead)
+    assert after[2] == Point(3.0, 2.0, corner=True, velocity=(4.0, 0.0), acceleration=(0.0, 0.0))
 
 
 def test_an_end_of_an_open_curve_is_no_corner():
-    after = straighten(document(HERMITE), 0, [0], TIMES).curves[0].nodes
-    assert after[0] == Node(0.0, 0.0, velocity=(4.0, 8.0))
-    assert after[1] == Node(1.0, 2.0, corner=True, velocity=(4.0, 8.0))
+    after = straighten(document(HERMITE), 0, [0], TIMES).curves[0].points
+    assert after[0] == Point(0.0, 0.0, velocity=(4.0, 8.0))
+    assert after[1] == Point(1.0, 2.0, corner=True, velocity=(4.0, 8.0))
 
 
 def test_the_segment_that_closes_counts():
     closed = document(HERMITE, closed=True)
-    after = straighten(closed, 0, [3], (0.0, 0.25, 0.5, 0.75, 1.0)).curves[0].nodes
-    assert after[3] == Node(4.0, 0.0, corner=True, velocity_after=(-16.0, 0.0))
-    assert after[0] == Node(0.0, 0.0, corner=True, velocity=(-16.0, 0.0))
+    after = straighten(closed, 0, [3], (0.0, 0.25, 0.5, 0.75, 1.0)).curves[0].points
+    assert after[3] == Point(4.0, 0.0, corner=True, velocity_after=(-16.0, 0.0))
+    assert after[0] == Point(0.0, 0.0, corner=True, velocity=(-16.0, 0.0))
     assert corners_of(closed.curves[0], [2, 3]) == [0, 2, 3]
 
 

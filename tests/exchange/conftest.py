@@ -7,7 +7,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.model import Curve, Document, Node, Parametrization, make_curve
+from app.document.model import Curve, Document, Parametrization, Point, make_curve
 from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.storage.files import load
 
@@ -53,15 +53,15 @@ def nothing():
 
 def _cornered(closed):
     """A cubic Hermite curve with a corner of two velocities, open or closed."""
-    nodes = (
-        Node(0.0, 0.0),
-        Node(1.0, 2.0, velocity=(3.0, 1.0), corner=True, velocity_after=(1.0, -2.0)),
-        Node(3.0, 1.5),
-        Node(4.0, -1.0, corner=True),
-        Node(2.0, -2.0),
+    points = (
+        Point(0.0, 0.0),
+        Point(1.0, 2.0, velocity=(3.0, 1.0), corner=True, velocity_after=(1.0, -2.0)),
+        Point(3.0, 1.5),
+        Point(4.0, -1.0, corner=True),
+        Point(2.0, -2.0),
     )
     rule = Parametrization(start=0.0, end=2.5)
-    return Curve("Corner & co_1", HERMITE, rule, nodes, closed=closed)
+    return Curve("Corner & co_1", HERMITE, rule, points, closed=closed)
 
 
 def _kinds():

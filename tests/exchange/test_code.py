@@ -66,7 +66,7 @@ def test_many_chebyshev_points(count):
     rule = Parametrization(ParametrizationKind.CHEBYSHEV)
     points = np.column_stack([np.linspace(0, 1, count), np.sin(np.linspace(0, 20, count))])
     curve = make_curve(points.tolist())
-    document = Document((type(curve)(curve.name, curve.family, rule, curve.nodes),))
+    document = Document((type(curve)(curve.name, curve.family, rule, curve.points),))
     assert distance(document, python_code(document).text) < 1e-12
 
 
@@ -81,7 +81,7 @@ def test_the_scipy_code_is_as_far_away_as_it_says(kind):
 def test_scipy_loses_digits_on_uniform_parameters_and_the_code_says_so():
     rule = Parametrization(ParametrizationKind.UNIFORM)
     curve = make_curve(np.random.default_rng(1).normal(size=(25, 2)).tolist())
-    document = Document((type(curve)(curve.name, curve.family, rule, curve.nodes),))
+    document = Document((type(curve)(curve.name, curve.family, rule, curve.points),))
     written = scipy_code(document)
     assert written.deviation > 1e-12
     assert distance(document, written.text) > 1e-13

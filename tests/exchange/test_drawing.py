@@ -34,7 +34,7 @@ def test_the_extent_of_lines_parabolas_and_dots():
 def test_fitting_keeps_the_shape_and_centres(sketch):
     drawing = drawing_of(sketch)
     fitted = drawing.fitted(500, 2000)
-    before, after = drawing.outlines[0].nodes, fitted.outlines[0].nodes
+    before, after = drawing.outlines[0].points, fitted.outlines[0].points
     scale = 500 / drawing.frame.width
     np.testing.assert_allclose(np.diff(after, axis=0), scale * np.diff(before, axis=0), atol=1e-9)
     frame = drawing.frame

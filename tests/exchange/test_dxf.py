@@ -135,7 +135,7 @@ def test_a_uniform_spline_of_another_program():
         for point in spline[::7]:
             assert np.hypot(*(mine - point).T).min() < 2e-3
         assert result.deviation < 1e-8
-        assert any(node.corner for node in curve.nodes) == (degree == 1)
+        assert any(point.corner for point in curve.points) == (degree == 1)
 
 
 def test_lines_polylines_and_arcs():
@@ -150,12 +150,12 @@ def test_lines_polylines_and_arcs():
 
     result = read_dxf(file_with(draw), 1e-4)
     line, triangle, half, circle, arc, ellipse = result.document.curves
-    assert (line.name, line.colour, len(line.nodes)) == ("L", "#ff0000", 2)
+    assert (line.name, line.colour, len(line.points)) == ("L", "#ff0000", 2)
     assert triangle.closed
-    assert [node.corner for node in triangle.nodes] == [True] * 3
+    assert [point.corner for point in triangle.points] == [True] * 3
     assert np.abs(np.hypot(*(points_of(half) - [1, 0]).T) - 1).max() < 1e-4
     assert circle.closed
-    assert not any(node.corner for node in circle.nodes)
+    assert not any(point.corner for point in circle.points)
     assert np.abs(np.hypot(*(points_of(circle) - [1, 2]).T) - 5).max() <= result.deviation <= 1e-4
     assert np.abs(np.hypot(*points_of(arc).T) - 2).max() < 1e-4
     assert np.abs(np.hypot(*(points_of(ellipse) / [3, 1.5]).T) - 1).max() < 1e-4
@@ -184,8 +184,8 @@ def test_fit_points_alone_are_points_to_interpolate():
     duct, ring = result.document.curves
     assert (duct.name, duct.closed, ring.closed) == ("duct", False, True)
     for curve in (duct, ring):
-        assert [node.position for node in curve.nodes] == [(0, 0), (1, 1), (2, 0)]
-        assert [node.velocity for node in curve.nodes] == [None] * 3
+        assert [point.position for point in curve.points] == [(0, 0), (1, 1), (2, 0)]
+        assert [point.velocity for point in curve.points] == [None] * 3
     assert result.remarks == (
         "SPLINE with less than two points is not read (1).",
         "SPLINE given by fit points alone: the natural spline through them (2).",

@@ -10,9 +10,9 @@ from flint import acb, arb, fmpq, fmpq_poly
 from app.document.model import (
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
     make_curve,
 )
 from app.exchange.facts import facts_of
@@ -26,12 +26,12 @@ def quadratic(curve_data):
     """The document of one cubic Hermite segment over [0, 1] along (3, 4), for x' = a + b t + c t²."""
     a, b, c = curve_data
     end, last = a + b / 2 + c / 3, a + b + c
-    nodes = (
-        Node(0.0, 0.0, velocity=(3.0 * a, 4.0 * a)),
-        Node(3.0 * end, 4.0 * end, velocity=(3.0 * last, 4.0 * last)),
+    points = (
+        Point(0.0, 0.0, velocity=(3.0 * a, 4.0 * a)),
+        Point(3.0 * end, 4.0 * end, velocity=(3.0 * last, 4.0 * last)),
     )
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    return Document((Curve("", HERMITE, rule, nodes),))
+    return Document((Curve("", HERMITE, rule, points),))
 
 
 def way(a, b, c):
@@ -70,10 +70,10 @@ def power_times_line(tau, power, start, slope):
         return tuple(float(Fraction(int(v.p), int(v.q))) for v in (each(t) for each in polynomials))
 
     bends = [each.derivative() for each in slopes]
-    nodes = tuple(Node(*at(places, t), velocity=at(slopes, t), acceleration=at(bends, t)) for t in (0, 1))
+    points = tuple(Point(*at(places, t), velocity=at(slopes, t), acceleration=at(bends, t)) for t in (0, 1))
     family = HERMITE if power == 1 else QUINTIC_HERMITE
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    return Document((Curve("", family, rule, nodes),))
+    return Document((Curve("", family, rule, points),))
 
 
 def length_with_a_stop(tau, power, start, slope):
@@ -174,7 +174,7 @@ def test_the_facts_of_many_curves_tell_how_far_they_are():
 
 def uniform(points):
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    return Document((Curve("", LAGRANGE, rule, tuple(Node(*point) for point in points)),))
+    return Document((Curve("", LAGRANGE, rule, tuple(Point(*point) for point in points)),))
 
 
 def test_growing_errors_are_mentioned():
@@ -187,9 +187,9 @@ def test_growing_errors_are_mentioned():
 
 def test_a_curve_beyond_all_floats_has_no_length_and_no_box():
     # Beyond forty parameters that nearly coincide, the polynomial grows like (1e24)**39.
-    nodes = (*(Node(float(i), (-1.0) ** i, t=i * 1e-12) for i in range(40)), Node(0.0, 0.0, t=1e12))
+    points = (*(Point(float(i), (-1.0) ** i, t=i * 1e-12) for i in range(40)), Point(0.0, 0.0, t=1e12))
     rule = Parametrization(ParametrizationKind.MANUAL)
-    (facts,) = facts_of(Document((Curve("", LAGRANGE, rule, nodes),)))
+    (facts,) = facts_of(Document((Curve("", LAGRANGE, rule, points),)))
     assert (facts.length, facts.box) == (None, None)
     assert facts.warnings[0].startswith("“” swings beyond 1e+30 between its points")
     assert "Errors in the points grow beyond all bounds" in facts.warnings[1]

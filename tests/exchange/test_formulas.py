@@ -160,7 +160,7 @@ def test_the_numbers_of_the_formula_give_the_curve_within_the_stated_deviation(k
     (source,), _ = sources_of(kind)
     bound = 2 * stated(written.text) + rounding(kind)
     assert 0 < written.deviation <= stated(written.text)
-    if kind.curves[0].nodes and "prod" in written.text:
+    if kind.curves[0].points and "prod" in written.text:
         points = np.array([row[2] for row in rows])
         assert np.hypot(*(points - source.core.points).T).max() <= bound
         return

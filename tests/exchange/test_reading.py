@@ -10,7 +10,7 @@ import pytest
 from app.document.model import Document, make_curve
 from app.exchange.child import limited, seconds_for
 from app.exchange.errors import ExchangeError
-from app.exchange.formats import FORMATS, Kind, endings_of, format_of
+from app.exchange.formats import FORMATS, ContentKind, endings_of, format_of
 from app.exchange.reading import ImportOptions, import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.writing import export
@@ -149,7 +149,7 @@ def test_every_ending_belongs_to_one_format_that_is_written_and_one_that_is_read
 
 def test_every_drawing_is_read_by_a_function_that_a_process_finds_by_name():
     for each in FORMATS.read:
-        if each.kind is Kind.DRAWING:
+        if each.kind is ContentKind.DRAWING:
             assert getattr(import_module(each.read.__module__), each.read.__name__) is each.read
 
 

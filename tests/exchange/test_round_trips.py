@@ -9,7 +9,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
-from app.document.model import Document, Node, make_curve
+from app.document.model import Document, Point, make_curve
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
@@ -62,8 +62,8 @@ def test_a_table_of_points_gives_the_same_curves(document, ending, tmp_path):
     assert [curve.name for curve in back.document.curves] == NAMES
     families = [(curve.family, curve.is_closed) for curve in document.curves]
     assert [(curve.family, curve.is_closed) for curve in back.document.curves] == families
-    corners = [[node.corner for node in curve.nodes] for curve in document.curves]
-    assert [[node.corner for node in curve.nodes] for curve in back.document.curves] == corners
+    corners = [[point.corner for point in curve.points] for curve in document.curves]
+    assert [[point.corner for point in curve.points] for curve in back.document.curves] == corners
     assert_same_shapes(document, back.document)
     # And once more: nothing is lost on the way.
     export(back.document, path)
@@ -76,7 +76,7 @@ def test_manual_parameters_of_a_closed_curve_come_back(tmp_path):
     path = tmp_path / "a.points.csv"
     export(frozen, path)
     back = import_file(path).document
-    assert [node.t for node in back.curves[0].nodes] == [2.0, 2.5, 4.0, 7.0]
+    assert [point.t for point in back.curves[0].points] == [2.0, 2.5, 4.0, 7.0]
     assert_same_shapes(frozen, back)
 
 
@@ -88,7 +88,7 @@ def test_only_columns_that_say_something_are_written(document):
 
 def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
     smooth = Document(
-        tuple(curve for curve in document.curves if not any(node.corner for node in curve.nodes))
+        tuple(curve for curve in document.curves if not any(point.corner for point in curve.points))
     )
     path = tmp_path / "a.csv"
     export(smooth, path, Options(own={"samples": 400}))
@@ -109,8 +109,8 @@ def test_chosen_columns_of_samples(document):
 def test_rows_of_different_curves_may_be_mixed():
     table = read_table(b"curve,x,y\na,0,0\nb,5,5\na,1,0\nb,6,5\n")
     first, second = document_of_table(table).document.curves
-    assert (first.name, [node.position for node in first.nodes]) == ("a", [(0, 0), (1, 0)])
-    assert (second.name, [node.position for node in second.nodes]) == ("b", [(5, 5), (6, 5)])
+    assert (first.name, [point.position for point in first.points]) == ("a", [(0, 0), (1, 0)])
+    assert (second.name, [point.position for point in second.points]) == ("b", [(5, 5), (6, 5)])
 
 
 @pytest.mark.parametrize(
@@ -137,14 +137,14 @@ def test_a_column_that_is_left_out_may_hold_anything():
         read_table(text)
     table = read_table(text, mapping=ColumnMapping(x=0, y=2))
     document = document_of_table(table, ColumnMapping(x=0, y=2)).document
-    assert [node.position for node in document.curves[0].nodes] == [(i, i * i) for i in range(5)]
+    assert [point.position for point in document.curves[0].points] == [(i, i * i) for i in range(5)]
     with pytest.raises(ExchangeError, match="Row 6 has 2 cells"):
         read_table(text + b"\n1;2", mapping=ColumnMapping(x=0, y=2))
 
 
 def test_an_empty_pair_of_cells_is_estimated():
     document = document_of_table(read_table(b"x,y,vx,vy\n0,0,1,2\n1,1,,\n")).document
-    assert [node.velocity for node in document.curves[0].nodes] == [(1, 2), None]
+    assert [point.velocity for point in document.curves[0].points] == [(1, 2), None]
 
 
 def test_a_polyline_is_thinned_by_its_chords():
@@ -186,7 +186,7 @@ def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
 def test_handles_are_drawn_where_the_control_points_are():
     curve = replace(
         make_curve([(0.0, 0.0), (3.0, 0.0)], family=HERMITE),
-        nodes=(Node(0.0, 0.0, velocity=(3.0, 6.0)), Node(3.0, 0.0, velocity=(3.0, -6.0))),
+        points=(Point(0.0, 0.0, velocity=(3.0, 6.0)), Point(3.0, 0.0, velocity=(3.0, -6.0))),
     )
     text = svg_of(Document((curve,)), Options(extras=Extras(handles=True))).text
     assert "M 0 0 L 1 -2 M 3 0 L 2 -2" in text

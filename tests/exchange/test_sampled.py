@@ -79,10 +79,10 @@ def test_the_curvature_of_a_circle():
 
 def test_a_point_at_rest_has_no_curvature():
     document = Document((make_curve([(0, 0), (1, 1)], family=QUINTIC_HERMITE),))
-    node = type(document.curves[0].nodes[0])
-    nodes = (node(0.0, 0.0, velocity=(0.0, 0.0)), node(1.0, 1.0))
+    point = type(document.curves[0].points[0])
+    points = (point(0.0, 0.0, velocity=(0.0, 0.0)), point(1.0, 1.0))
     curve = document.curves[0]
-    document = Document((type(curve)(curve.name, curve.family, curve.parametrization, nodes),))
+    document = Document((type(curve)(curve.name, curve.family, curve.parametrization, points),))
     _, values, _ = table(document, samples=5)
     assert np.isnan(values[0, 7])
     assert np.isfinite(values[1:]).all()

@@ -63,7 +63,7 @@ def test_a_closed_path_is_closed_and_ends_where_it_begins(document):
     assert not paths(document)["Line"].get("d").endswith("Z")
     (pond, _) = drawing_of(document).outlines
     assert pond.control_points[-1, 3].tolist() == pond.control_points[0, 0].tolist()
-    assert len(pond.nodes) == 4
+    assert len(pond.points) == 4
 
 
 def test_a_corner_stays_sharp(document):

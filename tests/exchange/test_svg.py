@@ -6,13 +6,13 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from app import theme
+from app.appearance import theme
 from app.document.model import (
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
     make_curve,
 )
 from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
@@ -135,7 +135,7 @@ def test_points_are_discs_in_a_group_of_their_own(sketch):
     root = ET.fromstring(svg_of(sketch, Options(points=True)).data)
     (group,) = [each for each in root.iter(f"{SVG}g") if each.get("id") == "points"]
     centres = [(float(each.get("cx")), -float(each.get("cy"))) for each in group]
-    assert centres == [node.position for node in sketch.curves[0].nodes]
+    assert centres == [point.position for point in sketch.curves[0].points]
 
 
 def test_names_are_titles_and_harmless():
@@ -194,7 +194,7 @@ def test_what_no_picture_can_hold_is_refused(nothing):
 
 def test_points_in_one_place_at_the_origin_are_refused():
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    document = Document((Curve("", HERMITE, rule, (Node(0.0, 0.0), Node(0.0, 0.0))),))
+    document = Document((Curve("", HERMITE, rule, (Point(0.0, 0.0), Point(0.0, 0.0))),))
     assert refusal(document) == "There is nothing to draw: all points coincide."
 
 

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.model import Document, Node, make_curve
+from app.document.model import Document, Point, make_curve
 from app.exchange.arcs import arc
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
@@ -49,19 +49,19 @@ def test_cubics_come_exactly():
     ]
     near(pieces(curve), expected)
     assert curve.family is HERMITE
-    assert [node.corner for node in curve.nodes] == [False, False, True, False]
+    assert [point.corner for point in curve.points] == [False, False, True, False]
 
 
 def test_lines_are_straight_and_have_corners():
     (curve,) = curves('<path d="M0 0 L3 0 v3 H0 l -3-3"/>')
-    assert [node.corner for node in curve.nodes] == [False, True, True, True, False]
+    assert [point.corner for point in curve.points] == [False, True, True, True, False]
     near(pieces(curve)[1], [[3, 0], [3, 1], [3, 2], [3, 3]])
 
 
 def test_quadratics_are_raised_exactly():
     (curve,) = curves('<path d="M0 0 Q 3 6 6 0 T 12 0"/>')
     near(pieces(curve), [[[0, 0], [2, 4], [4, 4], [6, 0]], [[6, 0], [8, -4], [10, -4], [12, 0]]])
-    assert not any(node.corner for node in curve.nodes)
+    assert not any(point.corner for point in curve.points)
 
 
 @pytest.mark.parametrize("tolerance", [None, 1e-2, 1e-4, 1e-6, 1e-9])
@@ -75,7 +75,7 @@ def test_arcs_come_within_the_stated_deviation(tolerance):
     assert 0.5 * result.deviation <= worst + 1e-13 <= result.deviation + 2e-13
     if tolerance is not None:
         assert result.deviation <= tolerance
-    assert [node.corner for node in curve.nodes] == [False] * len(curve.nodes)
+    assert [point.corner for point in curve.points] == [False] * len(curve.points)
 
 
 @pytest.mark.parametrize("angle", np.radians([10, 45, 90]))
@@ -108,10 +108,10 @@ def test_an_ellipse_that_is_too_small_grows_and_one_without_radius_is_a_line():
 def test_closed_subpaths_are_closed_curves():
     square, loop = curves('<path d="M0 0h4v4h-4z m10 0 c 9 9 -9 9 0 0 z"/>')
     assert square.closed
-    assert len(square.nodes) == 4
-    assert all(node.corner for node in square.nodes)
+    assert len(square.points) == 4
+    assert all(point.corner for point in square.points)
     assert loop.closed
-    assert len(loop.nodes) == 2
+    assert len(loop.points) == 2
     assert (square.name, loop.name) == ("Path 2 (1)", "Path 2 (2)")
     assert len(curves('<path d="M0 0 1 1 2 0Z L 5 5"/>')) == 2
 
@@ -120,7 +120,7 @@ def test_a_circle_is_smooth_all_round():
     result = read_svg(svg('<circle cx="1" cy="2" r="3"/>'))
     (curve,) = result.document.curves
     assert curve.closed
-    assert not any(node.corner for node in curve.nodes)
+    assert not any(point.corner for point in curve.points)
     points = view_of(curve).curve.evaluate(np.linspace(0, 1, 999)) - [1, -2]
     assert np.abs(np.hypot(*points.T) - 3).max() <= result.deviation * 1.001 <= 3 * 4.3e-6
 
@@ -133,10 +133,10 @@ def test_basic_shapes():
         '<rect width="0" height="2"/><circle r="0"/><polyline points=""/>'
     )
     found = curves(body)
-    assert [(len(c.nodes), c.closed) for c in found] == [
+    assert [(len(c.points), c.closed) for c in found] == [
         (4, True), (12, True), (8, True), (2, False), (3, False), (3, True),
     ]  # fmt: skip
-    assert found[3].nodes[1].x == pytest.approx(96 / 2.54)
+    assert found[3].points[1].x == pytest.approx(96 / 2.54)
 
 
 def test_transforms_and_groups():
@@ -157,7 +157,7 @@ def test_use_and_what_is_not_drawn():
         '<use href="#s"/>'
     )
     found = curves(body)
-    assert [(c.nodes[0].x, -c.nodes[0].y) for c in found] == [(5, 0), (0, 2), (0, 0)]
+    assert [(c.points[0].x, -c.points[0].y) for c in found] == [(5, 0), (0, 2), (0, 0)]
 
 
 def test_names_and_colours():
@@ -213,20 +213,26 @@ def test_our_own_file_comes_back_within_the_stated_deviation(kind):
 def test_smooth_joints_of_our_own_file_stay_smooth():
     curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 4), (9, 0)], family=HERMITE)
     result = read_svg(svg_of(Document((curve,))).data)
-    assert not any(node.corner for node in result.document.curves[0].nodes)
+    assert not any(point.corner for point in result.document.curves[0].points)
     ring = msgspec.structs.replace(curve, closed=True)
     (back,) = read_svg(svg_of(Document((ring,))).data).document.curves
     core = view_of(ring).curve
     assert back.closed
-    assert core.parameters.size == len(back.nodes) + 1
-    assert not any(node.corner for node in back.nodes)
+    assert core.parameters.size == len(back.points) + 1
+    assert not any(point.corner for point in back.points)
 
 
 def test_a_corner_of_our_own_file_stays_the_only_one():
-    nodes = [Node(0.0, 0.0), Node(1.0, 2.0), Node(2.0, 0.0, corner=True), Node(3.0, 3.0), Node(4.0, 0.0)]
-    curve = msgspec.structs.replace(make_curve([(0, 0)], family=HERMITE), nodes=tuple(nodes))
+    points = [
+        Point(0.0, 0.0),
+        Point(1.0, 2.0),
+        Point(2.0, 0.0, corner=True),
+        Point(3.0, 3.0),
+        Point(4.0, 0.0),
+    ]
+    curve = msgspec.structs.replace(make_curve([(0, 0)], family=HERMITE), points=tuple(points))
     (back,) = read_svg(svg_of(Document((curve,))).data).document.curves
-    assert [node.corner for node in back.nodes] == [False, False, True, False, False]
+    assert [point.corner for point in back.points] == [False, False, True, False, False]
 
 
 P = '<path d="{}"/>'
@@ -303,7 +309,7 @@ def test_a_plain_doctype_is_passed_over(encoding):
     """As matplotlib and Illustrator write it; all of these files used to be refused."""
     text = ILLUSTRATOR.format(encoding=encoding, subset="", svg=LINE)
     (curve,) = read_svg(text.encode(encoding)).document.curves
-    assert [node.position for node in curve.nodes] == [(0, 0), (3, -4)]
+    assert [point.position for point in curve.points] == [(0, 0), (3, -4)]
     broken = text.replace("</svg>", "</g>")
     with pytest.raises(ExchangeError, match="not XML: line 4, column 63"):
         read_svg(broken.encode(encoding))
@@ -344,7 +350,7 @@ def test_what_matplotlib_writes_is_read():
     assert b"<!DOCTYPE svg PUBLIC" in stream.getvalue()
     tent = read_svg(stream.getvalue()).document.curves[-1]
     assert tent.colour == "#d04010"
-    (x0, low), (x1, high), (x2, end) = (node.position for node in tent.nodes)
+    (x0, low), (x1, high), (x2, end) = (point.position for point in tent.points)
     assert (x1 - x0, end) == pytest.approx((x2 - x1, low))
     assert high > low
 
@@ -363,7 +369,7 @@ def test_a_path_of_twice_the_length_is_twice_the_work():
         data = svg('<path d="M0 0' + "".join(f"C{i} 1 {i} 2 {i + 1} 3" for i in range(count)) + '"/>')
         read = []
         calls = calls_of(lambda: read.extend(read_svg(data).document.curves))
-        assert [len(curve.nodes) for curve in read] == [count + 1]
+        assert [len(curve.points) for curve in read] == [count + 1]
         return calls
 
     assert calls_for(2000) < 2.2 * calls_for(1000)

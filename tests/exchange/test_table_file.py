@@ -6,13 +6,13 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.model import Document, Node, make_curve
+from app.document.model import Document, Point, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.samples import sampled_table
 from app.exchange.options import Options
 from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.curves import TableOptions, document_of_table
-from app.exchange.table.layout import Layout
+from app.exchange.table.layout import TextLayout
 from app.exchange.table.text import preview_table, read_table
 from app.exchange.table.thinning import thinned
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -43,7 +43,7 @@ def test_many_layouts_hold_the_same_numbers(text):
     made = document_of_table(table)
     document, deviation = made.document, made.deviation
     assert deviation == 0
-    assert [(n.t, n.x, n.y) for n in document.curves[0].nodes] == [tuple(row) for row in ROWS]
+    assert [(n.t, n.x, n.y) for n in document.curves[0].points] == [tuple(row) for row in ROWS]
 
 
 def test_utf_16_as_spreadsheets_write_it():
@@ -108,7 +108,7 @@ def test_what_is_no_curve_is_refused(text, sentence):
 
 def test_the_preview_shows_what_is_there_and_a_first_guess():
     preview = preview_table(b"Y [mm];time;X [mm]\n1,5;2;3\n" * 1)
-    assert preview.layout == Layout(";", decimal_comma=True, header=True)
+    assert preview.layout == TextLayout(";", decimal_comma=True, header=True)
     assert preview.titles == ("Y [mm]", "time", "X [mm]")
     assert preview.cells == (("1,5", "2", "3"),)
     assert preview.mapping == ColumnMapping(x=2, y=0, t=1)
@@ -124,7 +124,7 @@ def test_the_person_maps_the_columns():
     ).document
     curve = document.curves[0]
     assert (curve.name, curve.family) == ("mine", LAGRANGE)
-    assert [(n.x, n.y, n.t) for n in curve.nodes] == [(1, 5, 7), (3, 6, 8)]
+    assert [(n.x, n.y, n.t) for n in curve.points] == [(1, 5, 7), (3, 6, 8)]
     with pytest.raises(ExchangeError, match="There is no column 9 for y"):
         document_of_table(table, ColumnMapping(x=0, y=8))
 
@@ -145,14 +145,14 @@ def test_our_own_table_gives_the_quintic_back():
 def test_empty_cells_matter_only_where_they_are_used():
     # The curvature of a point at rest is empty in our own tables.
     curve = make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE)
-    first = Node(0.0, 0.0, velocity=(0.0, 0.0))
-    curve = msgspec.structs.replace(curve, nodes=(first, *curve.nodes[1:]))
+    first = Point(0.0, 0.0, velocity=(0.0, 0.0))
+    curve = msgspec.structs.replace(curve, points=(first, *curve.points[1:]))
     text = sampled_table(Document((curve,)), Options(own={"samples": 9})).text
     table = read_table(text.encode())
     assert np.isnan(table.values[0, 7])
     assert np.isfinite(np.delete(table.values, 7, axis=1)).all()
     document = document_of_table(table).document
-    assert document.curves[0].nodes[0].velocity == (0.0, 0.0)
+    assert document.curves[0].points[0].velocity == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5])
@@ -205,7 +205,7 @@ def test_very_many_rows_are_read_and_thinned_by_arrays():
     document, deviation = made.document, made.deviation
     assert table.values.shape == (len(t), 3)
     assert deviation <= 1e-4
-    assert len(document.curves[0].nodes) < 400
+    assert len(document.curves[0].points) < 400
 
 
 def test_a_large_table_takes_less_than_twice_its_size():
@@ -233,7 +233,7 @@ def test_a_curve_of_all_rows_takes_little_more_than_its_memory():
         size, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert len(kept[0].document.curves[0].nodes) == len(t)
+    assert len(kept[0].document.curves[0].points) == len(t)
     assert peak < 1.45 * size
     assert peak_of(lambda: validate(kept[0].document)) < 20 * len(t)
     assert told == [0.0, 0.25, 0.5, 0.75]
@@ -276,7 +276,7 @@ def test_points_that_coincide_are_told_of_and_make_a_curve(text, points, said):
     """They came in as "exact", a curve that could not be drawn: chord length has no step between them."""
     made = document_of_table(read_table(text.encode()))
     (curve,) = made.document.curves
-    assert [node.position for node in curve.nodes] == points
+    assert [point.position for point in curve.points] == points
     assert view_of(curve).curve is not None
     assert made.remarks == ((said,) if said else ())
 

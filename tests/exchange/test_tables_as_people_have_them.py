@@ -10,7 +10,7 @@ import pytest
 
 from app.cli import main
 from app.exchange.errors import ExchangeError
-from app.exchange.formats import FORMATS, Kind
+from app.exchange.formats import FORMATS, ContentKind
 from app.exchange.reading import ImportOptions, import_file
 from app.exchange.table.columns import guess, role_of, words_on
 
@@ -20,7 +20,9 @@ def read(tmp_path, name, content, **options):
     path = tmp_path / name
     path.write_bytes(content if isinstance(content, bytes) else content.encode())
     found = import_file(path, ImportOptions(**options))
-    curves = {each.name: [(node.t, node.x, node.y) for node in each.nodes] for each in found.document.curves}
+    curves = {
+        each.name: [(point.t, point.x, point.y) for point in each.points] for each in found.document.curves
+    }
     return curves, found.remarks
 
 
@@ -220,7 +222,7 @@ def test_where_it_would_be_a_guess_the_command_line_asks(tmp_path, capsys):
     output = capsys.readouterr()
     assert output.err == "curvebench: Columns: t = column 1, x = column 2, y = column 3.\n"
     (curve,) = import_file(out).document.curves
-    assert [(node.t, node.x, node.y) for node in curve.nodes] == [(0, 1, 5), (1, 3, 5), (2, 2, 6)]
+    assert [(point.t, point.x, point.y) for point in curve.points] == [(0, 1, 5), (1, 3, 5), (2, 2, 6)]
 
 
 def test_columns_are_chosen_by_title_and_by_number(tmp_path):
@@ -256,4 +258,4 @@ def test_what_is_left_out_is_named():
 @pytest.mark.parametrize("each", FORMATS.read, ids=lambda each: each.title)
 def test_every_format_has_its_reader(each):
     assert each.plural
-    assert callable(each.read) or each.kind is Kind.DOCUMENT or each.title == "Table"
+    assert callable(each.read) or each.kind is ContentKind.DOCUMENT or each.title == "Table"

@@ -97,7 +97,7 @@ def test_a_pdf_has_true_size(unit, tmp_path):
     # Whole points that have room for all: it was 720 wide.
     assert 0 <= wide - frame.width * scale < 1
     assert 0 <= high - frame.height * scale < 1
-    length = document.curves[0].nodes[-1].x * scale
+    length = document.curves[0].points[-1].x * scale
     # Qt writes coordinates with some six digits.
     assert length_of_the_stroke(data) == pytest.approx(length, rel=1e-4)
 
@@ -120,7 +120,7 @@ def test_a_dxf_names_the_unit(tmp_path):
 def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
     export(SEVENTY, tmp_path / "a.svg", Options(unit="mm"))
     (back,) = import_file(tmp_path / "a.svg").document.curves
-    assert [node.x for node in back.nodes] == pytest.approx([10.0, 80.0, 80.0])
+    assert [point.x for point in back.points] == pytest.approx([10.0, 80.0, 80.0])
 
 
 @pytest.mark.parametrize(

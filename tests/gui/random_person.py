@@ -364,7 +364,7 @@ class RandomPerson:
 
     def select_points(self) -> None:
         """Select some points, as many gestures in a row would."""
-        count = len(self.session.active_curve.nodes)
+        count = len(self.session.active_curve.points)
         chosen = self.choose.sample(range(count), self.choose.randint(0, min(3, count)))
         self.note(f"select {chosen} of {count}")
         self.session.select(chosen)
@@ -429,8 +429,8 @@ class RandomPerson:
         """Return a pixel worth pressing at: a point, a place on the curve, a handle, a grip, or anywhere."""
         canvas, view, chance = self.window.canvas, self.session.active_view, self.choose.random()
         place = None
-        if plot is canvas and view.source.nodes and chance < 0.35:
-            place = self.choose.choice(view.source.nodes).position
+        if plot is canvas and view.source.points and chance < 0.35:
+            place = self.choose.choice(view.source.points).position
         elif plot is canvas and canvas.drawing.points.handles and chance < 0.45:
             place = self.choose.choice(canvas.drawing.points.handles).position
         elif plot is canvas and view.curve is not None and chance < 0.65:

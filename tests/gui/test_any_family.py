@@ -15,10 +15,10 @@ from PySide6.QtGui import QAction, QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QToolBar
 
+from app.appearance.theme import theme_of
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
-from app.theme import theme_of
 from app.view_model.nearest import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 
@@ -117,7 +117,7 @@ def test_points_are_drawn_one_by_one(editor, name):
     editor.choose_family(name)
     for index, (x, y) in enumerate(((0.2, 0.3), (1.0, 2.0), (2.5, 1.0), (3.5, 2.4)), start=1):
         editor.add_point(x, y)
-        assert len(editor.curve.nodes) == index
+        assert len(editor.curve.points) == index
         if index > 1:
             assert is_true(editor)
     editor.fit()
@@ -200,7 +200,7 @@ def test_a_point_is_inserted_on_the_curve_and_the_change_is_told(drawn, own):
     scrub = editor.session.scrub
     place = editor.session.active_view.curve.evaluate(scrub)
     editor.trigger("insertPoint")
-    assert len(editor.curve.nodes) == 7
+    assert len(editor.curve.points) == 7
     assert editor.point(3) == pytest.approx(place, abs=1e-9)
     assert "shape is another, largest change" in editor.status.lower() + editor.message.lower()
     assert is_true(editor)
@@ -231,7 +231,7 @@ def test_two_of_them_are_joined_or_it_is_said_why_not(drawn, own):
         assert editor.session.document == before
     else:
         assert len(editor.session.document.curves) == 1
-        assert len(editor.curve.nodes) == 11
+        assert len(editor.curve.points) == 11
         assert is_true(editor)
 
 

@@ -36,11 +36,11 @@ def arch(editor):
 
 def with_everything_set(view):
     """The curve with the velocities and accelerations that the rules gave it set by hand."""
-    nodes = tuple(
-        replace(node, velocity=view.velocity_of(index), acceleration=view.acceleration_of(index))
-        for index, node in enumerate(view.source.nodes)
+    points = tuple(
+        replace(point, velocity=view.velocity_of(index), acceleration=view.acceleration_of(index))
+        for index, point in enumerate(view.source.points)
     )
-    return replace(view.source, nodes=nodes)
+    return replace(view.source, points=points)
 
 
 def middle(editor, segment=1, share=0.4):
@@ -67,9 +67,9 @@ def test_the_grabbed_point_stays_under_the_pointer(arch, family, kind, keys):
     arch.release(target, keys=keys)
     assert arch.session.undo_stack.undoText().startswith("Bend curve at t = 0.")
     if keys == CTRL:
-        assert all(node.velocity is None for node in arch.curve.nodes)
+        assert all(point.velocity is None for point in arch.curve.points)
     if keys == ALT and family.derivatives:
-        assert [node.position for node in arch.curve.nodes] == list(POINTS)
+        assert [point.position for point in arch.curve.points] == list(POINTS)
 
 
 def test_it_is_one_step_that_undo_takes_back(arch):
@@ -220,7 +220,7 @@ def test_the_norm_does_not_depend_on_the_unit_of_time(family):
     results = []
     for document, end in ((slow, 1.0), (fast, 1e-3)):
         curve = Bend(view_of(document.curves[0]), 0.4 * end, BendWith.ALL).bent((2.0, 3.0), 1e-9)
-        results.append([node.position for node in curve.nodes])
+        results.append([point.position for point in curve.points])
     assert np.array(results[0]) == pytest.approx(np.array(results[1]), abs=1e-9)
 
 
@@ -326,8 +326,8 @@ def test_a_corner_and_a_closed_curve_bend_on_one_side():
     view = view_of(document.curves[0])
     t = float(view.parameters[-2:].mean())
     curve = Bend(view, t, BendWith.DERIVATIVES).bent((2.0, -1.0), 1e-9)
-    assert curve.nodes[0].velocity_after == (2.0, 0.0)
-    assert curve.nodes[0].velocity != (1.0, 1.0)
+    assert curve.points[0].velocity_after == (2.0, 0.0)
+    assert curve.points[0].velocity != (1.0, 1.0)
     assert view_of(curve).curve.evaluate(t) == pytest.approx((2.0, -1.0))
 
 
@@ -342,7 +342,7 @@ def test_derivatives_have_no_hold_on_a_joint():
 
 
 def velocity(editor, index=1):
-    return np.array(editor.curve.nodes[index].velocity)
+    return np.array(editor.curve.points[index].velocity)
 
 
 def drag_handle(editor, to, keys):
@@ -389,7 +389,7 @@ def test_an_acceleration_handle_keeps_its_direction_with_alt(arch):
     arch.select_point(1)
     before = np.array(arch.session.active_view.acceleration_of(1))
     arch.drag(arch.handle(2).position, (2.5, 1.0), keys=ALT)
-    after = np.array(arch.curve.nodes[1].acceleration)
+    after = np.array(arch.curve.points[1].acceleration)
     assert before[0] * after[1] == pytest.approx(before[1] * after[0])
 
 
@@ -397,13 +397,13 @@ def test_at_a_corner_the_handles_move_independently(hermite):
     document = edits.make_corner(hermite.session.document, 0, 1, (4.0, 4.0), (4.0, -4.0))
     hermite.session.commit(document, "Make corner")
     hermite.drag_handle(to=(2, 3))
-    assert hermite.curve.nodes[1].velocity == (4.0, 4.0)
-    assert hermite.curve.nodes[1].velocity_after != (4.0, -4.0)
-    after = hermite.curve.nodes[1].velocity_after
+    assert hermite.curve.points[1].velocity == (4.0, 4.0)
+    assert hermite.curve.points[1].velocity_after != (4.0, -4.0)
+    after = hermite.curve.points[1].velocity_after
     hermite.drag_handle(to=(0, 2), ahead=False)
-    assert hermite.curve.nodes[1].velocity_after == after
-    assert hermite.curve.nodes[1].velocity != (4.0, 4.0)
-    before = hermite.curve.nodes[1].velocity
+    assert hermite.curve.points[1].velocity_after == after
+    assert hermite.curve.points[1].velocity != (4.0, 4.0)
+    before = hermite.curve.points[1].velocity
     hermite.drag(hermite.point(1), (1.5, 2.5), keys=ALT)
-    assert hermite.curve.nodes[1].velocity == before
+    assert hermite.curve.points[1].velocity == before
     assert hermite.handle().position == pytest.approx((1.5, 2.5), abs=2 * hermite.pixel)

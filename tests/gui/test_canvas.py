@@ -40,7 +40,7 @@ def test_the_add_tool_draws_many_points_in_a_row_even_by_double_clicks(editor):
         pixel = editor.window.canvas.to_pixel(x, 1)
         for kind in (QEvent.Type.MouseButtonDblClick, QEvent.Type.MouseButtonRelease):
             editor.send(editor.window.canvas, kind, pixel, held=kind != QEvent.Type.MouseButtonRelease)
-    assert len(editor.curve.nodes) == 4
+    assert len(editor.curve.points) == 4
 
 
 def test_a_drag_repaints_the_curve_and_neither_axes_nor_grid(arch, monkeypatch):
@@ -79,8 +79,8 @@ def test_press_and_drag_sets_the_velocity_of_a_new_point(editor):
     editor.add_point(0, 0)
     editor.add_point(2, 2, velocity_handle=(3, 2))
     # The interval is [0, 1] and there is one segment: the handle lies at p + v/3.
-    assert editor.curve.nodes[1].velocity == pytest.approx((3, 0), abs=6 * editor.pixel)
-    assert editor.curve.nodes[0].velocity is None
+    assert editor.curve.points[1].velocity == pytest.approx((3, 0), abs=6 * editor.pixel)
+    assert editor.curve.points[0].velocity is None
 
 
 def test_the_handle_of_a_new_point_is_under_the_pointer(editor):
@@ -110,7 +110,7 @@ def test_handles_stay_where_they_were_put_when_a_point_is_appended(editor):
 def test_a_click_on_the_curve_inserts_between_the_neighbours(arch):
     x, y = arch.session.active_view.curve.evaluate(0.5)
     arch.add_point(x, y)
-    assert len(arch.curve.nodes) == 5
+    assert len(arch.curve.points) == 5
     assert arch.point(2) == pytest.approx((x, y), abs=arch.pixel)
     assert arch.session.undo_stack.undoText() == "Insert point 2"
 
@@ -209,7 +209,7 @@ def test_a_click_on_empty_space_deselects(arch):
 def test_delete_removes_the_selected_point(arch, key):
     arch.select_point(1)
     arch.key(key)
-    assert len(arch.curve.nodes) == 3
+    assert len(arch.curve.points) == 3
     assert arch.session.undo_stack.undoText() == "Delete point 1"
     assert arch.session.selection == frozenset()
 
@@ -220,7 +220,7 @@ def test_dragging_a_velocity_handle_sets_the_velocity(arch):
     h = arch.parameters[2] - arch.parameters[1]
     arch.drag_handle(to=(2, 3))
     expected = ((2 - 1) * 3 / h, (3 - 2) * 3 / h)
-    assert arch.curve.nodes[1].velocity == pytest.approx(expected, abs=6 / h * arch.pixel)
+    assert arch.curve.points[1].velocity == pytest.approx(expected, abs=6 / h * arch.pixel)
     assert arch.session.undo_stack.undoText() == "Set velocity of point 1"
     tip = arch.handle().position
     assert tip == pytest.approx((2, 3), abs=2 * arch.pixel)
@@ -231,8 +231,8 @@ def test_dragging_an_acceleration_handle_sets_the_acceleration(arch):
     arch.select_point(1)
     arch.drag_handle(to=(3, 3.3), kind=2)
     assert arch.handle(2).position == pytest.approx((3, 3.3), abs=2 * arch.pixel)
-    assert arch.curve.nodes[1].acceleration is not None
-    assert arch.curve.nodes[1].velocity is None
+    assert arch.curve.points[1].acceleration is not None
+    assert arch.curve.points[1].velocity is None
     assert arch.session.undo_stack.undoText() == "Set acceleration of point 1"
 
 
@@ -437,7 +437,7 @@ def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):
     assert arch.point(0) == pytest.approx((0, 1), abs=3 * arch.pixel)
     arch.click(arch.point(3))
     arch.click((5, 1))
-    assert len(arch.curve.nodes) == 5
+    assert len(arch.curve.points) == 5
     assert not arch.curve.is_closed
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QToolButton
 
-from app.document.model import Curve, Document, Node, Parametrization
+from app.document.model import Curve, Document, Parametrization, Point
 from app.families import HERMITE, LAGRANGE
 from app.settings.preferences import Preferences
 from app.testing import Editor
@@ -19,8 +19,8 @@ UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0)
 @pytest.fixture
 def uneven(editor):
     """Seven points under chord length, velocities of the C² spline."""
-    nodes = tuple(Node(x, y) for x, y in UNEVEN)
-    editor.session.commit(Document((Curve("Uneven", HERMITE, Parametrization(), nodes),)), "Begin")
+    points = tuple(Point(x, y) for x, y in UNEVEN)
+    editor.session.commit(Document((Curve("Uneven", HERMITE, Parametrization(), points),)), "Begin")
     editor.fit()
     return editor
 
@@ -82,7 +82,7 @@ def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes
     uneven.select_point(3)
     uneven.drag_handle((4.8, 3.0))
     assert panel.drawing.basis is not before
-    assert uneven.curve.nodes[3].velocity is not None
+    assert uneven.curve.points[3].velocity is not None
     # Position functions that were put away are not missed here, where there are no others.
     uneven.trigger("toggleEstimates")
     QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)

@@ -10,9 +10,9 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from app.commands.curve_clipboard import CURVES
-from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import QUINTIC_HERMITE
+from app.features.clipboard.curve_clipboard import CURVES
 from app.features.curve_list.view import Spot, spot_rect
 from app.tools.snapping import SnapKind, Snapping
 
@@ -33,8 +33,8 @@ def five(editor):
     # Spaced evenly in t, so that derivatives per unit of t go as vectors do, however distances change.
     evenly = Parametrization(ParametrizationKind.UNIFORM)
     curves = [replace(curve, parametrization=evenly) for curve in curves]
-    node = replace(curves[2].nodes[1], velocity=(4.0, 2.0), acceleration=(-8.0, 16.0))
-    curves[2] = replace(curves[2], nodes=(curves[2].nodes[0], node, *curves[2].nodes[2:]))
+    point = replace(curves[2].points[1], velocity=(4.0, 2.0), acceleration=(-8.0, 16.0))
+    curves[2] = replace(curves[2], points=(curves[2].points[0], point, *curves[2].points[2:]))
     editor.session.commit(Document(tuple(curves)), "Begin", active=1)
     editor.show_dock("curvesDock")
     editor.fit()
@@ -48,8 +48,8 @@ def names(editor):
 def chosen(editor):
     """The names of the chosen curves, the one that is edited first."""
     curves, session = editor.session.document.curves, editor.session
-    others = sorted(session.chosen_curves - {session.active_index})
-    assert session.active_index in session.chosen_curves
+    others = sorted(session.selected_curves - {session.active_index})
+    assert session.active_index in session.selected_curves
     return "".join(curves[place].name for place in (session.active_index, *others))
 
 
@@ -71,12 +71,12 @@ def on_curve(editor, row, t=0.42):
 
 
 def positions(editor, row):
-    return np.array([node.position for node in editor.session.document.curves[row].nodes])
+    return np.array([point.position for point in editor.session.document.curves[row].points])
 
 
 def moved_by(editor, before, row):
     """How far a curve has been moved since `before`; it must have been moved as a whole."""
-    old = np.array([node.position for node in before.curves[row].nodes])
+    old = np.array([point.position for point in before.curves[row].points])
     ways = positions(editor, row) - old
     assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
     return tuple(ways[0].tolist())
@@ -266,7 +266,7 @@ def test_the_choice_ends_with_what_replaces_the_edited_curve(five):
 def test_the_choice_ends_with_the_document(five):
     five.trigger("selectAllCurves")
     five.new()
-    assert five.session.chosen_curves == {0}
+    assert five.session.selected_curves == {0}
 
 
 def test_the_choice_is_no_part_of_the_history(five):
@@ -331,21 +331,21 @@ def test_delete_takes_points_where_points_are_selected(five):
     choose(five, "BD")
     five.click(five.point(1))
     five.key(Qt.Key.Key_Delete)
-    assert (names(five), len(five.curve.nodes)) == ("ABCDE", 3)
+    assert (names(five), len(five.curve.points)) == ("ABCDE", 3)
 
 
 def test_deleting_all_leaves_an_empty_curve(five):
     five.trigger("selectAllCurves")
     five.trigger("deleteCurve")
-    assert [len(curve.nodes) for curve in five.session.document.curves] == [0]
-    assert five.session.chosen_curves == {0}
+    assert [len(curve.points) for curve in five.session.document.curves] == [0]
+    assert five.session.selected_curves == {0}
 
 
 def test_all_chosen_are_duplicated_and_the_copies_chosen(five):
     choose(five, "CB")
     five.trigger("duplicateCurve")
     assert [curve.name for curve in five.session.document.curves[1:5]] == ["B", "C", "B copy", "C copy"]
-    assert (five.curve.name, five.session.chosen_curves) == ("C copy", {3, 4})
+    assert (five.curve.name, five.session.selected_curves) == ("C copy", {3, 4})
     assert step_name(five) == "Duplicate 2 curves"
     assert five.session.selection == frozenset()
 
@@ -456,14 +456,14 @@ def test_keys_transform_all_chosen_by_a_typed_amount(five, key, typed, name):
     }[key]
     for row in (1, 2):
         assert [tuple(p) for p in positions(five, row)] == [place(x, y + 2 * row) for x, y in WAVE]
-    node = five.session.document.curves[2].nodes[1]
+    point = five.session.document.curves[2].points[1]
     expected = {
         "G": ((4, 2), (-8, 16)),
         "S": ((4, 4), (-8, 32)),
         "R": ((-2, 4), (-16, -8)),
     }[key]
-    assert (node.velocity, node.acceleration) == expected
-    assert five.session.document.curves[1].nodes[1] == Node(*place(1, 3))
+    assert (point.velocity, point.acceleration) == expected
+    assert five.session.document.curves[1].points[1] == Point(*place(1, 3))
     assert step_name(five) == name
 
 
@@ -517,9 +517,9 @@ def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
     assert corner == pytest.approx((6.0, 6.5), abs=2 * five.pixel)
     assert tuple(positions(five, 1)[0]) == (0.0, 2.0)
     factors = corner[0] / 3, (corner[1] - 2) / 3
-    node = five.session.document.curves[2].nodes[1]
-    assert node.velocity == pytest.approx((4 * factors[0], 2 * factors[1]))
-    assert node.acceleration == pytest.approx((-8 * factors[0], 16 * factors[1]))
+    point = five.session.document.curves[2].points[1]
+    assert point.velocity == pytest.approx((4 * factors[0], 2 * factors[1]))
+    assert point.acceleration == pytest.approx((-8 * factors[0], 16 * factors[1]))
     assert step_name(five) == "Scale 2 curves"
 
 
@@ -666,10 +666,10 @@ def test_all_chosen_are_copied_and_pasted(five):
     click_row(five, 4)
     five.key(Qt.Key.Key_V, CTRL)
     assert [curve.name for curve in five.session.document.curves[5:]] == ["B copy", "C copy"]
-    assert [curve.nodes for curve in five.session.document.curves[5:]] == [
-        curve.nodes for curve in originals[1:3]
+    assert [curve.points for curve in five.session.document.curves[5:]] == [
+        curve.points for curve in originals[1:3]
     ]
-    assert (five.session.active_index, five.session.chosen_curves) == (5, {5, 6})
+    assert (five.session.active_index, five.session.selected_curves) == (5, {5, 6})
     assert step_name(five) == "Paste 2 curves"
 
 
@@ -706,7 +706,7 @@ def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
     five.wait_for_work()
     QTest.mouseClick(five.window.findChild(QPushButton, "importDrawing"), LEFT)
     five.settle()
-    assert (five.session.active_index, five.session.chosen_curves) == (5, {5, 6})
+    assert (five.session.active_index, five.session.selected_curves) == (5, {5, 6})
 
 
 # The order
@@ -714,7 +714,7 @@ def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
 
 @pytest.mark.parametrize(("name", "order"), [("raiseCurve", "ACBED"), ("lowerCurve", "BADCE")])
 def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
-    five.session.choose_curves({1, 3})
+    five.session.select_curves({1, 3})
     five.trigger(name)
     verb = "Raise" if name == "raiseCurve" else "Lower"
     assert (names(five), chosen(five)) == (order, "BD")
@@ -726,7 +726,7 @@ def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
 
 
 def test_chosen_rows_are_dragged_together(five):
-    five.session.choose_curves({1, 2}, 1)
+    five.session.select_curves({1, 2}, 1)
     view = five.window.curve_list.view
     start, end = view.row_rect(2).center(), view.row_rect(4).top()
     QTest.mousePress(view.viewport(), LEFT, pos=start)

@@ -7,12 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 
-from app.commands.connect import all_actions
+from app.actions.keymap import full_name_of
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.keymap import full_name_of
-from app.panels.command_palette import CommandPalette
-from app.panels.fuzzy import fitness
+from app.window.command_palette import CommandPalette
+from app.window.connect import all_actions
+from app.window.fuzzy import fitness
 
 
 @pytest.fixture
@@ -91,7 +91,7 @@ def test_a_dynamic_action_is_done(editor):
     assert editor.curve.parametrization.kind is ParametrizationKind.CENTRIPETAL
     editor.session.files.give_up_changes()
     editor.run_command("runge uniform")
-    assert len(editor.curve.nodes) > 8
+    assert len(editor.curve.points) > 8
 
 
 def test_up_and_down_choose_and_go_round(editor, palette):

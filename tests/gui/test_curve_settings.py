@@ -6,13 +6,13 @@ from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
+from app.appearance.theme import ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import AccelerationRule, ParametrizationKind, VelocityRule, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.curve_settings.controller import CurveSettingsController
 from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session
-from app.theme import ThemeMode, apply_theme
 
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
 
@@ -149,8 +149,8 @@ def test_the_interval_of_manual_parameters(form):
     form.session.commit(document, "Freeze")
     assert (form["intervalStart"].text(), form["intervalEnd"].text()) == ("1", "8.5")
     form.type("intervalStart", "-2")
-    assert form.curve.nodes[0].t == -2.0
-    assert form.curve.nodes[-1].t == 8.5
+    assert form.curve.points[0].t == -2.0
+    assert form.curve.points[-1].t == 8.5
     assert form.curve.parametrization.kind is ParametrizationKind.MANUAL
 
 
@@ -187,7 +187,7 @@ def test_a_bad_interval_is_explained_and_can_be_mended(form, name, text, words):
     form[name].selectAll()
     form.qtbot.keyClick(form[name], Qt.Key.Key_Backspace)
     form.type(name, text)
-    assert form.session.document.curves[0].nodes == before.curves[0].nodes
+    assert form.session.document.curves[0].points == before.curves[0].points
     assert words in form.message
     assert form.message.startswith("⚠ ")
     assert form[name].text() == text
@@ -230,7 +230,7 @@ def test_a_refusal_goes_with_its_cause(form, way):
     elif way == "the same number":
         form.type("intervalEnd", "1")
     elif way == "another edit":
-        document = edits.move_nodes(form.session.document, 0, [0], (1.0, 0.0))
+        document = edits.move_points(form.session.document, 0, [0], (1.0, 0.0))
         form.session.commit(document, "Move point 0")
     else:
         form["velocityRule"].setFocus()
@@ -260,14 +260,14 @@ def test_a_closed_curve_with_a_corner(quintic):
     assert facts == "8 points · degree 5 · 8 pieces · closed · 1 corner · 0 ≤ t ≤ 1"
     quintic.type("intervalEnd", "2")
     assert quintic.session.active_view.curve.domain == (0.0, 2.0)
-    assert quintic.curve.nodes[3].velocity_after == (1.5, 2.0)
+    assert quintic.curve.points[3].velocity_after == (1.5, 2.0)
     parameters = quintic.session.active_view.parameters.tolist()
     frozen = edits.freeze_parameters(quintic.session.document, 0, parameters)
     quintic.session.commit(frozen, "Freeze")
     quintic.type("intervalEnd", "4")
     assert quintic.session.active_view.parameters[-1] == 4.0
     quintic.qtbot.mouseClick(quintic["resetAllToEstimated"], Qt.MouseButton.LeftButton)
-    assert quintic.curve.nodes[3].velocity_after is None
+    assert quintic.curve.points[3].velocity_after is None
 
 
 def test_escape_takes_back_what_was_typed(form):
@@ -280,7 +280,7 @@ def test_escape_takes_back_what_was_typed(form):
 
 def test_what_is_being_typed_survives_a_change_of_the_curve(form):
     form.type("intervalEnd", "4", None)
-    form.session.commit(edits.move_nodes(form.session.document, 0, [0], (1.0, 0.0)), "Move point 0")
+    form.session.commit(edits.move_points(form.session.document, 0, [0], (1.0, 0.0)), "Move point 0")
     assert form["intervalEnd"].text() == "4"
     form.qtbot.keyClick(form["intervalEnd"], Qt.Key.Key_Return)
     assert form.session.active_view.curve.domain == (0.0, 4.0)
@@ -316,7 +316,7 @@ def test_reset_all_to_estimated(quintic):
     quintic.session.commit(edits.set_acceleration(document, 0, 5, (5.0, 6.0)), "Set")
     assert button.isVisible()
     quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert all(node.velocity is None and node.acceleration is None for node in quintic.curve.nodes)
+    assert all(point.velocity is None and point.acceleration is None for point in quintic.curve.points)
     assert quintic.session.undo_stack.undoText() == "Reset all to estimated"
     assert not button.isVisible()
 
@@ -326,8 +326,8 @@ def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
     document = edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
     form.session.commit(edits.set_acceleration(document, 0, 2, (5.0, 6.0)), "Set")
     qtbot.mouseClick(form["resetAllToEstimated"], Qt.MouseButton.LeftButton)
-    assert form.curve.nodes[2].velocity is None
-    assert form.curve.nodes[2].acceleration == (5.0, 6.0)
+    assert form.curve.points[2].velocity is None
+    assert form.curve.points[2].acceleration == (5.0, 6.0)
 
 
 # What is wrong

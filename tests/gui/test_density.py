@@ -126,5 +126,5 @@ def test_discs_find_their_size_after_points_came_together_without_another_event(
 
 def scaled(document, factor):
     """The same points, closer together, seen at the same zoom."""
-    points = [(factor * node.x, factor * node.y) for node in document.curves[0].nodes]
+    points = [(factor * point.x, factor * point.y) for point in document.curves[0].points]
     return Document((make_curve(points, family=HERMITE),))

@@ -80,4 +80,4 @@ def test_nothing_is_reached_under_a_dialog_that_waits(editor):
             gesture()
     box.close()
     editor.trigger("selectAll")
-    assert len(editor.session.selection) == len(editor.curve.nodes)
+    assert len(editor.session.selection) == len(editor.curve.points)

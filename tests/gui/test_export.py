@@ -29,7 +29,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 @pytest.fixture(autouse=True)
 def _no_pause_to_type_on(monkeypatch):
     """The preview waits until nothing is typed for a while; here nobody types on."""
-    monkeypatch.setattr("app.panels.export_dialog._SOON_MS", 10)
+    monkeypatch.setattr("app.features.import_export.export_dialog._SOON_MS", 10)
 
 
 @pytest.fixture
@@ -253,7 +253,7 @@ def test_the_path_data_are_copied(editor):
     editor.wait_for_work()
     text = QGuiApplication.clipboard().text()
     assert text.startswith("M ")
-    assert text.count("C ") == len(editor.curve.nodes) - 1
+    assert text.count("C ") == len(editor.curve.points) - 1
 
 
 def test_there_is_nothing_to_copy_without_a_curve(editor):
@@ -272,8 +272,8 @@ def shape_of_pdf(path):
 def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path, monkeypatch):
     curve = make_curve([(0, 0), (2, 0), (4, 0)], family=HERMITE)
     # Of which a sixth is a handle that reaches far below.
-    nodes = tuple(replace(node, velocity=(1.2, -18.0)) for node in curve.nodes)
-    editor.session.commit(Document((replace(curve, nodes=nodes),)), "Begin")
+    points = tuple(replace(point, velocity=(1.2, -18.0)) for point in curve.points)
+    editor.session.commit(Document((replace(curve, points=points),)), "Begin")
     editor.fit()
     shapes = []
     for ending in (".svg", ".png", ".pdf"):

@@ -12,11 +12,11 @@ from PySide6.QtCore import Qt
 from app.canvas.hit_test import PixelOutline
 from app.document.edits import EditError
 from app.document.kept_handles import stretched
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.plotting.camera import GREATEST_SPAN
 from app.plotting.pixel_map import PixelMap
-from app.view_model.curve_view import squeeze_of, view_of
+from app.view_model.curve_view import scale_of, view_of
 
 
 @pytest.fixture
@@ -71,13 +71,13 @@ def test_an_empty_range_has_no_map(empty):
 def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened):
     """The points so far have no length in t any more beside the new one: ZeroDivisionError in the press."""
     interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
-    nodes = (Node(0.0, 0.0, velocity=(1.0, 0.0)), Node(1.0, 1.0))
-    editor = opened(Curve("Time", HERMITE, interval, nodes))
+    points = (Point(0.0, 0.0, velocity=(1.0, 0.0)), Point(1.0, 1.0))
+    editor = opened(Curve("Time", HERMITE, interval, points))
     editor.window.canvas.camera.show_box((-3.3e7, 3.3e7), (-3e7, 3e7))
     editor.settle()
     editor.trigger("addTool")
     editor.click((3e7, 1e7))
-    assert editor.curve.nodes[:2] == nodes
+    assert editor.curve.points[:2] == points
     assert editor.point(2) == pytest.approx((3e7, 1e7), rel=0.01)
     # "parameters must be strictly increasing, but parameters[1] = …" named nothing that is on the screen.
     assert editor.session.active_view.problem == (
@@ -85,35 +85,35 @@ def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened
         "points 0 and 1 lie too close together."
     )
     editor.trigger("undo")
-    assert editor.curve.nodes == nodes
+    assert editor.curve.points == points
 
 
 @pytest.mark.parametrize("closed", [False, True])
 def test_what_squeezes_parameters_to_nothing_leaves_derivatives(closed):
     interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
-    nodes = tuple(Node(float(x), float(x), velocity=(1.0, 0.0)) for x in range(3))
-    before = view_of(Curve("Time", HERMITE, interval, nodes, closed=closed))
-    after = replace(before.source, nodes=(*nodes, Node(3e9, 1e9)))
-    assert squeeze_of(before, after) == 1.0
+    points = tuple(Point(float(x), float(x), velocity=(1.0, 0.0)) for x in range(3))
+    before = view_of(Curve("Time", HERMITE, interval, points, closed=closed))
+    after = replace(before.source, points=(*points, Point(3e9, 1e9)))
+    assert scale_of(before, after) == 1.0
 
 
 def test_a_derivative_too_large_for_a_squeezed_interval_is_refused():
     """The square of 1e-200 is nothing to divide by, and that of 1e200 more than a number holds."""
-    node = Node(0.0, 0.0, acceleration=(1.0, 0.0))
+    point = Point(0.0, 0.0, acceleration=(1.0, 0.0))
     with pytest.raises(EditError, match="finite"):
-        stretched(node, 1e-200)
-    assert stretched(node, 1e200).acceleration == (0.0, 0.0)
+        stretched(point, 1e-200)
+    assert stretched(point, 1e200).acceleration == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("kind", [1, 2])
 def test_a_handle_on_an_interval_of_next_to_no_length_is_refused_in_words(opened, kind):
     """The square of the spacing vanished: ZeroDivisionError in the drag of an acceleration."""
     rule = Parametrization(ParametrizationKind.UNIFORM, end=1e-200)
-    nodes = tuple(Node(float(x), 0.0) for x in range(3))
-    editor = opened(Curve("Brief", QUINTIC_HERMITE, rule, nodes))
+    points = tuple(Point(float(x), 0.0) for x in range(3))
+    editor = opened(Curve("Brief", QUINTIC_HERMITE, rule, points))
     editor.select_point(1)
     editor.drag_handle((1.0, 0.5), kind)
-    assert editor.curve.nodes == nodes
+    assert editor.curve.points == points
     assert "must" in editor.status
 
 

@@ -17,11 +17,12 @@ from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
 
-from app.document.edits import move_nodes, set_position
+from app.appearance.theme import ThemeMode
+from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
 from app.features.file_on_disk.bar import FileBar
 from app.features.file_on_disk.commands import DiskCommands
-from app.features.file_on_disk.notices import Standing, about_lock
+from app.features.file_on_disk.notices import Ownership, about_lock
 from app.features.file_on_disk.watch import DiskWatch
 from app.session import Session
 from app.storage import files
@@ -31,7 +32,6 @@ from app.storage.lock import OLD, Owner, lock_place
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import LockedError
 from app.testing import Editor
-from app.theme import ThemeMode
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
 WAIT_MS = 20_000
@@ -581,7 +581,7 @@ def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
 def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     mine = edit(second)
-    saved.session.commit(move_nodes(saved.session.document, 0, [5], (1.0, 0.0)), "Move")
+    saved.session.commit(move_points(saved.session.document, 0, [5], (1.0, 0.0)), "Move")
     theirs = saved.session.document
     saved.trigger("saveDocument")
     assert saved.window.close()
@@ -680,7 +680,7 @@ def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
 
 def test_a_lock_file_cannot_break_the_words():
     owner = Owner("", "", "m", 7, "x", 1e300, "mark")
-    text = about_lock("a", Standing.OPENED_ELSEWHERE, owner).text
+    text = about_lock("a", Ownership.OPENED_ELSEWHERE, owner).text
     assert text.startswith("Somebody has this open, since some time; opened read-only.")
 
 
@@ -775,7 +775,7 @@ def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
     assert editor.status == (
         "drawing.curve.json is of an older version; the first save keeps the old file beside it."
     )
-    editor.session.commit(move_nodes(editor.session.document, 0, [0], (1.0, 0.0)), "Move")
+    editor.session.commit(move_points(editor.session.document, 0, [0], (1.0, 0.0)), "Move")
     editor.trigger("saveDocument")
     assert editor.status == "Saved drawing.curve.json. The old version is kept beside it."
     assert path.with_name("drawing.curve.json.v0.bak").read_bytes() == old

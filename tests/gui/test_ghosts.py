@@ -7,12 +7,12 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
+from app.appearance.theme import theme_of
 from app.document.edits import set_position
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.plotting.dashes import dashed
 from app.plotting.pens import colour_of
-from app.theme import theme_of
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 
 
@@ -123,9 +123,9 @@ def test_a_ghost_that_cannot_be_says_so(editor):
 
 def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
     x = np.linspace(0, 4, 240)
-    nodes = tuple(Node(float(a), float(np.sin(3 * a))) for a in x)
+    points = tuple(Point(float(a), float(np.sin(3 * a))) for a in x)
     rules = Parametrization(ParametrizationKind.CHEBYSHEV)
-    editor.session.commit(Document((Curve("Wave", HERMITE, rules, nodes),)), "Open")
+    editor.session.commit(Document((Curve("Wave", HERMITE, rules, points),)), "Open")
     editor.fit()
     editor.trigger("ghostLagrange")
     assert set(shown(editor)) == {Ghost(family=LAGRANGE)}

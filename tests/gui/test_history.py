@@ -3,13 +3,13 @@
 import pytest
 from PySide6.QtCore import Qt
 
+from app.appearance.theme import ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import make_curve
 from app.features.history.controller import HistoryController
 from app.features.history.panel import HistoryPanel
 from app.session import Session
 from app.storage import files
-from app.theme import ThemeMode, apply_theme
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def history(qtbot):
     panel.controller = HistoryController(session, panel)
     qtbot.addWidget(panel)
     for index in (1, 2, 3):
-        document = edits.move_nodes(session.document, 0, [index], (0.5, 0.0))
+        document = edits.move_points(session.document, 0, [index], (0.5, 0.0))
         session.commit(document, f"Move point {index}")
     panel.resize(300, 240)
     with qtbot.waitExposed(panel):

@@ -23,15 +23,15 @@ from PySide6.QtWidgets import (
     QSpinBox,
 )
 
-from app.commands.exchange_commands import ExchangeCommands
 from app.document.model import Document, make_curve
 from app.exchange.options import Options
 from app.exchange.writing import export
 from app.families import HERMITE
-from app.panels.field_edit import FieldEdit
+from app.features.import_export.commands import ExchangeCommands
 from app.storage.files import save
 from app.testing import spin
 from app.view_model.curve_view import view_of
+from app.widgets.field_edit import FieldEdit
 
 SVG = (
     '<svg xmlns="http://www.w3.org/2000/svg"><text>hi</text>'
@@ -42,7 +42,7 @@ SVG = (
 @pytest.fixture(autouse=True)
 def _no_pause_to_type_on(monkeypatch):
     """The preview waits until nothing is typed for a while; here nobody types on."""
-    monkeypatch.setattr("app.panels.import_table_dialog._SOON_MS", 10)
+    monkeypatch.setattr("app.features.import_export.import_table_dialog._SOON_MS", 10)
 
 
 def write(path, text):
@@ -102,7 +102,7 @@ def test_a_table_comes_in_as_one_step(editor, tmp_path):
     editor.settle()
     curve = editor.curve
     assert (curve.name, curve.family) == ("pond", HERMITE)
-    assert [node.position for node in curve.nodes] == [(0.5, 1), (2, 3.25), (4, 0)]
+    assert [point.position for point in curve.points] == [(0.5, 1), (2, 3.25), (4, 0)]
     assert len(editor.session.document.curves) == len(before.curves) + 1
     assert editor.status == "Imported pond.csv: 1 curve, 3 points, exact."
     assert editor.window.canvas.framing.shows_all_points
@@ -197,7 +197,7 @@ def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path
         assert dialog.said.text() == "Columns: x = column 1, y = column 2."
         press(dialog, "importTable")
         editor.settle()
-        assert [node.position for node in editor.curve.nodes] == [(0, 1), (2, 3)]
+        assert [point.position for point in editor.curve.points] == [(0, 1), (2, 3)]
 
 
 def test_as_a_new_document(editor, tmp_path):
@@ -224,7 +224,7 @@ def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
     choose(dialog.preview.head.boxes[1], "x")
     settle(editor, dialog)
     QTest.keyClick(dialog, Qt.Key.Key_Return)
-    assert [node.position for node in editor.curve.nodes] == [(2, 1), (4, 3), (9, 5)]
+    assert [point.position for point in editor.curve.points] == [(2, 1), (4, 3), (9, 5)]
 
 
 def test_the_preview_keeps_the_power_of_ten_of_a_long_number(editor, tmp_path):
@@ -518,7 +518,7 @@ def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
     before = len(editor.session.document.curves)
     press(dialog, "importDrawing")
     editor.settle()
-    assert [len(curve.nodes) for curve in editor.session.document.curves[before:]] == [2, 2]
+    assert [len(curve.points) for curve in editor.session.document.curves[before:]] == [2, 2]
     assert editor.status == "Imported plot.svg: 2 curves, 4 points, exact."
     dialog = opened(editor, write(tmp_path / "flat.svg", SVG), "importDrawingDialog")
     assert dialog.groups is None
@@ -598,7 +598,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     opened(editor, path, kind)
     editor.new()
     assert dialog_of(editor, kind) is None
-    assert [len(curve.nodes) for curve in editor.session.document.curves] == [0]
+    assert [len(curve.points) for curve in editor.session.document.curves] == [0]
     assert not editor.session.is_modified
     assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
     editor.window.import_file(path)  # and one that is read for a document that has gone
@@ -610,7 +610,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     choose(dialog.into, "A new document")
     press(dialog, "importDrawing" if name == "a.svg" else "importTable")
     editor.settle()
-    assert sum(len(curve.nodes) for curve in editor.session.document.curves) >= 2
+    assert sum(len(curve.points) for curve in editor.session.document.curves) >= 2
     assert editor.status.startswith(f"Imported {name}")
     editor.session.files.give_up_changes()
 
@@ -738,6 +738,6 @@ def test_very_many_rows_never_block_the_window(editor, tmp_path, record_property
     longest, whole = float(np.diff(turns).max()), time.process_time() - began
     record_property("longest without a turn, in ms of the processor", 1000 * longest)
     print(f"longest {1000 * longest:.0f} ms of {1000 * whole:.0f} ms, {prepared.points} points")
-    assert len(editor.curve.nodes) == prepared.points < 1000
+    assert len(editor.curve.points) == prepared.points < 1000
     assert longest < whole / 4
     assert math.isfinite(prepared.deviation)

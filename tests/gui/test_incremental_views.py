@@ -31,13 +31,13 @@ places = st.integers(0, 4)
 
 def step(data, document: Document, curve: Curve, view: CurveView) -> Document:
     """One random edit."""
-    index = data.draw(places) % len(curve.nodes)
-    node = curve.nodes[index]
+    index = data.draw(places) % len(curve.points)
+    point = curve.points[index]
     match data.draw(st.integers(0, 11)):
         case 0 | 1 | 2:
-            return edits.move_nodes(document, 0, {index}, data.draw(vectors))
+            return edits.move_points(document, 0, {index}, data.draw(vectors))
         case 3:
-            return edits.move_nodes(document, 0, range(len(curve.nodes)), data.draw(vectors))
+            return edits.move_points(document, 0, range(len(curve.points)), data.draw(vectors))
         case 4:
             return edits.set_velocity(document, 0, index, data.draw(st.none() | vectors))
         case 5:
@@ -45,9 +45,9 @@ def step(data, document: Document, curve: Curve, view: CurveView) -> Document:
         case 6:
             return edits.make_corner(document, 0, index, data.draw(st.none() | vectors), None)
         case 7:
-            flat = replace(node, corner=False, velocity_after=None, acceleration_after=None)
-            nodes = (*curve.nodes[:index], flat, *curve.nodes[index + 1 :])
-            return document.with_curve(0, replace(curve, nodes=nodes))
+            flat = replace(point, corner=False, velocity_after=None, acceleration_after=None)
+            points = (*curve.points[:index], flat, *curve.points[index + 1 :])
+            return document.with_curve(0, replace(curve, points=points))
         case 8:
             return edits.set_family(document, 0, data.draw(st.sampled_from(FAMILIES)))
         case 9:
@@ -108,7 +108,7 @@ def test_random_edits_with_undo(data):
 def test_what_did_not_change_is_the_same_object():
     document = Document((make_curve(SQUARE, family=HERMITE),))
     view = view_of(document.curves[0])
-    moved = view_of(edits.move_nodes(document, 0, {2}, (0.5, 0.0)).curves[0], view)
+    moved = view_of(edits.move_points(document, 0, {2}, (0.5, 0.0)).curves[0], view)
     assert moved.points is not view.points
     assert moved.arrays.given is view.arrays.given
     assert moved.arrays.times is view.arrays.times
@@ -123,7 +123,7 @@ def test_a_lagrange_curve_at_frozen_parameters_keeps_its_samples():
     view.flattened(*key)
     frozen = set()
     for step_size in (0.0, 1e-3, 2e-3, 3e-3):
-        view = view_of(edits.move_nodes(uniform, 0, {1}, (step_size, 0.1)).curves[0], view)
+        view = view_of(edits.move_points(uniform, 0, {1}, (step_size, 0.1)).curves[0], view)
         view.flattened(*key)
         frozen.add(id(view._flattener._frozen))
     assert isinstance(view._flattener, Flattener)

@@ -13,10 +13,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
 
 from app.document.edits import set_position
-from app.document.model import Curve, Document, Node, Parametrization, VelocityRule
+from app.document.model import Curve, Document, Parametrization, Point, VelocityRule
 from app.families import HERMITE
 from app.features.joints.panel import JointsPanel
-from app.view_model.analysis.joints import Kind
+from app.view_model.analysis.joints import JointKind
 
 
 @pytest.fixture
@@ -114,7 +114,7 @@ def test_a_corner_is_told_by_sign_and_word(bessel):
     x, y = bessel.handle(1, ahead=True).position
     bessel.drag_handle((x + 0.4, y + 0.3), ahead=True)
     row = panel(bessel).rows[2]
-    assert row.kind is Kind.CORNER
+    assert row.kind is JointKind.CORNER
     assert text(bessel, 2, 0) == "▲ 3"
     assert text(bessel, 2, 5).endswith("°")
     assert "joint 3: C⁰ (corner)" in panel(bessel).summary
@@ -154,8 +154,8 @@ def test_without_a_curve_it_says_why(bessel):
 
 
 def test_a_thousand_joints_are_quick(editor):
-    nodes = tuple(Node(i / 100, float(np.sin(i / 30))) for i in range(1000))
-    curve = Curve("Long", HERMITE, Parametrization(), nodes, VelocityRule.BESSEL)
+    points = tuple(Point(i / 100, float(np.sin(i / 30))) for i in range(1000))
+    curve = Curve("Long", HERMITE, Parametrization(), points, VelocityRule.BESSEL)
     editor.session.commit(Document((curve,)), "Begin")
     editor.trigger("showJoints")
     assert table(editor).model().rowCount() == 998

@@ -9,10 +9,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QGraphicsView, QMenu, QWidget
 from shiboken6 import Shiboken
 
-from app.commands.focus_commands import first_in
+from app.actions.mnemonics import plain, with_mnemonics
+from app.appearance.theme import theme_of
 from app.features.lessons.panel import LessonPanel
-from app.mnemonics import plain, with_mnemonics
-from app.theme import theme_of
+from app.window.focus_commands import first_in
 
 
 def letter_of(text):
@@ -161,7 +161,7 @@ def test_tab_goes_from_the_points_to_the_message_over_them_and_on_to_the_functio
     window = editor.window
     editor.session.offer("It may be undone.", "fitView")
     window.canvas.setFocus()
-    editor.select([len(editor.curve.nodes) - 1])
+    editor.select([len(editor.curve.points) - 1])
     passed = []
     for _ in range(3):
         QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)

@@ -121,14 +121,14 @@ class Rounded:
         return self._of(Fraction(self.value) / Fraction(other.value))
 
 
-def lagrange_by_hand(nodes, values, t, digits):
-    nodes, values = ([Rounded(Decimal(float(x)), digits) for x in row] for row in (nodes, values))
+def lagrange_by_hand(points, values, t, digits):
+    points, values = ([Rounded(Decimal(float(x)), digits) for x in row] for row in (points, values))
     at = Rounded(Decimal(float(t)), digits)
     terms = []
     for i, value in enumerate(values):
-        others = [node for j, node in enumerate(nodes) if j != i]
+        others = [point for j, point in enumerate(points) if j != i]
         above = reduce(lambda a, b: a * b, (at - other for other in others))
-        below = reduce(lambda a, b: a * b, (nodes[i] - other for other in others))
+        below = reduce(lambda a, b: a * b, (points[i] - other for other in others))
         terms.append(above / below * value)
     return reduce(lambda a, b: a + b, terms).value
 

@@ -7,14 +7,14 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QLabel
 
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.appearance.theme import LIGHT
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.document.parameter_edits import set_parameters
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.pixel_map import PixelMap
 from app.plotting.stamps import cells_of
 from app.testing import Editor
-from app.theme import LIGHT
 from app.view_model.basis_view import basis_view
 from app.view_model.curve_view import view_of
 from curvecore.bezier.flatten import segment_distance
@@ -26,8 +26,8 @@ SHOWN = PixelMap.of_ranges((-0.05, 1.05), (-0.6, 1.3), 880, 200)
 def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
     kind = CHEBYSHEV if family is LAGRANGE else UNIFORM
     s = np.linspace(0, 1, n)
-    nodes = tuple(Node(float(4 * x), float(np.sin(9 * x))) for x in s)
-    return Curve("Wave", family, Parametrization(kind), nodes, closed=closed)
+    points = tuple(Point(float(4 * x), float(np.sin(9 * x))) for x in s)
+    return Curve("Wave", family, Parametrization(kind), points, closed=closed)
 
 
 @pytest.mark.parametrize("closed", [False, True])
@@ -45,7 +45,7 @@ def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
 def test_how_many_are_drawn_and_that_the_envelope_holds_them(n, family, way, closed):
     basis = basis_view(view_of(wave(n, family, closed=closed)))
     assert way_to_draw(basis) is way
-    assert basis.node_count == n
+    assert basis.point_count == n
     for kind in range(basis.kinds):
         t, low, high = basis.envelope(kind)
         at = basis.t[:: max(len(basis.t) // 97, 1)]
@@ -100,8 +100,8 @@ def exact_pixels(basis, shown, knot, kind):
 def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
     """Two pieces of two hundred took a fifth of the panel, with eight chords each: 0.8 pixels off."""
     editor = open_wave(200, family)
-    nodes = tuple(Node(4.0 * k / 199, 0.0) for k in range(200))
-    editor.session.commit(Document((Curve("Line", family, Parametrization(), nodes),)), "Open")
+    points = tuple(Point(4.0 * k / 199, 0.0) for k in range(200))
+    editor.session.commit(Document((Curve("Line", family, Parametrization(), points),)), "Open")
     editor.drag_point(99, to=(editor.point(99)[0], 0.5))
     assert editor.parameters[98:101:2] == pytest.approx([0.4, 0.6], abs=0.01)
     editor.screenshot()
@@ -177,8 +177,8 @@ def test_an_envelope_beyond_the_edge_of_the_panel_is_empty():
 
 def test_functions_at_the_edge_of_the_range_stay_finite_when_a_tick_moves():
     """Infinite on 1100 equal parameters: those from before the move were at the edge of the range."""
-    nodes = tuple(Node(float(i), float(i % 3)) for i in range(1100))
-    document = Document((Curve("Comb", LAGRANGE, Parametrization(UNIFORM), nodes),))
+    points = tuple(Point(float(i), float(i % 3)) for i in range(1100))
+    document = Document((Curve("Comb", LAGRANGE, Parametrization(UNIFORM), points),))
     view = view_of(document.curves[0])
     before = basis_view(view)
     parameters = view.parameters.tolist()

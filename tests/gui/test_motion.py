@@ -274,7 +274,7 @@ def test_putting_the_scrub_line_away_ends_it(editor, motion):
 def test_without_a_curve_the_dot_is_away_and_the_bar_says_why(editor, motion):
     editor.trigger("playMotion")
     motion.wait(0.2)
-    editor.session.select(range(len(editor.curve.nodes)))
+    editor.session.select(range(len(editor.curve.points)))
     editor.trigger("deleteSelection")
     motion.wait(0.2)
     assert motion.dots == ()

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDialog, QFile
 from app.cli import main
 from app.document.model import Document, make_curve
 from app.exchange.cubics_in import Imported
-from app.exchange.formats import FORMATS, Format, Kind, Written
+from app.exchange.formats import FORMATS, ContentKind, Format, Written
 from app.exchange.options import TOLERANCE, Check
 from app.storage.files import save
 
@@ -30,7 +30,7 @@ POINTS = [(0.0, 0.0), (2.0, 1.5), (4.0, -1.0)]
 def write(document, options):
     """The points, with the tolerance for those who look."""
     sign = -1 if options[UPSIDE_DOWN] else 1
-    corners = [[node.x, sign * node.y] for curve in document.curves for node in curve.nodes]
+    corners = [[point.x, sign * point.y] for curve in document.curves for point in curve.points]
     return Written(json.dumps({"corners": corners, "tolerance": options.tolerance}), deviation=0.25)
 
 
@@ -47,7 +47,7 @@ def corners():
         description="The points, and nothing between them.",
         options=(TOLERANCE, UPSIDE_DOWN),
         write=write,
-        kind=Kind.DRAWING,
+        kind=ContentKind.DRAWING,
         plural="Lists of corners",
         read=read,
     )
@@ -101,7 +101,7 @@ def test_a_drop_and_the_import_dialog_take_it(editor, tmp_path, monkeypatch):
     editor.wait_for_work()
     dialog = editor.window.findChild(QDialog, "importDrawingDialog")
     QTest.mouseClick(dialog.findChild(QPushButton, "importDrawing"), Qt.MouseButton.LeftButton)
-    assert [(node.x, node.y) for node in editor.session.document.curves[-1].nodes] == POINTS
+    assert [(point.x, point.y) for point in editor.session.document.curves[-1].points] == POINTS
     filters = []
     monkeypatch.setattr(
         QFileDialog, "getOpenFileNames", lambda *words: (filters.append(words[3]), ([], ""))[1]

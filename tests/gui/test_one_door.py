@@ -12,9 +12,9 @@ from app.document import edits
 from app.document.model import (
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
     ReferenceImage,
     make_curve,
 )
@@ -37,7 +37,7 @@ COMMANDS = [
 
 
 def hat(name="Hat", right=0.0):
-    """A curve with something set at two of its nodes."""
+    """A curve with something set at two of its points."""
     points = [(right, 0), (right + 1, 2), (right + 3, 2), (right + 4, 0)]
     curve = make_curve(points, family=HERMITE, name=name)
     document = edits.set_velocity(Document((curve,)), 0, 1, (3.0, 1.0))
@@ -133,7 +133,7 @@ def test_a_panel_in_the_middle_of_a_gesture_changes_what_was_there(two):
     assert two.session.document.curves[1] is before.curves[1]
     under_g(two)
     two.choose_parametrization(ParametrizationKind.UNIFORM)
-    assert two.session.document.curves[1].nodes == before.curves[1].nodes
+    assert two.session.document.curves[1].points == before.curves[1].points
     assert two.session.undo_stack.undoText() == "Use uniform parameters"
 
 
@@ -191,12 +191,12 @@ def test_another_curve_while_the_pen_begins_one(editor):
     editor.session.commit(Document(tuple(rings)), "Begin")
     editor.fit()
     editor.trigger("selectAllCurves")
-    assert editor.session.chosen_curves == {0, 1}
+    assert editor.session.selected_curves == {0, 1}
     editor.trigger("addTool")
     editor.press((1.0, 1.5))
     assert len(editor.session.document.curves) == 3
     editor.escape()
-    assert editor.session.chosen_curves == {0, 1}
+    assert editor.session.selected_curves == {0, 1}
     editor.release((1.0, 1.5))
     editor.press((1.0, 1.5))
     editor.trigger("nextCurve")
@@ -218,7 +218,7 @@ def test_undo_of_an_insertion_leaves_no_other_point_selected(two):
     two.trigger("undo")
     assert two.session.selection == frozenset()
     two.key(Qt.Key.Key_Delete)
-    assert len(two.curve.nodes) == 4
+    assert len(two.curve.points) == 4
 
 
 def test_undo_of_a_deletion_selects_what_it_brings_back(two):
@@ -229,7 +229,7 @@ def test_undo_of_a_deletion_selects_what_it_brings_back(two):
     two.trigger("selectAllCurves")
     two.trigger("deleteCurve")
     two.trigger("undo")
-    assert two.session.chosen_curves == {0, 1}
+    assert two.session.selected_curves == {0, 1}
 
 
 def test_undo_of_a_move_leaves_the_selection_of_now(two):
@@ -273,7 +273,7 @@ def test_a_closed_curve_with_too_few_points_left_is_open(editor):
     editor.trigger("deleteSelection")
     for point in ((0, 0), (2, 0), (2, 2), (0, 2)):
         editor.click(point)
-    assert [(len(curve.nodes), curve.closed) for curve in editor.session.document.curves] == [(4, False)]
+    assert [(len(curve.points), curve.closed) for curve in editor.session.document.curves] == [(4, False)]
 
 
 def test_the_interval_of_a_polynomial_that_would_be_closed_leaves_room_to_close():
@@ -285,9 +285,9 @@ def test_the_interval_of_a_polynomial_that_would_be_closed_leaves_room_to_close(
 
 
 def test_points_that_would_share_a_parameter_are_not_pasted(editor):
-    source = Curve("S", HERMITE, Parametrization(end=1e-6), tuple(Node(i / 10, 2.0) for i in range(21)))
+    source = Curve("S", HERMITE, Parametrization(end=1e-6), tuple(Point(i / 10, 2.0) for i in range(21)))
     manual = Parametrization(ParametrizationKind.MANUAL)
-    target = Curve("T", HERMITE, manual, (Node(0.0, 0.0, t=1.7e9), Node(1.0, 0.0, t=1.7e9 + 1)))
+    target = Curve("T", HERMITE, manual, (Point(0.0, 0.0, t=1.7e9), Point(1.0, 0.0, t=1.7e9 + 1)))
     editor.session.commit(Document((source, target)), "Begin")
     editor.trigger("selectAll")
     editor.trigger("copyPoints")
@@ -325,7 +325,7 @@ def test_a_picture_at_the_end_of_the_plane_is_not_nudged_farther(editor, tmp_pat
 
 def test_what_no_file_can_hold_is_not_committed(editor):
     """The last gate, should an edit forget to check."""
-    wild = replace(editor.curve, nodes=(*editor.curve.nodes, Node(float("nan"), 0.0)))
+    wild = replace(editor.curve, points=(*editor.curve.points, Point(float("nan"), 0.0)))
     with pytest.raises(FormatError):
         validate(Document((wild,)))
     before = editor.session.document

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 import app
 from app.document.edits import set_position
-from app.overrides import Guarded, empty_result, is_guarded
+from app.qt.overrides import Guarded, empty_result, is_guarded
 
 ROOT = Path(__file__).resolve().parents[2]
 LEAST_PLACES = 30

@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from app.document import edits
-from app.document.model import Node, ParametrizationKind
+from app.document.model import ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.view_model.handles import handles_of
 
@@ -33,9 +33,9 @@ def begin(editor, document):
 
 def lay(editor, *places):
     """Lay points at the end of the curve, as clicks with the pen do."""
-    nodes = (*editor.curve.nodes, *(Node(*place) for place in places))
-    begin(editor, edits.set_nodes(editor.session.document, 0, nodes))
-    editor.session.select([len(nodes) - 1])
+    points = (*editor.curve.points, *(Point(*place) for place in places))
+    begin(editor, edits.set_points(editor.session.document, 0, points))
+    editor.session.select([len(points) - 1])
 
 
 @pytest.fixture
@@ -104,9 +104,9 @@ def test_an_acceleration_goes_along_by_the_square(pen):
     pen.drag(at(pen, 30, 0), at(pen, 60, 0))
     document = edits.set_acceleration(pen.session.document, 0, 1, (3.0, -4.0))
     pen.session.commit(document, "Set")
-    old = pen.curve.nodes[1]
+    old = pen.curve.points[1]
     pen.click(at(pen, 330, 0))
-    new, (t0, t1, t2) = pen.curve.nodes[1], pen.parameters
+    new, (t0, t1, t2) = pen.curve.points[1], pen.parameters
     factor = max(t1 - t0, t2 - t1)
     assert new.velocity == pytest.approx([each / factor for each in old.velocity])
     assert new.acceleration == pytest.approx([each / factor**2 for each in old.acceleration])
@@ -150,7 +150,7 @@ def test_escape_takes_back_the_point_and_what_it_did_to_the_one_before(pen):
     document, steps = pen.session.document, pen.session.undo_stack.count()
     pen.press(at(pen, 330, 0))
     pen.move(at(pen, 360, 40))
-    assert pen.curve.nodes[1].velocity != document.curves[0].nodes[1].velocity
+    assert pen.curve.points[1].velocity != document.curves[0].points[1].velocity
     pen.escape()
     pen.release(at(pen, 360, 40))
     assert pen.session.document is document
@@ -181,7 +181,7 @@ def test_escape_takes_back_a_point_added_near_the_curve(pen):
     document = pen.session.document
     pen.press(at(pen, 50, 4), keys=SHIFT)
     pen.move(at(pen, 80, 40), keys=SHIFT)
-    assert pen.curve.nodes[3].velocity is not None
+    assert pen.curve.points[3].velocity is not None
     pen.escape()
     assert pen.session.document is document
 
@@ -211,7 +211,7 @@ def test_beside_a_closed_curve_the_pen_begins_a_new_one(ring):
     assert ring.session.selection == {0}
     drawn = ring.handle().position
     ring.click((6, 1))
-    assert len(ring.curve.nodes) == 2
+    assert len(ring.curve.points) == 2
     (handle,) = handles_of(ring.session.active_view, 0)
     assert handle.position == pytest.approx(drawn, rel=1e-12)
 
@@ -224,7 +224,7 @@ def test_the_beginning_is_undone_in_one_step(ring):
     assert ring.session.document == document
     assert ring.session.active_index == 0
     ring.trigger("redo")
-    assert (ring.session.active_index, len(ring.curve.nodes)) == (1, 1)
+    assert (ring.session.active_index, len(ring.curve.points)) == (1, 1)
 
 
 def test_escape_takes_back_the_beginning(ring):
@@ -287,8 +287,8 @@ def test_the_sheet_tells_what_the_pen_does(ring):
 def test_a_point_inserted_and_dragged_a_little_changes_the_curve_a_little(pen, kind):
     """Past the threshold all handles used to jump: the parameters move, and nothing was rescaled."""
     begin(pen, edits.set_parametrization(pen.session.document, 0, kind, []))
-    nodes = [Node(x, y, velocity=(12.0, 0.0)) for x, y in ((0.0, 0.0), (4.0, 3.0), (8.0, 0.0), (12.0, 3.0))]
-    pen.session.commit(edits.set_nodes(pen.session.document, 0, nodes), "Begin")
+    points = [Point(x, y, velocity=(12.0, 0.0)) for x, y in ((0.0, 0.0), (4.0, 3.0), (8.0, 0.0), (12.0, 3.0))]
+    pen.session.commit(edits.set_points(pen.session.document, 0, points), "Begin")
     pen.fit()
     before = [handles_of(pen.session.active_view, index)[0].position for index in (0, 3)]
     place = tuple(pen.session.active_view.curve.evaluate(0.5))
@@ -296,12 +296,12 @@ def test_a_point_inserted_and_dragged_a_little_changes_the_curve_a_little(pen, k
     clicked = np.array(pen.session.active_view.flattened(0.01).points)
     pen.move((place[0] + 4 * pen.pixel, place[1]))
     view = pen.session.active_view
-    assert len(view.source.nodes) == 5
+    assert len(view.source.points) == 5
     for index, was in zip((0, 4), before, strict=True):
         assert handles_of(view, index)[0].position == pytest.approx(was, abs=1e-9)
     dragged = np.array(view.flattened(0.01).points)
     apart = np.hypot(*(clicked[:, None] - dragged[None]).transpose(2, 0, 1)).min(axis=1)
     assert apart.max() < 8 * pen.pixel
     pen.escape()
-    assert len(pen.curve.nodes) == 4
+    assert len(pen.curve.points) == 4
     pen.release(place)

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from app.document import edits
-from app.document.model import Node
+from app.document.model import Point
 from app.families import HERMITE, LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -21,7 +21,7 @@ def pen(editor):
     editor.new()
     places = [at(editor, x, y) for x, y in ((0, 0), (100, 60), (200, 0))]
     document = edits.set_family(editor.session.document, 0, HERMITE)
-    document = edits.set_nodes(document, 0, [Node(*place) for place in places])
+    document = edits.set_points(document, 0, [Point(*place) for place in places])
     editor.session.commit(document, "Begin")
     editor.session.select([2])
     editor.trigger("addTool")
@@ -38,7 +38,7 @@ def hint(editor):
 
 
 def sizes(editor):
-    return [len(curve.nodes) for curve in editor.session.document.curves]
+    return [len(curve.points) for curve in editor.session.document.curves]
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_Return, Qt.Key.Key_Enter])
@@ -183,7 +183,7 @@ def test_a_point_that_is_being_inserted_is_not_drawn_to_itself(pen):
 
 
 def direction(editor, index):
-    return math.degrees(math.atan2(*reversed(editor.curve.nodes[index].velocity)))
+    return math.degrees(math.atan2(*reversed(editor.curve.points[index].velocity)))
 
 
 def test_shift_turns_the_velocity_drawn_out_in_steps_and_ctrl_is_not_offered(pen):
@@ -253,4 +253,4 @@ def test_enter_with_one_point_says_what_is_missing(editor):
     editor.key(Qt.Key.Key_Return)
     assert editor.status == "A curve needs two points before it can be finished."
     editor.click((2.0, 1.0))
-    assert len(editor.curve.nodes) == 2
+    assert len(editor.curve.points) == 2

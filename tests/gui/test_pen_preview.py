@@ -9,9 +9,9 @@ from pixels import is_colour
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtWidgets import QApplication
 
+from app.appearance.theme import LIGHT
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -36,7 +36,7 @@ def hermite(editor):
 def drawn(editor, family):
     editor.new()
     first = make_curve([at(editor, 0, 0), at(editor, 100, 60)], family=family)
-    editor.session.commit(Document((replace(editor.curve, family=family, nodes=first.nodes),)), "Begin")
+    editor.session.commit(Document((replace(editor.curve, family=family, points=first.points),)), "Begin")
     editor.action("addTool").trigger()
     editor.click(at(editor, 200, 0))
     return editor
@@ -63,7 +63,7 @@ def test_what_is_shown_is_what_a_click_makes(pen, kind):
     for x, y in ((300, 150), (310, 130)):
         pen.hover(at(pen, x, y))
         shown = ahead(pen)
-        assert len(shown.nodes) == 4
+        assert len(shown.points) == 4
     assert pen.session.document is document
     assert pen.session.undo_stack.count() == steps
     pen.click(at(pen, 310, 130))
@@ -105,16 +105,16 @@ def test_it_goes_with_a_press_and_escape_brings_nothing_back(hermite):
     assert ahead(hermite) is None
     assert hermite.session.document is document
     hermite.release(at(hermite, 320, 180))
-    assert len(ahead(hermite).nodes) == 4
+    assert len(ahead(hermite).points) == 4
 
 
 def test_it_snaps(hermite):
     spacing = hermite.window.canvas.tools.grid()[0]
     near = (12 * spacing + 3 * hermite.pixel, 9 * spacing + 2 * hermite.pixel)
     hermite.move(near, held=False, keys=CTRL)
-    assert ahead(hermite).nodes[3].position == pytest.approx((12 * spacing, 9 * spacing), rel=1e-12)
+    assert ahead(hermite).points[3].position == pytest.approx((12 * spacing, 9 * spacing), rel=1e-12)
     hermite.move(near, held=False)
-    assert ahead(hermite).nodes[3].position == pytest.approx(near, abs=hermite.pixel)
+    assert ahead(hermite).points[3].position == pytest.approx(near, abs=hermite.pixel)
 
 
 def test_none_where_a_press_begins_another_curve(hermite):
@@ -124,7 +124,7 @@ def test_none_where_a_press_begins_another_curve(hermite):
     hermite.hover(at(hermite, 310, 170))
     assert ahead(hermite) is None
     hermite.move(at(hermite, 310, 171), held=False, keys=SHIFT)
-    assert len(ahead(hermite).nodes) == 4
+    assert len(ahead(hermite).points) == 4
     hermite.trigger("closeCurve")
     hermite.hover(at(hermite, 320, 170))
     assert ahead(hermite) is None
@@ -157,7 +157,7 @@ def test_none_over_points_on_locked_curves_and_on_empty_ones(hermite):
 def test_it_follows_a_step_back_and_another_family(hermite):
     hermite.hover(at(hermite, 300, 170))
     hermite.trigger("undo")
-    assert len(ahead(hermite).nodes) == 3
+    assert len(ahead(hermite).points) == 3
     hermite.choose_family(LAGRANGE)
     assert ahead(hermite).family is LAGRANGE
 

@@ -291,11 +291,11 @@ def test_all_plots_fit_a_small_window(qtbot):
 
 def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor, qtbot):
     document = editor.session.document
-    from app.document.model import Curve, Document, Node, Parametrization
+    from app.document.model import Curve, Document, Parametrization, Point
 
     x = np.cos(np.linspace(np.pi, 0, 80))
-    nodes = tuple(Node(float(a), float(np.sin(5 * a))) for a in x)
-    many = Curve("Many", LAGRANGE, Parametrization(ParametrizationKind.CHEBYSHEV), nodes)
+    points = tuple(Point(float(a), float(np.sin(5 * a))) for a in x)
+    many = Curve("Many", LAGRANGE, Parametrization(ParametrizationKind.CHEBYSHEV), points)
     editor.session.commit(Document((many,)), "Many")
     editor.settle()
     assert editor.session.document is not document

@@ -26,7 +26,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from app.cli import main
 from app.storage.format import encode
-from app.main_window import MainWindow
+from app.window import MainWindow
 from app.features.recovery.bar import RecoveryBar
 from app.testing import Editor
 
@@ -96,7 +96,7 @@ def drive():
     tell("path", editor.session.path, editor.session.is_modified)
     bar.restore_asked.emit(0)
     windows = [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
-    tell("windows", *(len(each.session.document.curves[0].nodes) for each in windows))
+    tell("windows", *(len(each.session.document.curves[0].points) for each in windows))
     for window in windows:
         window.session.files.give_up_changes()
         window.close()

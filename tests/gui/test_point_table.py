@@ -7,7 +7,8 @@ from PySide6.QtGui import QAction, QFocusEvent, QGuiApplication, QKeySequence, Q
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToolButton
 
-from app.colours import point_colours
+from app.appearance.colours import point_colours
+from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import ParametrizationKind, VelocityRule, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -16,7 +17,6 @@ from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
 from app.features.point_table.panel import INTERVAL_MS, PointTable
 from app.session import MessageKind, Session
 from app.testing import wait_for_rest
-from app.theme import DARK, LIGHT, ThemeMode, apply_theme
 
 Role = Qt.ItemDataRole
 T, X, Y, VX, VY, AX, AY = range(7)
@@ -72,8 +72,8 @@ class Table:
         self.view.setFocus()
 
     @property
-    def node(self):
-        return self.session.active_curve.nodes.__getitem__
+    def point(self):
+        return self.session.active_curve.points.__getitem__
 
     @property
     def message(self):
@@ -170,7 +170,7 @@ def test_a_panel_that_was_never_shown_holds_the_numbers_too(qtbot):
     qtbot.addWidget(panel)
     _controller = PointTableController(session, panel, lambda: None)
     assert panel.view.model().rowCount() == 8
-    session.commit(edits.delete_nodes(session.document, 0, {0}), "Delete point 0")
+    session.commit(edits.delete_points(session.document, 0, {0}), "Delete point 0")
     assert panel.view.model().rowCount() == 7
 
 
@@ -238,8 +238,8 @@ def test_it_is_drawn_in_both_themes(qtbot, qapp, mode):
 
 def test_an_expression_is_typed_and_committed_with_enter(table):
     table.type(3, X, "sqrt(2)/2")
-    assert table.node(3).x == 2**0.5 / 2
-    assert table.node(3).y == 2.5
+    assert table.point(3).x == 2**0.5 / 2
+    assert table.point(3).y == 2.5
     assert table.session.undo_stack.undoText() == "Set x of point 3"
     assert table.view.currentIndex().row() == 4
     table.session.undo_stack.undo()
@@ -253,7 +253,7 @@ def test_typing_a_digit_begins_to_edit_even_if_the_digit_is_a_shortcut(table):
     assert table.editor.text() == "1"
     table.qtbot.keyClicks(table.editor, "/4")
     table.qtbot.keyClick(table.editor, Qt.Key.Key_Tab)
-    assert table.node(2).y == 0.25
+    assert table.point(2).y == 0.25
 
 
 def test_enter_edits_and_enter_goes_down(table):
@@ -262,13 +262,13 @@ def test_enter_edits_and_enter_goes_down(table):
         table.qtbot.keyClick(table.view, Qt.Key.Key_Return)
         table.qtbot.keyClicks(table.editor, text)
         table.qtbot.keyClick(table.editor, Qt.Key.Key_Return)
-    assert [table.node(row).x for row in range(3)] == [1.0, 2.0, 3.0]
+    assert [table.point(row).x for row in range(3)] == [1.0, 2.0, 3.0]
     assert table.view.currentIndex().row() == 3
 
 
 def test_tab_commits_and_edits_the_next_cell(table):
     table.type(1, X, "7", Qt.Key.Key_Tab)
-    assert table.node(1).x == 7.0
+    assert table.point(1).x == 7.0
     assert table.view.currentIndex().column() == Y
     table.qtbot.keyClick(table.editor, Qt.Key.Key_Escape)
 
@@ -286,7 +286,7 @@ def test_a_bad_number_stays_open_and_says_why(table):
     table.qtbot.keyClick(editor, Qt.Key.Key_4)
     assert table.message == ""
     table.qtbot.keyClick(editor, Qt.Key.Key_Return)
-    assert table.node(3).x == 8.0
+    assert table.point(3).x == 8.0
 
 
 def test_a_bad_number_gives_way_when_the_editor_is_left(table):
@@ -326,16 +326,16 @@ def test_an_unchanged_text_is_no_edit(table):
 def test_leaving_an_estimated_cell_untouched_keeps_it_estimated(hermite):
     editor = hermite.edit(2, VX)
     hermite.qtbot.keyClick(editor, Qt.Key.Key_Return)
-    assert hermite.node(2).velocity is None
+    assert hermite.point(2).velocity is None
 
 
 def test_what_is_being_typed_survives_a_change_of_the_curve(table):
     editor = table.edit(3, X)
     table.qtbot.keyClicks(editor, "42")
-    table.session.commit(edits.move_nodes(table.session.document, 0, [3], (1.0, 1.0)), "Move point 3")
+    table.session.commit(edits.move_points(table.session.document, 0, [3], (1.0, 1.0)), "Move point 3")
     assert editor.text() == "42"
     table.qtbot.keyClick(editor, Qt.Key.Key_Return)
-    assert table.node(3).position == (42.0, 3.5)
+    assert table.point(3).position == (42.0, 3.5)
 
 
 def test_the_editor_grows_with_its_text(table):
@@ -349,22 +349,22 @@ def test_the_editor_grows_with_its_text(table):
 def test_numbers_with_a_decimal_comma(table):
     QLocale.setDefault(QLocale("de_DE"))
     table.type(3, X, "1,5")
-    assert table.node(3).x == 1.5
+    assert table.point(3).x == 1.5
     assert table.shown(3, X) == "1,5"
     table.type(3, X, "1.234,5")
-    assert table.node(3).x == 1.5
+    assert table.point(3).x == 1.5
     assert "group separators" in table.message
     table.qtbot.keyClick(table.editor, Qt.Key.Key_Escape)
     table.type(3, X, "1.234")
-    assert table.node(3).x == 1.234
+    assert table.point(3).x == 1.234
 
 
 def test_set_data_takes_numbers_and_expressions(table):
     index = table.model.index(4, Y)
     assert table.model.setData(index, 0.5)
-    assert table.node(4).y == 0.5
+    assert table.point(4).y == 0.5
     assert table.model.setData(index, "1/3")
-    assert table.node(4).y == 1 / 3
+    assert table.point(4).y == 1 / 3
     before = table.session.document
     for bad in (float("nan"), float("inf"), 1e13, "x", "", None, True, "9**9**9"):
         assert not table.model.setData(index, bad)
@@ -382,7 +382,7 @@ def test_typing_t_makes_the_parameters_manual(table):
     others[2] = 0.25
     curve = table.session.active_curve
     assert curve.parametrization.kind is ParametrizationKind.MANUAL
-    assert [node.t for node in curve.nodes] == others
+    assert [point.t for point in curve.points] == others
     assert table.session.undo_stack.undoText() == "Set t of point 2"
 
 
@@ -404,10 +404,10 @@ def test_the_order_of_the_parameters_is_kept(table):
 def test_one_component_makes_the_pair_explicit(quintic):
     velocity, acceleration = (quintic.session.active_view.curve.jets[2, order] for order in (1, 2))
     quintic.type(2, VY, "1.5")
-    assert quintic.node(2).velocity == (velocity[0], 1.5)
+    assert quintic.point(2).velocity == (velocity[0], 1.5)
     assert quintic.session.undo_stack.undoText() == "Set vy of point 2"
     quintic.type(2, AX, "-2")
-    assert quintic.node(2).acceleration == (-2.0, acceleration[1])
+    assert quintic.point(2).acceleration == (-2.0, acceleration[1])
 
 
 def set_derivatives(table, *indices):
@@ -423,9 +423,9 @@ def test_delete_resets_the_selected_derivatives(quintic):
     set_derivatives(quintic, 2, 3)
     quintic.click(2, VX)
     quintic.qtbot.keyClick(quintic.view, Qt.Key.Key_Delete)
-    assert quintic.node(2).velocity is None
-    assert quintic.node(2).acceleration == (3.0, 4.0)
-    assert quintic.node(3).velocity == (1.0, 2.0)
+    assert quintic.point(2).velocity is None
+    assert quintic.point(2).acceleration == (3.0, 4.0)
+    assert quintic.point(3).velocity == (1.0, 2.0)
     assert quintic.session.undo_stack.undoText() == "Reset velocity of point 2"
 
 
@@ -436,7 +436,7 @@ def test_delete_elsewhere_is_left_to_the_window(hermite):
     hermite.click(2, X)
     hermite.qtbot.keyClick(hermite.view, Qt.Key.Key_Delete)
     assert heard == ["Del"]
-    assert hermite.node(2).velocity == (1.0, 2.0)
+    assert hermite.point(2).velocity == (1.0, 2.0)
 
 
 def test_the_button_resets_the_selected_points(quintic):
@@ -447,8 +447,8 @@ def test_the_button_resets_the_selected_points(quintic):
     quintic.session.select([2, 3])
     assert button.isEnabled()
     quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert [quintic.node(i).velocity for i in (2, 3, 5)] == [None, None, (1.0, 2.0)]
-    assert [quintic.node(i).acceleration for i in (2, 3, 5)] == [None, None, (3.0, 4.0)]
+    assert [quintic.point(i).velocity for i in (2, 3, 5)] == [None, None, (1.0, 2.0)]
+    assert [quintic.point(i).acceleration for i in (2, 3, 5)] == [None, None, (3.0, 4.0)]
     assert quintic.session.undo_stack.undoText() == "Reset derivatives of 2 points"
     assert not button.isEnabled()
 
@@ -505,7 +505,7 @@ def test_rows_and_columns_are_those_of_the_cells(hermite):
 
 
 def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
-    document = edits.insert_nodes(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).nodes[0]])
+    document = edits.insert_points(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).points[0]])
     table.session.select([8])
     assert table.session.selection == frozenset()
     table.session.commit(document, "Add point 8")
@@ -517,7 +517,7 @@ def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
 def test_deleting_points_never_writes_a_selection_back(table):
     table.session.select([6, 7])
     changes = QSignalSpy(table.session.selection_changed)
-    table.session.commit(edits.delete_nodes(table.session.document, 0, {6, 7}), "Delete points")
+    table.session.commit(edits.delete_points(table.session.document, 0, {6, 7}), "Delete points")
     assert table.view.selected_rows() == frozenset()
     assert changes.count() == 1  # the session's own
 
@@ -553,7 +553,7 @@ def test_paste_writes_a_block_as_one_step(table):
     steps = table.session.undo_stack.count()
     table.click(2, X)
     table.paste("10\t11\n12\t13\n14,5\t15")
-    assert [table.node(row).position for row in (2, 3, 4)] == [(10, 11), (12, 13), (14.5, 15)]
+    assert [table.point(row).position for row in (2, 3, 4)] == [(10, 11), (12, 13), (14.5, 15)]
     assert table.session.undo_stack.undoText() == "Paste 3 points"
     assert table.session.selection == {2, 3, 4}
     assert table.session.undo_stack.count() == steps + 1
@@ -563,7 +563,7 @@ def test_paste_beyond_the_end_appends_points(table):
     table.click(7, X)
     table.paste("1 2\n3 4\n5 6\n")
     curve = table.session.active_curve
-    assert [node.position for node in curve.nodes[7:]] == [(1, 2), (3, 4), (5, 6)]
+    assert [point.position for point in curve.points[7:]] == [(1, 2), (3, 4), (5, 6)]
     assert table.model.rowCount() == 10
     assert curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
 
@@ -572,8 +572,8 @@ def test_paste_with_parameters_makes_them_manual(table):
     table.click(6, T)
     table.paste("t\tx\ty\n2\t1\t1\n3\t2\t2\n4\t3\t3\n")
     curve = table.session.active_curve
-    assert [node.t for node in curve.nodes[6:]] == [2, 3, 4]
-    assert [node.position for node in curve.nodes[6:]] == [(1, 1), (2, 2), (3, 3)]
+    assert [point.t for point in curve.points[6:]] == [2, 3, 4]
+    assert [point.position for point in curve.points[6:]] == [(1, 1), (2, 2), (3, 3)]
     assert curve.is_manual
     assert table.session.undo_stack.undoText() == "Paste 3 points"
 
@@ -583,7 +583,7 @@ def test_paste_appends_to_manual_parameters_at_their_pace(table):
     table.session.commit(document, "Freeze")
     table.click(7, X)
     table.paste("1 1\n2 2\n3 3")
-    times = [node.t for node in table.session.active_curve.nodes]
+    times = [point.t for point in table.session.active_curve.points]
     assert times == sorted(times)
     assert table.session.active_view.is_current
 
@@ -605,19 +605,19 @@ def test_pasted_points_leave_the_handles_of_the_others_alone(hermite):
 def test_paste_into_an_empty_table(qtbot):
     table = Table(qtbot, points=[])
     table.paste("0 0\n1 1\n2 0\n")
-    assert [node.position for node in table.session.active_curve.nodes] == [(0, 0), (1, 1), (2, 0)]
+    assert [point.position for point in table.session.active_curve.points] == [(0, 0), (1, 1), (2, 0)]
     table = Table(qtbot, HERMITE, points=[])
     table.paste("0;0;0;1;1\n2;1;1;1;0\n")
-    assert [node.t for node in table.session.active_curve.nodes] == [0, 2]
-    assert table.node(1).velocity == (1, 0)
+    assert [point.t for point in table.session.active_curve.points] == [0, 2]
+    assert table.point(1).velocity == (1, 0)
 
 
 def test_paste_velocities(hermite):
     kept = hermite.session.active_view.velocity_of(3)
     hermite.click(3, VX)
     hermite.paste("5\n6")
-    assert hermite.node(3).velocity == (5.0, kept[1])
-    assert hermite.node(4).velocity[0] == 6.0
+    assert hermite.point(3).velocity == (5.0, kept[1])
+    assert hermite.point(4).velocity[0] == 6.0
     assert hermite.session.undo_stack.undoText() == "Paste 2 values"
 
 
@@ -669,7 +669,7 @@ def test_a_shortcut_of_the_window_does_not_take_copy_and_paste(table, key):
     table.click(0, X)
     assert table.copy() == "3.1"
     table.paste("7")
-    assert table.node(0).x == 7
+    assert table.point(0).x == 7
 
 
 # Pace
@@ -689,7 +689,7 @@ def test_a_thousand_rows_are_updated_and_not_reset(qtbot):
     document = edits.set_velocity_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
     table.session.commit(document, "Rule")
     changed = changes.count()
-    table.session.commit(edits.move_nodes(table.session.document, 0, [500], (0.0, 1.0)), "Move point 500")
+    table.session.commit(edits.move_points(table.session.document, 0, [500], (0.0, 1.0)), "Move point 500")
     # Finite differences reach as far as the neighbours.
     assert (changes.at(changed)[0].row(), changes.at(changed)[1].row()) == (499, 501)
     assert changes.count() == changed + 1
@@ -702,10 +702,10 @@ def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
     changes = QSignalSpy(table.model.dataChanged)
     before = table.session.document
     for step in range(1, 51):
-        table.session.preview(edits.move_nodes(before, 0, [3], (0.01 * step, 0.0)))
+        table.session.preview(edits.move_points(before, 0, [3], (0.01 * step, 0.0)))
     assert changes.count() < 10
     qtbot.waitUntil(lambda: table.value(3, X) == 1.25 + 0.5)
-    table.session.preview(edits.move_nodes(before, 0, [3], (1.0, 0.0)))
+    table.session.preview(edits.move_points(before, 0, [3], (1.0, 0.0)))
     table.session.commit(table.session.document, "Move point 3")
     assert table.value(3, X) == 2.25  # a step of the history does not wait
 
@@ -713,7 +713,7 @@ def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
 def test_a_cancelled_drag_leaves_the_old_numbers(qtbot):
     table = Table(qtbot)
     for step in range(5):
-        table.session.preview(edits.move_nodes(table.session.document, 0, [3], (0.1 * step, 0.0)))
+        table.session.preview(edits.move_points(table.session.document, 0, [3], (0.1 * step, 0.0)))
     table.session.cancel()
     qtbot.waitUntil(lambda: table.value(3, X) == 1.25)
 
@@ -722,7 +722,7 @@ def test_a_hidden_table_rests_until_it_is_shown(qtbot):
     table = Table(qtbot)
     table.panel.hide()
     changes = QSignalSpy(table.model.dataChanged)
-    table.session.preview(edits.move_nodes(table.session.document, 0, [3], (1.0, 0.0)))
+    table.session.preview(edits.move_points(table.session.document, 0, [3], (1.0, 0.0)))
     qtbot.waitUntil(lambda: not table.panel._timer.isActive())
     assert changes.count() == 0
     table.panel.show()
@@ -779,7 +779,7 @@ def test_another_window_leaves_the_editor_open(table):
     )
     assert table.editor is editor
     table.qtbot.keyClick(editor, Qt.Key.Key_Return)
-    assert table.node(3).x == 42.0
+    assert table.point(3).x == 42.0
 
 
 # Messages go when their cause has gone
@@ -791,7 +791,7 @@ def test_a_refusal_goes_with_its_cause(table, way):
     field.show()
     editor = table.type(3, X, "2*")
     assert table.message
-    document = edits.move_nodes(table.session.document, 0, [0], (1.0, 0.0))
+    document = edits.move_points(table.session.document, 0, [0], (1.0, 0.0))
     if way == "escape":
         table.qtbot.keyClick(editor, Qt.Key.Key_Escape)
     elif way == "click elsewhere":
@@ -829,7 +829,7 @@ def test_a_column_keeps_its_decimals_while_previews_stream(table):
     assert decimals(table, X) == {2}
     before, seen = table.session.document, []
     for step in range(1, 6):
-        table.session.preview(edits.move_nodes(before, 0, [3], (0.5 * step + 0.1 ** (step % 3 + 1), 0.0)))
+        table.session.preview(edits.move_points(before, 0, [3], (0.5 * step + 0.1 ** (step % 3 + 1), 0.0)))
         table.rest()
         assert len(decimals(table, X)) == 1
         seen.append(decimals(table, X))
@@ -872,7 +872,7 @@ def test_rounding_residues_are_shown_as_zero_and_kept_whole(hermite):
     assert "8e−16" in hermite.model.data(hermite.model.index(2, VX), Role.ToolTipRole)
     assert hermite.edit(2, VX).text() == "8e-16"
     hermite.qtbot.keyClick(hermite.editor, Qt.Key.Key_Escape)
-    assert hermite.node(2).velocity == (8e-16, -1043.4)
+    assert hermite.point(2).velocity == (8e-16, -1043.4)
 
 
 def test_a_quintic_curve_fits_in_a_dock(quintic):
@@ -897,9 +897,9 @@ def test_points_that_keep_their_own_velocities_are_named_and_can_be_reset(hermit
     assert hermite.message.startswith("⚠ Point 2 keeps its own velocity · ")
     label = hermite.panel.findChild(QLabel, "pointTableMessage")
     label.linkActivated.emit("reset")
-    assert hermite.node(2).velocity is None
-    assert hermite.node(2).acceleration == (3.0, 4.0)  # not this family's
-    assert hermite.node(6).velocity == (1.0, 2.0)
+    assert hermite.point(2).velocity is None
+    assert hermite.point(2).acceleration == (3.0, 4.0)  # not this family's
+    assert hermite.point(6).velocity == (1.0, 2.0)
     assert hermite.session.undo_stack.undoText() == "Reset velocity of point 2"
     assert hermite.message == ""
 
@@ -913,7 +913,7 @@ def test_the_link_in_the_message_is_clicked(hermite):
     place = QPoint(10 + end - 8, label.height() // 2)
     hermite.qtbot.mouseMove(label, place)
     hermite.qtbot.mouseClick(label, Qt.MouseButton.LeftButton, pos=place)
-    assert hermite.node(2).velocity is None
+    assert hermite.point(2).velocity is None
 
 
 def test_pasted_velocities_keep_nothing(quintic):
@@ -929,12 +929,12 @@ def test_pasted_velocities_keep_nothing(quintic):
 def test_titles_name_the_columns_wherever_the_current_cell_is(hermite):
     hermite.click(6, VX)
     hermite.paste("t;x;y\n2;1;1\n3;2;2")
-    assert [hermite.node(row).t for row in (6, 7)] == [2, 3]
-    assert [hermite.node(row).position for row in (6, 7)] == [(1, 1), (2, 2)]
+    assert [hermite.point(row).t for row in (6, 7)] == [2, 3]
+    assert [hermite.point(row).position for row in (6, 7)] == [(1, 1), (2, 2)]
     hermite.click(0, T)
     hermite.paste("#\tY\tvy\tX\tvx\n0\t5\t6\t7\t8")
-    assert hermite.node(0).position == (7, 5)
-    assert hermite.node(0).velocity == (8, 6)
+    assert hermite.point(0).position == (7, 5)
+    assert hermite.point(0).velocity == (8, 6)
 
 
 @pytest.mark.parametrize(
@@ -955,14 +955,14 @@ def test_titles_that_do_not_fit_are_explained(table, text, words):
 
 
 def test_one_value_fills_the_selected_cells(quintic):
-    kept = quintic.node(2).y
+    kept = quintic.point(2).y
     quintic.click(2, X)
     for row, column in ((4, X), (3, VX), (3, VY)):
         quintic.click(row, column, Qt.KeyboardModifier.ControlModifier)
     quintic.paste("1/2")
-    assert quintic.node(2).position == (0.5, kept)
-    assert quintic.node(4).x == 0.5
-    assert quintic.node(3).velocity == (0.5, 0.5)
+    assert quintic.point(2).position == (0.5, kept)
+    assert quintic.point(4).x == 0.5
+    assert quintic.point(3).velocity == (0.5, 0.5)
     assert quintic.session.undo_stack.undoText() == "Fill 4 cells"
     assert quintic.shown_points == [quintic.session.document]
 
@@ -977,7 +977,7 @@ def test_points_cannot_share_a_t(table):
     table.click(3, T)
     table.click(3, X, Qt.KeyboardModifier.ControlModifier)
     table.paste("0.5")
-    assert (table.node(3).t, table.node(3).x) == (0.5, 0.5)
+    assert (table.point(3).t, table.point(3).x) == (0.5, 0.5)
 
 
 # Closed curves and corners
@@ -1035,11 +1035,11 @@ def test_at_a_corner_the_table_has_what_is_before_it(hermite):
     tip = hermite.model.data(hermite.model.index(3, VY), Role.ToolTipRole)
     assert "before the corner; 4.0 after it" in tip
     hermite.type(3, VX, "7")
-    assert hermite.node(3).velocity == (7.0, 2.0)
-    assert hermite.node(3).velocity_after == (3.0, 4.0)
+    assert hermite.point(3).velocity == (7.0, 2.0)
+    assert hermite.point(3).velocity_after == (3.0, 4.0)
     hermite.session.select([3])
     hermite.panel.reset_to_estimated()
-    assert hermite.node(3).velocity is hermite.node(3).velocity_after is None
+    assert hermite.point(3).velocity is hermite.point(3).velocity_after is None
 
 
 def test_a_velocity_set_after_a_corner_alone_can_be_reset(hermite):
@@ -1049,7 +1049,7 @@ def test_a_velocity_set_after_a_corner_alone_can_be_reset(hermite):
     button = hermite.panel.findChild(QToolButton, "resetToEstimated")
     assert button.isEnabled()
     hermite.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert hermite.node(3).velocity_after is None
+    assert hermite.point(3).velocity_after is None
 
 
 def test_a_corner_at_the_first_point_has_what_is_after_it(hermite):

@@ -119,7 +119,7 @@ def test_at_the_edge_of_reach_there_is_a_click_or_a_band_but_never_both(three, p
 def test_shift_click_still_chooses_and_a_shift_drag_moves_nothing(three):
     before = three.session.document
     three.click(on_curve(three, 2), keys=SHIFT)
-    assert (three.session.active_index, three.session.chosen_curves) == (1, {1, 2})
+    assert (three.session.active_index, three.session.selected_curves) == (1, {1, 2})
     three.drag(on_curve(three, 0), (1.5, -1), keys=SHIFT)
     assert three.session.active_index == 1
     assert three.session.document is before
@@ -163,7 +163,7 @@ def test_the_first_right_click_offers_what_can_be_done_at_that_place(three):
     assert found["insertPointHere"]
     assert found["splitHere"]
     three.choose("insertPointHere")
-    assert len(three.curve.nodes) == 5
+    assert len(three.curve.points) == 5
     assert three.point(2) == pytest.approx(at, abs=2 * three.pixel)
 
 
@@ -185,16 +185,16 @@ def test_the_first_right_click_on_its_point_is_for_the_point(three):
     assert (three.curve.name, three.session.selection) == ("C", {2})
     assert found["deleteSelection"]
     three.choose("tangentCorner")
-    assert three.curve.nodes[2].corner
+    assert three.curve.points[2].corner
 
 
 def test_a_right_click_on_one_of_several_chosen_leaves_them_chosen(three):
     three.click(on_curve(three, 2), keys=SHIFT)
     assert "insertPointHere" in entries(three.open_menu(on_curve(three, 2)))
-    assert (three.curve.name, three.session.chosen_curves) == ("C", {1, 2})
+    assert (three.curve.name, three.session.selected_curves) == ("C", {1, 2})
     close(three)
     assert "deleteCurve" in entries(three.open_menu((2, 3)))
-    assert (three.session.chosen_curves, three.session.selection) == ({1, 2}, frozenset())
+    assert (three.session.selected_curves, three.session.selection) == ({1, 2}, frozenset())
     close(three)
 
 

@@ -212,7 +212,7 @@ def test_the_action_types_at_the_selected_point(editor, panel):
 )
 def test_manual_parameters_start_from_a_rule(editor, name, rule):
     editor.trigger(name)
-    points = np.array([node.position for node in editor.curve.nodes])
+    points = np.array([point.position for point in editor.curve.points])
     assert editor.parameters == pytest.approx(rule(points).tolist())
     assert editor.curve.parametrization.kind is ParametrizationKind.MANUAL
     assert editor.session.undo_stack.count() == 1

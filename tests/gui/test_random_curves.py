@@ -22,7 +22,7 @@ ACTIONS = (
 
 def step(editor, choose):
     """Do one thing at random, as a person might."""
-    count = len(editor.curve.nodes)
+    count = len(editor.curve.points)
     kind = choose.random()
     if kind < 0.2 and count:
         editor.select(choose.sample(range(count), choose.randint(1, min(3, count))))
@@ -73,7 +73,7 @@ def test_undo_and_redo_are_exact(editor, seed, monkeypatch):
         assert session.document.curves[session.active_index] is session.active_curve
         # What cannot be drawn has a reason that the person may mend; nothing else may go wrong.
         assert session.active_view.is_current or session.active_view.problem
-        if len(session.active_curve.nodes) < 2:
+        if len(session.active_curve.points) < 2:
             assert session.active_view.problem == TOO_FEW
         session.history_changed.disconnect(connection)
         states += seen

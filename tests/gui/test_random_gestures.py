@@ -13,8 +13,8 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 from app.canvas.hit_test import hit_test
 from app.document import edits
 from app.document.edits import EditError
-from app.document.model import Document, Node, ParametrizationKind, make_curve
-from app.document.transforms import Edge, align_nodes, distribute_nodes
+from app.document.model import Document, ParametrizationKind, Point, make_curve
+from app.document.transforms import Edge, align_points, distribute_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.plotting.pixel_map import PixelMap
 from app.session import Session
@@ -78,8 +78,8 @@ class Gestures(RuleBasedStateMachine):
         assert stack.count() == len(self.values) - 1
         assert self.session.document == self.values[self.at]
         assert not self.tool.is_pressed
-        assert all(index < len(self.session.active_curve.nodes) for index in self.session.selection)
-        assert {self.session.active_index} <= self.session.chosen_curves <= {0, 1}
+        assert all(index < len(self.session.active_curve.points) for index in self.session.selection)
+        assert {self.session.active_index} <= self.session.selected_curves <= {0, 1}
 
     @invariant()
     def the_document_can_be_saved(self):
@@ -147,8 +147,8 @@ class Gestures(RuleBasedStateMachine):
         """A place worth pressing at."""
         what, number, anywhere = aim
         view, chosen = self.session.active_view, self.session.selection
-        if what == "point" and view.source.nodes:
-            return view.source.nodes[number % len(view.source.nodes)].position
+        if what == "point" and view.source.points:
+            return view.source.points[number % len(view.source.points)].position
         if what == "handle" and len(chosen) == 1 and (handles := handles_of(view, next(iter(chosen)))):
             return handles[number % len(handles)].position
         if what == "curve" and view.is_current:
@@ -267,7 +267,7 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(data=st.data())
     def select(self, data):
-        count = len(self.session.active_curve.nodes)
+        count = len(self.session.active_curve.points)
         self.session.select(data.draw(st.sets(st.integers(0, max(count - 1, 0)), max_size=count)))
 
     @rule(curve=st.integers(0, 1))
@@ -275,16 +275,16 @@ class Gestures(RuleBasedStateMachine):
         self.session.activate(curve)
 
     @rule(curves=st.sets(st.integers(0, 1)))
-    def choose_curves(self, curves):
-        self.session.choose_curves(curves)
+    def select_curves(self, curves):
+        self.session.select_curves(curves)
 
     @rule(edge=st.sampled_from(list(Edge)))
     def align(self, edge):
-        self.edit(align_nodes, self.session.selection, edge)
+        self.edit(align_points, self.session.selection, edge)
 
     @rule(axis=st.integers(0, 1))
     def distribute(self, axis):
-        self.edit(distribute_nodes, self.session.selection, axis)
+        self.edit(distribute_points, self.session.selection, axis)
 
     @rule(family=st.sampled_from(FAMILIES))
     def use_family(self, family):
@@ -313,7 +313,7 @@ class Gestures(RuleBasedStateMachine):
     @rule()
     def delete(self):
         session, chosen = self.session, self.session.selection
-        document = edits.delete_nodes(session.document, session.active_index, chosen)
+        document = edits.delete_points(session.document, session.active_index, chosen)
         session.select([])
         session.commit(document, "Delete")
         self.note()
@@ -335,4 +335,4 @@ def test_a_closed_curve_that_was_a_lagrange_curve_for_a_while_can_be_saved():
     document = edits.freeze_parameters(document, 0, [0.0, 0.5, 1.0])
     assert document.curves[0].parametrization.end == 1.5
     validate(document)
-    validate(edits.insert_nodes(document, 0, 3, [Node(4, 0, t=2.0)]))
+    validate(edits.insert_points(document, 0, 3, [Point(4, 0, t=2.0)]))

@@ -23,10 +23,10 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from random_person import RandomPerson
 
-from app.main_window import MainWindow
 from app.session import Session
 from app.storage.format import decode, encode
 from app.testing import Editor
+from app.window import MainWindow
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = int(os.environ.get("CURVEBENCH_RANDOM_SEED", "1"))
@@ -68,10 +68,10 @@ def assert_sound(editor, odd_values) -> None:
     """Raise unless the document can be kept, and everything that is named or drawn is there and finite."""
     session = editor.session
     assert odd_values(session.document) == []
-    curves, count = session.document.curves, len(session.active_curve.nodes)
+    curves, count = session.document.curves, len(session.active_curve.points)
     assert decode(encode(session.committed)) == session.committed
-    assert session.active_index in session.chosen_curves
-    assert session.chosen_curves <= set(range(len(curves)))
+    assert session.active_index in session.selected_curves
+    assert session.selected_curves <= set(range(len(curves)))
     assert session.selection <= set(range(count))
     assert -1 <= session.hovered < count
     for view in session.views:

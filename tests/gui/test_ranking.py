@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from app.panels.fuzzy import Named, ranked
-from app.panels.shortcut_editor import ShortcutEditor
+from app.window.fuzzy import SearchEntry, ranked
+from app.window.shortcut_editor import ShortcutEditor
 
 NAMES = ["Recover Unsaved Work", "Reverse Curve", "Next Curve", "Curve Colour…", "Rename Curve…"]
 
 
 def order(typed, names=NAMES):
-    return [names[place] for place in ranked(typed, [Named(name) for name in names])]
+    return [names[place] for place in ranked(typed, [SearchEntry(name) for name in names])]
 
 
 def test_names_that_begin_with_the_words_come_first_and_scattered_letters_only_where_nothing_else_fits():

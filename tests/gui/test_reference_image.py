@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLabel, QToolButton
 
+from app.appearance.theme import ThemeMode, theme_of
 from app.canvas import image_file
 from app.canvas.image_file import ImageFileError, read_image
 from app.canvas.page_image import inverted_lightness
@@ -19,7 +20,6 @@ from app.document.image_edits import set_image
 from app.document.model import Document, make_curve
 from app.storage.files import load
 from app.testing import Editor
-from app.theme import ThemeMode, theme_of
 
 
 def picture(path, width=60, height=80, colour="#ff0000"):
@@ -198,21 +198,21 @@ def test_while_it_is_not_moved_it_is_out_of_reach(traced):
 
 
 def test_dragging_moves_it_and_no_point(traced):
-    image, nodes = image_of(traced), traced.curve.nodes
+    image, points = image_of(traced), traced.curve.points
     traced.trigger("moveImage")
     # Where a point lies, too.
     traced.drag_point(3, to=(traced.point(3)[0] + 0.5, traced.point(3)[1] + 0.25))
     moved = image_of(traced)
     assert (moved.x - image.x, moved.y - image.y) == pytest.approx((0.5, 0.25), abs=2 * traced.pixel)
     assert (moved.width, moved.height) == (image.width, image.height)
-    assert traced.curve.nodes == nodes
+    assert traced.curve.points == points
     assert traced.session.undo_stack.undoText() == "Move image"
     traced.trigger("undo")
     assert image_of(traced) == image
     traced.escape()
     assert not traced.action("moveImage").isChecked()
     traced.drag_point(3, to=(1, 2.5))
-    assert traced.curve.nodes != nodes
+    assert traced.curve.points != points
 
 
 def test_shift_keeps_to_one_axis(traced):
@@ -398,7 +398,7 @@ def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):
     assert offer.isVisible()
     assert offer.defaultAction() is traced.action("findImage")
     assert offer.text() == "Find Image"
-    assert len(traced.curve.nodes) == 8
+    assert len(traced.curve.points) == 8
     assert panel_of(traced).findChild(QLabel, "imageProblem").isVisible()
     traced.screenshot()
     traced.window.find_image(tmp_path / "moved.jpg")

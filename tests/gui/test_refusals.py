@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
+from app.appearance.theme import DARK, LIGHT, ThemeMode
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.theme import DARK, LIGHT, ThemeMode
 
 CTRL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 KEYPAD = Qt.KeyboardModifier.KeypadModifier
@@ -180,10 +180,10 @@ def test_a_row_of_titles_above_pasted_points_is_skipped(line, text, points):
     line.paste_text(text)
     line.key(Qt.Key.Key_V, CTRL)
     assert line.status == "Pasted 2 points; the row of titles was skipped."
-    assert [node.position for node in line.curve.nodes[3:]] == points
+    assert [point.position for point in line.curve.points[3:]] == points
     line.key(Qt.Key.Key_V, CTRL | Qt.KeyboardModifier.ShiftModifier)
     assert line.status.endswith("; the row of titles was skipped.")
-    assert [node.position for node in line.curve.nodes] == points
+    assert [point.position for point in line.curve.points] == points
 
 
 @pytest.mark.parametrize("titles", ["x vx", "x x", "x y vx"])

@@ -35,7 +35,7 @@ def text_of_undo(editor) -> str:
 
 
 def points(editor) -> np.ndarray:
-    return np.array([node.position for node in editor.curve.nodes])
+    return np.array([point.position for point in editor.curve.points])
 
 
 # Selecting

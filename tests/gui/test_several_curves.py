@@ -107,7 +107,7 @@ def test_the_add_tool_adds_points_also_on_top_of_other_curves(three):
     at = tuple(three.session.views[2].curve.evaluate(0.45))
     three.add_point(*at)
     assert three.curve.name == "B"
-    assert len(three.curve.nodes) == 5
+    assert len(three.curve.points) == 5
 
 
 def test_activating_in_the_middle_of_a_drag_takes_the_drag_back(three):
@@ -322,7 +322,7 @@ def test_delete_in_the_list_deletes_the_curve_and_not_its_points(three, key):
     assert three.session.undo_stack.undoText() == "Delete A"
     three.trigger("undo")
     assert names(three) == "ABC"
-    assert len(three.session.document.curves[0].nodes) == 4
+    assert len(three.session.document.curves[0].points) == 4
 
 
 def test_delete_while_a_name_is_typed_is_for_the_name(three):
@@ -373,7 +373,7 @@ def test_the_menu_of_a_row_is_for_that_curve(three):
 def test_new_duplicate_and_delete(three):
     three.trigger("newCurve")
     assert names(three) == "ABCurve 1C"
-    assert three.curve.nodes == ()
+    assert three.curve.points == ()
     assert three.curve.family is HERMITE
     assert three.action("addTool").isChecked()
     three.click((1, 2))
@@ -389,7 +389,7 @@ def test_new_duplicate_and_delete(three):
     assert three.curve.name == "C"
     for _ in "ABC":
         three.trigger("deleteCurve")
-    assert three.curve.nodes == ()
+    assert three.curve.points == ()
     assert len(three.session.document.curves) == 1
 
 
@@ -478,7 +478,7 @@ def test_joining_to_a_curve_that_comes_earlier_keeps_the_active_one(three):
     three.trigger("joinCurve")
     assert names(three) == "BC"
     assert three.curve.name == "B"
-    assert len(three.curve.nodes) == 8
+    assert len(three.curve.points) == 8
 
 
 def test_reversing_runs_the_other_way(three):
@@ -527,7 +527,7 @@ def test_a_click_on_the_curve_keeps_its_shape_under_manual_parameters(three):
     assert three.status.startswith("Shape kept, largest change ")
     t = np.linspace(0, 1, 200)
     assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
-    assert three.curve.nodes[2].velocity is not None
+    assert three.curve.points[2].velocity is not None
 
 
 def test_under_a_rule_the_change_is_told_and_freezing_is_offered(three):

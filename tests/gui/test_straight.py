@@ -50,7 +50,7 @@ def test_two_neighbours_and_the_key(bow):
     after = bow.session.active_view
     assert distance_from_chord(after, 1) < 1e-14
     assert others(after, [1]) == pytest.approx(others(before, [1]), abs=1e-13)
-    assert [node.corner for node in bow.curve.nodes] == [False, True, True, False, False]
+    assert [point.corner for point in bow.curve.points] == [False, True, True, False, False]
     for index, ahead in ((1, False), (2, True)):
         kept, old = (
             [each.position for each in handles_of(view, index) if each.ahead is ahead]
@@ -74,7 +74,7 @@ def test_an_end_gets_no_corner(bow):
     bow.select([3, 4])
     bow.trigger("straightSegment")
     assert distance_from_chord(bow.session.active_view, 3) < 1e-14
-    assert [node.corner for node in bow.curve.nodes] == [False, False, False, True, False]
+    assert [point.corner for point in bow.curve.points] == [False, False, False, True, False]
     assert bow.status.startswith("Straight segment 3–4, corner at point 3.")
 
 

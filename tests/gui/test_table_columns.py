@@ -14,9 +14,9 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
-from app.features.point_table import columns
-from app.features.point_table.columns import Column
 from app.features.point_table.delegate import CellEditor
+from app.view_model import point_columns as columns
+from app.view_model.point_columns import Column
 
 Key, Role = Qt.Key, Qt.ItemDataRole
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -25,8 +25,8 @@ CTRL = Qt.KeyboardModifier.ControlModifier
 def curvatures(view):
     """Signed curvature at each point; none where there is no curve."""
     if view.curve is None:
-        return np.full(len(view.source.nodes), np.nan)
-    t = view.parameters[: len(view.source.nodes)]
+        return np.full(len(view.source.points), np.nan)
+    t = view.parameters[: len(view.source.points)]
     (vx, vy), (ax, ay) = view.curve.evaluate(t, 1).T, view.curve.evaluate(t, 2).T
     return (vx * ay - vy * ax) / np.hypot(vx, vy) ** 3
 
@@ -37,7 +37,7 @@ def distances(view):
 
 def at_distance(document, curve, _view, index, distance):
     """Move a point along the ray from the origin."""
-    x, y = document.curves[curve].nodes[index].position
+    x, y = document.curves[curve].points[index].position
     if distance < 0:
         raise EditError("A distance is not negative.")
     factor = distance / math.hypot(x, y)
@@ -50,7 +50,7 @@ DISTANCE = Column(
     tip="Distance from the origin",
     get=distances,
     set=at_distance,
-    is_estimated=lambda view: np.arange(len(view.source.nodes)) == 1,
+    is_estimated=lambda view: np.arange(len(view.source.points)) == 1,
     estimate=lambda curve: f"guessed for {curve.name}",
 )
 
@@ -134,7 +134,7 @@ def test_one_that_can_be_set_is_typed(editor, table):
     line.selectAll()
     QTest.keyClicks(line, "20/2")
     QTest.keyClick(line, Key.Key_Return)
-    assert editor.session.active_curve.nodes[0].position == (6.0, 8.0)
+    assert editor.session.active_curve.points[0].position == (6.0, 8.0)
     assert editor.session.undo_stack.undoText() == "Set r of point 0"
 
 
@@ -169,8 +169,8 @@ def test_it_is_pasted(editor, table):
 def test_it_is_pasted_by_its_title_into_new_points_too(editor, table):
     cell(table, 3, R)
     paste(table, "x\ty\tr\n0\t1\t7\n3\t4\t25")
-    assert editor.session.active_curve.nodes[3].position == pytest.approx((0.0, 7.0))
-    assert editor.session.active_curve.nodes[4].position == pytest.approx((15.0, 20.0))
+    assert editor.session.active_curve.points[3].position == pytest.approx((0.0, 7.0))
+    assert editor.session.active_curve.points[4].position == pytest.approx((15.0, 20.0))
     assert editor.session.undo_stack.undoText() == "Paste 2 points"
 
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QLocale, QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from app.clipboard_watch import DERIVATIVES
+from app.actions.clipboard_watch import DERIVATIVES
 from app.document import edits
 from app.document.model import (
     AccelerationRule,
@@ -53,16 +53,16 @@ def test_a_corner_has_two_handles_that_move_alone(wave):
     before = wave.session.active_view.velocity_of(1)
     wave.key(Qt.Key.Key_2, ALT)
     assert wave.session.undo_stack.undoText() == "Corner at point 1"
-    node = wave.curve.nodes[1]
-    assert (node.corner, node.velocity, node.velocity_after) == (True, before, before)
+    point = wave.curve.points[1]
+    assert (point.corner, point.velocity, point.velocity_after) == (True, before, before)
     x, y = wave.handle(ahead=True).position
     wave.drag_handle((x, y + 0.5), ahead=True)
-    node = wave.curve.nodes[1]
-    assert node.velocity == before
-    assert node.velocity_after[1] > before[1] + 1
+    point = wave.curve.points[1]
+    assert point.velocity == before
+    assert point.velocity_after[1] > before[1] + 1
     wave.drag_handle((0.5, 1.2), ahead=False)
-    assert wave.curve.nodes[1].velocity_after == node.velocity_after
-    assert wave.curve.nodes[1].velocity != before
+    assert wave.curve.points[1].velocity_after == point.velocity_after
+    assert wave.curve.points[1].velocity != before
 
 
 def test_smooth_makes_one_velocity_of_two(wave):
@@ -71,10 +71,10 @@ def test_smooth_makes_one_velocity_of_two(wave):
     wave.drag_handle((1.5, 2), ahead=True)
     first, second = (wave.session.active_view.velocity_of(1, ahead=ahead) for ahead in (False, True))
     wave.key(Qt.Key.Key_1, ALT)
-    node = wave.curve.nodes[1]
-    assert not node.corner
-    assert node.velocity == pytest.approx([(a + b) / 2 for a, b in zip(first, second, strict=True)])
-    assert node.velocity_after is None
+    point = wave.curve.points[1]
+    assert not point.corner
+    assert point.velocity == pytest.approx([(a + b) / 2 for a, b in zip(first, second, strict=True)])
+    assert point.velocity_after is None
 
 
 def test_estimated_leaves_everything_to_the_rules(wave):
@@ -84,10 +84,10 @@ def test_estimated_leaves_everything_to_the_rules(wave):
     # The ends, whose estimates the corners would have changed, are estimated again as well.
     wave.select([0, 1, 2, 3])
     wave.key(Qt.Key.Key_3, ALT)
-    assert wave.curve.nodes == make_curve(WAVE).nodes
+    assert wave.curve.points == make_curve(WAVE).points
     for _ in range(2):
         wave.trigger("undo")
-    assert wave.curve.nodes == make_curve(WAVE).nodes
+    assert wave.curve.points == make_curve(WAVE).points
 
 
 @pytest.mark.parametrize("closed", [False, True])
@@ -99,10 +99,10 @@ def test_a_corner_moves_nothing_before_it_is_touched(wave, family, closed):
     before = wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999))
     wave.select([1])
     wave.key(Qt.Key.Key_2, ALT)
-    assert wave.curve.nodes[1].corner
+    assert wave.curve.points[1].corner
     assert wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999)) == pytest.approx(before, abs=1e-13)
     wave.key(Qt.Key.Key_1, ALT)
-    assert not wave.curve.nodes[1].corner
+    assert not wave.curve.points[1].corner
     assert wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999)) == pytest.approx(before, abs=1e-13)
 
 
@@ -141,7 +141,7 @@ def test_a_hidden_velocity_is_pulled_out(wave):
     assert wave.session.document is document
     assert wave.status == "The velocity stands out already; drag the square handle."
     wave.trigger("undo")
-    assert wave.curve.nodes[1].velocity == (0, 0)
+    assert wave.curve.points[1].velocity == (0, 0)
 
 
 def test_an_estimated_velocity_that_is_seen_becomes_explicit_as_it_is(wave):
@@ -149,7 +149,7 @@ def test_an_estimated_velocity_that_is_seen_becomes_explicit_as_it_is(wave):
     before = wave.session.active_view
     wave.trigger("pullVelocity")
     assert wave.session.undo_stack.undoText() == "Pull out velocity of 2 points"
-    assert wave.curve.nodes[3].velocity == before.velocity_of(3, ahead=False)
+    assert wave.curve.points[3].velocity == before.velocity_of(3, ahead=False)
     assert wave.session.active_view.polyline == pytest.approx(before.polyline)
 
 
@@ -165,14 +165,14 @@ def test_all_points_become_corners_but_the_ends(wave):
     """It used to refuse everything: "Point 0 is an end of the curve"."""
     wave.key(Qt.Key.Key_A, CTRL)
     wave.key(Qt.Key.Key_2, ALT)
-    assert [node.corner for node in wave.curve.nodes] == [False, True, True, False]
+    assert [point.corner for point in wave.curve.points] == [False, True, True, False]
     assert wave.session.undo_stack.undoText() == "Corner at 2 points"
     assert wave.status == (
         "Corner at points 1 and 2; the ends of an open curve cannot be corners. "
         "To keep the shape, the estimates of points 0 and 3 are set now."
     )
     wave.trigger("undo")
-    assert wave.curve.nodes == make_curve(WAVE).nodes
+    assert wave.curve.points == make_curve(WAVE).points
     wave.select([0, 3])
     document = wave.session.document
     wave.key(Qt.Key.Key_2, ALT)
@@ -184,7 +184,7 @@ def test_a_closed_curve_has_corners_everywhere(wave):
     wave.trigger("closeCurve")
     wave.key(Qt.Key.Key_A, CTRL)
     wave.key(Qt.Key.Key_2, ALT)
-    assert all(node.corner for node in wave.curve.nodes)
+    assert all(point.corner for point in wave.curve.points)
     assert wave.status == "Corner at 4 points."
 
 
@@ -210,9 +210,9 @@ def test_a_corner_sets_no_more_estimates_than_the_shape_needs(editor, rule, velo
     before = editor.session.active_view.curve.evaluate(np.linspace(0, 1, 999))
     editor.select([3])
     editor.trigger("tangentCorner")
-    nodes = editor.curve.nodes
-    assert "".join("v" if node.velocity else "." for node in nodes) == velocities
-    assert "".join("a" if node.acceleration else "." for node in nodes) == "...a..."
+    points = editor.curve.points
+    assert "".join("v" if point.velocity else "." for point in points) == velocities
+    assert "".join("a" if point.acceleration else "." for point in points) == "...a..."
     assert editor.status == said
     after = editor.session.active_view.curve.evaluate(np.linspace(0, 1, 999))
     assert after == pytest.approx(before, abs=1e-13)
@@ -243,7 +243,7 @@ def test_an_end_is_no_corner(wave):
     assert wave.status == "Point 0 is an end of the curve; a corner needs curve on both sides."
     wave.trigger("closeCurve")
     wave.trigger("tangentCorner")
-    assert wave.curve.nodes[0].corner
+    assert wave.curve.points[0].corner
 
 
 def test_tangents_need_points_and_derivatives(wave):
@@ -314,7 +314,7 @@ def test_a_click_on_a_handle_over_a_point_selects_the_point(wave):
     wave.select([1])
     wave.drag_handle((2.5, 0.5))
     assert wave.point(2) == (2, 0)
-    assert wave.curve.nodes[1].velocity != pytest.approx(reach)
+    assert wave.curve.points[1].velocity != pytest.approx(reach)
 
 
 def test_a_corner_s_own_side_counts_as_set_by_the_person(wave):
@@ -323,7 +323,7 @@ def test_a_corner_s_own_side_counts_as_set_by_the_person(wave):
     wave.trigger("resetVelocities")
     x, y = wave.handle(ahead=True).position
     wave.drag_handle((x, y + 0.5), ahead=True)
-    assert wave.curve.nodes[1].velocity is None
+    assert wave.curve.points[1].velocity is None
     assert wave.action("resetVelocities").isEnabled()
 
 
@@ -337,14 +337,14 @@ def test_the_menu_of_a_point(wave):
     assert found["tangentCorner"]
     assert found["deleteSelection"]
     wave.choose("tangentCorner")
-    assert wave.curve.nodes[2].corner
+    assert wave.curve.points[2].corner
 
 
 def test_the_menu_keeps_a_selection_that_the_point_belongs_to(wave):
     wave.select([1, 2])
     wave.open_menu(wave.point(2))
     wave.choose("deleteSelection")
-    assert len(wave.curve.nodes) == 2
+    assert len(wave.curve.points) == 2
 
 
 @pytest.mark.parametrize("name", ["insertPointHere", "splitHere"])
@@ -352,7 +352,7 @@ def test_the_menu_of_the_curve_acts_where_it_was_opened(wave, name):
     at = tuple(wave.session.active_view.curve.evaluate(0.43))
     wave.open_menu(at)
     wave.choose(name)
-    place = wave.point(2) if name == "insertPointHere" else wave.curve.nodes[-1].position
+    place = wave.point(2) if name == "insertPointHere" else wave.curve.points[-1].position
     assert place == pytest.approx(at, abs=2 * wave.pixel)
 
 
@@ -473,8 +473,8 @@ def test_points_are_copied_to_another_curve_with_their_derivatives(wave):
     wave.session.activate(1)
     wave.choose_family(HERMITE)
     wave.key(Qt.Key.Key_V, CTRL)
-    assert [node.position for node in wave.curve.nodes] == list(WAVE)
-    assert wave.curve.nodes[1].velocity == pytest.approx(source.velocity_of(1))
+    assert [point.position for point in wave.curve.points] == list(WAVE)
+    assert wave.curve.points[1].velocity == pytest.approx(source.velocity_of(1))
     assert wave.session.selection == {0, 1, 2, 3}
     assert wave.session.undo_stack.undoText() == "Paste 4 points"
 
@@ -497,13 +497,13 @@ def test_handles_keep_their_proportions_where_the_parameters_are_others(wave):
 def test_cut_takes_the_points_away(wave):
     wave.select([1, 2])
     wave.key(Qt.Key.Key_X, CTRL)
-    assert [node.position for node in wave.curve.nodes] == [(0, 0), (3, 1)]
+    assert [point.position for point in wave.curve.points] == [(0, 0), (3, 1)]
     assert wave.session.selection == frozenset()
     wave.trigger("undo")
-    assert len(wave.curve.nodes) == 4
+    assert len(wave.curve.points) == 4
     wave.session.activate(1)
     wave.key(Qt.Key.Key_V, CTRL)
-    assert [node.position for node in wave.curve.nodes] == [(1, 1), (2, 0)]
+    assert [point.position for point in wave.curve.points] == [(1, 1), (2, 0)]
 
 
 def test_copied_points_are_text_too(wave):
@@ -521,7 +521,7 @@ def test_two_columns_of_text_are_appended(wave):
     for text in ("4 0\n5 1", "4\t0\n5\t1\n", "x;y\n4;0\n5;1", "4,0;0,0\n5,0;1,0"):
         wave.paste_text(text)
         wave.key(Qt.Key.Key_V, CTRL)
-        assert [node.position for node in wave.curve.nodes[4:]] == [(4, 0), (5, 1)], text
+        assert [point.position for point in wave.curve.points[4:]] == [(4, 0), (5, 1)], text
         assert not wave.curve.is_manual, text
         wave.trigger("undo")
 
@@ -569,7 +569,7 @@ def test_text_makes_a_curve_of_its_own(wave):
     wave.key(Qt.Key.Key_V, CTRL | SHIFT)
     assert wave.curve.name == "Curve 1"
     assert wave.curve.family is HERMITE
-    assert len(wave.curve.nodes) == 3
+    assert len(wave.curve.points) == 3
     assert wave.session.active_index == 1
     wave.trigger("undo")
     assert wave.curve.name == "Wave"
@@ -609,7 +609,7 @@ def test_pasting_into_a_closed_manual_curve_leaves_it_whole(wave):
     wave.trigger("copyPoints")
     wave.trigger("pastePoints")
     assert wave.session.active_view.is_current
-    assert len(wave.curve.nodes) == 6
+    assert len(wave.curve.points) == 6
 
 
 def test_a_locked_curve_takes_no_points(wave):
@@ -635,12 +635,12 @@ def test_the_table_keeps_its_own_copy_and_paste(wave):
 def test_derivatives_are_copied_from_point_to_points(wave):
     wave.select_point(1)
     wave.drag_handle((1.5, 2))
-    velocity = wave.curve.nodes[1].velocity
+    velocity = wave.curve.points[1].velocity
     wave.key(Qt.Key.Key_C, CTRL | ALT)
     assert wave.status == "Copied the derivatives of point 1."
     wave.select([2, 3])
     wave.key(Qt.Key.Key_V, CTRL | ALT)
-    assert [node.velocity for node in wave.curve.nodes] == [None, velocity, velocity, velocity]
+    assert [point.velocity for point in wave.curve.points] == [None, velocity, velocity, velocity]
     assert wave.point(2) == (2, 0)
     assert wave.session.undo_stack.undoText() == "Paste derivatives to 2 points"
 
@@ -649,12 +649,12 @@ def test_both_sides_of_a_corner_are_copied(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
     wave.drag_handle((1.5, 2), ahead=True)
-    corner = wave.curve.nodes[1]
+    corner = wave.curve.points[1]
     wave.trigger("copyDerivatives")
     wave.select([2])
     wave.trigger("pasteDerivatives")
-    node = wave.curve.nodes[2]
-    assert (node.corner, node.velocity, node.velocity_after) == (
+    point = wave.curve.points[2]
+    assert (point.corner, point.velocity, point.velocity_after) == (
         True,
         corner.velocity,
         corner.velocity_after,

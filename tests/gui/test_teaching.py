@@ -8,8 +8,8 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton
 
-from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
-from app.panels.teaching_badge import TeachingBadge
+from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
+from app.features.teaching.teaching_badge import TeachingBadge
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -80,9 +80,10 @@ def test_put_away_it_comes_back_for_a_new_reason_only(editor):
 
 def test_nothing_comes_or_goes_during_a_drag(editor):
     curve = wave(4)
-    nodes = tuple(replace(node, t=float(t)) for node, t in zip(curve.nodes, (0, 1, 2, 3), strict=True))
+    points = tuple(replace(point, t=float(t)) for point, t in zip(curve.points, (0, 1, 2, 3), strict=True))
     show(
-        editor, replace(curve, nodes=nodes, parametrization=Parametrization(kind=ParametrizationKind.MANUAL))
+        editor,
+        replace(curve, points=points, parametrization=Parametrization(kind=ParametrizationKind.MANUAL)),
     )
     panel = editor.window.basis_panel
     start, end = panel.rail_pixel(1.0), panel.rail_pixel(2.0)
@@ -99,12 +100,12 @@ def test_nothing_comes_or_goes_during_a_drag(editor):
 
 
 def test_parameters_that_nearly_coincide_are_named(editor):
-    nodes = tuple(
-        Node(float(x), float(y), t)
+    points = tuple(
+        Point(float(x), float(y), t)
         for (x, y), t in zip([(0, 0), (1, 2), (2, 0), (3, 1)], (0, 1, 1.0005, 3), strict=True)
     )
     manual = Parametrization(kind=ParametrizationKind.MANUAL)
-    show(editor, replace(make_curve(()), nodes=nodes, parametrization=manual))
+    show(editor, replace(make_curve(()), points=points, parametrization=manual))
     assert badge(editor).text() == "⚠ t almost equal"
     assert "points 1 and 2 are only" in badge(editor).sentence
 

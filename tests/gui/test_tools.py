@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from app.document import edits
-from app.document.model import Document, Node
+from app.document.model import Document, Point
 from app.testing import Editor
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Cursor, Hint
@@ -36,8 +36,8 @@ class Raise(msgspec.Struct, frozen=True):
         return f"Raised to {pointer.position[1]:.1f}"
 
     def document_at(self, pointer):
-        count = len(self.document.curves[self.curve].nodes)
-        return edits.insert_nodes(self.document, self.curve, count, [Node(*self.head(pointer))])
+        count = len(self.document.curves[self.curve].points)
+        return edits.insert_points(self.document, self.curve, count, [Point(*self.head(pointer))])
 
 
 class RaiseTool(Tool):

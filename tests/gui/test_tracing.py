@@ -9,8 +9,8 @@ import pytest
 from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
+from app.appearance.theme import theme_of
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.theme import theme_of
 
 ALT = Qt.KeyboardModifier.AltModifier
 SIZE, EDGE = 400, 150.0
@@ -111,7 +111,7 @@ def test_a_point_being_added_says_where_and_how(traced):
     assert traced.status.endswith("Escape cancels")
     traced.escape()
     traced.release((1.0, 3.0))
-    assert not traced.curve.nodes
+    assert not traced.curve.points
 
 
 def test_a_point_being_inserted_and_a_velocity_pulled_out_say_what_they_do(traced):
@@ -131,4 +131,4 @@ def test_a_point_being_inserted_and_a_velocity_pulled_out_say_what_they_do(trace
     assert traced.status.startswith("Velocity of point 1: ")
     traced.escape()
     traced.release((3.5, 1.5))
-    assert traced.curve.nodes[1].velocity is None
+    assert traced.curve.points[1].velocity is None

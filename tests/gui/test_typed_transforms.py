@@ -29,7 +29,7 @@ def arch(editor):
 
 
 def points(editor):
-    return np.array([node.position for node in editor.curve.nodes])
+    return np.array([point.position for point in editor.curve.points])
 
 
 def undo_text(editor):

@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel
 
 from app.document import edits
-from app.document.model import Document, Node, make_curve
+from app.document.model import Document, Point, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.session import Session
 from app.tools.drag_machine import DragMachine
@@ -33,17 +33,17 @@ def at_the_edge(editor):
 
 def named(session):
     """What the session names, as a value."""
-    return session.active_index, session.selection, session.chosen_curves, session.hovered, session.scrub
+    return session.active_index, session.selection, session.selected_curves, session.hovered, session.scrub
 
 
 def assert_exists(session):
     """Raise unless everything that the session names is there."""
-    curves, nodes = range(len(session.document.curves)), range(len(session.active_curve.nodes))
+    curves, points = range(len(session.document.curves)), range(len(session.active_curve.points))
     assert session.active_index in curves
-    assert session.active_index in session.chosen_curves
-    assert all(index in curves for index in session.chosen_curves)
-    assert all(type(index) is int and index in nodes for index in session.selection)
-    assert session.hovered == -1 or session.hovered in nodes
+    assert session.active_index in session.selected_curves
+    assert all(index in curves for index in session.selected_curves)
+    assert all(type(index) is int and index in points for index in session.selection)
+    assert session.hovered == -1 or session.hovered in points
     if session.scrub is not None:
         start, end = session.active_view.curve.domain
         assert type(session.scrub) is float
@@ -74,8 +74,8 @@ def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
 def test_what_a_program_commits_becomes_plain(odd_values):
     session = Session()
     session.new()
-    nodes = tuple(Node(*row) for row in np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]))
-    document = Document((replace(session.active_curve, nodes=nodes),))
+    points = tuple(Point(*row) for row in np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]))
+    document = Document((replace(session.active_curve, points=points),))
     assert odd_values(document)
     assert session.preview(document)
     assert odd_values(session.document) == []
@@ -106,7 +106,7 @@ def test_a_point_dragged_in_from_beyond_is_selected_when_it_is_there(at_the_edge
     editor.move((EDGE - 1e8, 2e8))
     assert editor.session.selection == {3}
     editor.release((EDGE - 1e8, 2e8))
-    assert len(editor.curve.nodes) == 4
+    assert len(editor.curve.points) == 4
     assert editor.session.selection == {3}
 
 
@@ -128,21 +128,21 @@ class Appended(msgspec.Struct):
     name: str = "Append"
 
     def document_at(self, pointer):
-        node = Node(pointer.position[0], 2e12)
+        point = Point(pointer.position[0], 2e12)
         curve = self.session.committed.curves[0]
-        return Document((replace(curve, nodes=(*curve.nodes, node)),))
+        return Document((replace(curve, points=(*curve.points, point)),))
 
 
 def test_a_gesture_that_is_refused_at_its_end_leaves_the_selection_and_offers_nothing():
     """What is said when it is done was said of what was refused, and the new point stayed selected."""
     session, done = Session(), []
     session.select([1, 2])
-    machine, count = DragMachine(session), len(session.active_curve.nodes)
+    machine, count = DragMachine(session), len(session.active_curve.points)
     pointer = Pointer((1.0, 1.0), (10.0, 10.0))
     machine.press_at_once(pointer, Appended(session), on_done=lambda: done.append(True), makes=count)
     machine.release(pointer)
     assert not done
-    assert len(session.active_curve.nodes) == count
+    assert len(session.active_curve.points) == count
     assert session.selection == {1, 2}
 
 
@@ -173,15 +173,15 @@ def test_selection_hover_chosen_and_scrub_name_only_what_exists():
         assert session.hovered == there
     session.set_scrub(3.0)
     assert session.scrub == 1.0
-    session.choose_curves([0, 5], 5)
-    assert session.chosen_curves == {0}
-    session.choose_curves([-1, 1, 2])
-    assert (session.active_index, session.chosen_curves) == (1, {1})
+    session.select_curves([0, 5], 5)
+    assert session.selected_curves == {0}
+    session.select_curves([-1, 1, 2])
+    assert (session.active_index, session.selected_curves) == (1, {1})
     assert_exists(session)
     session.activate(0)
     session.select([0, 2])
     session.set_hovered(2)
-    session.preview(edits.delete_nodes(session.document, 0, [1, 2]))
+    session.preview(edits.delete_points(session.document, 0, [1, 2]))
     assert named(session) == (0, {0}, {0}, -1, None)
     session.cancel()
     assert session.scrub == 1.0
@@ -202,7 +202,7 @@ def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
     assert session.scrub == 3.5
     session.cancel()
     assert session.scrub == 3.0
-    session.commit(edits.delete_nodes(session.document, 0, range(1, 9)), "Delete")
+    session.commit(edits.delete_points(session.document, 0, range(1, 9)), "Delete")
     assert session.scrub is None
     session.undo_stack.undo()
     assert session.scrub == 3.0

@@ -95,8 +95,8 @@ def test_the_tool_explains_the_widest_swing_at_once(runge, qtbot):
     assert "points away" in words
     weights = view.curve.basis(np.array([runge.session.scrub]))[0, :, 0]
     strongest = panel(runge).bars.pulls[0]
-    assert strongest.node == np.argmax(np.abs(weights))
-    assert strongest.weight == pytest.approx(weights[strongest.node])
+    assert strongest.point == np.argmax(np.abs(weights))
+    assert strongest.weight == pytest.approx(weights[strongest.point])
     assert f"Λ(t) = {np.abs(weights).sum():.2g}" in text(runge, "wiggleTitle")
 
 
@@ -207,8 +207,8 @@ def test_a_cure_that_makes_it_worse_says_so(editor, qtbot):
 def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
     points = [(0, 0), (2, 0.5), (3, 2), (1, 3), (-0.5, 1.5)]
     closed = replace(make_curve(points, family=HERMITE), closed=True)
-    nodes = [replace(node, corner=index == 2) for index, node in enumerate(closed.nodes)]
-    editor.session.commit(Document((replace(closed, nodes=tuple(nodes)),)), "Begin")
+    points = [replace(point, corner=index == 2) for index, point in enumerate(closed.points)]
+    editor.session.commit(Document((replace(closed, points=tuple(points)),)), "Begin")
     editor.trigger("explainWiggle")
     editor.session.set_scrub(0.97)
     settled(editor, qtbot)

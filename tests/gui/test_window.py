@@ -32,24 +32,24 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.actions.mnemonics import plain
+from app.appearance.theme import DARK, ThemeMode
 from app.cli.windows import open_windows
 from app.document.edits import rename_curve, set_velocity
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.file_commands import file_stem
-from app.main_window import MainWindow
-from app.mnemonics import plain
-from app.resources import resource
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.storage.files import load
 from app.storage.format import encode
+from app.storage.resources import resource
 from app.testing import Editor
-from app.theme import DARK, ThemeMode
+from app.window import MainWindow
+from app.workbench.document_files import file_stem
 
 
 def test_the_first_start_shows_a_curve_and_a_hint(editor):
-    assert len(editor.curve.nodes) == 8
+    assert len(editor.curve.points) == 8
     assert editor.session.active_view.is_current
     assert "F1" in editor.message
     assert not editor.session.is_modified
@@ -64,21 +64,21 @@ def test_a_document_is_opened_without_a_greeting(qtbot, tmp_path):
 def test_switching_families_brings_the_same_curve_back(editor):
     editor.choose_family(HERMITE)
     editor.session.commit(set_velocity(editor.session.document, 0, 2, (3.0, -1.0)), "Set velocity")
-    nodes = editor.curve.nodes
+    points = editor.curve.points
     jets = editor.session.active_view.curve.jets
     for family in (LAGRANGE, QUINTIC_HERMITE, HERMITE):
         editor.choose_family(family)
-        assert editor.curve.nodes == nodes
+        assert editor.curve.points == points
     assert np.array_equal(editor.session.active_view.curve.jets, jets)
 
 
 def test_switching_parametrizations_brings_the_same_curve_back(editor):
     editor.drag_parameter(3, to=0.5)
-    manual, nodes = editor.parameters, editor.curve.nodes
+    manual, points = editor.parameters, editor.curve.points
     for kind in ParametrizationKind:
         editor.choose_parametrization(kind)
         assert editor.curve.parametrization.kind is kind
-        assert editor.curve.nodes == nodes
+        assert editor.curve.points == points
     assert editor.parameters == manual
 
 
@@ -637,5 +637,5 @@ def test_the_line_on_the_canvas_takes_no_press_from_it(editor):
     middle = words.mapTo(canvas.viewport(), words.rect().center())
     QTest.mouseMove(words, words.rect().center())
     QTest.mouseClick(words, Qt.MouseButton.LeftButton)
-    assert [editor.point(index) for index in range(len(editor.curve.nodes))] == [canvas.to_plane(middle)]
+    assert [editor.point(index) for index in range(len(editor.curve.points))] == [canvas.to_plane(middle)]
     assert editor.message == ""

@@ -23,7 +23,7 @@ def test_points_that_do_not_exist_are_not_selected(asked, count):
 def test_the_active_curve_is_one_of_those_chosen(asked, active, count):
     active = min(active, count - 1)
     selection = Selection()
-    wanted = selection.choose_curves(asked, active, count)
+    wanted = selection.select_curves(asked, active, count)
     existing = asked & set(range(count))
     assert selection.curves == existing | {wanted}
     # The one asked for, or the nearest of those chosen.
@@ -60,7 +60,7 @@ def test_no_point_is_hovered_that_does_not_exist(index, count):
 
 def test_chosen_curves_are_followed_to_their_new_places():
     selection = Selection()
-    selection.choose_curves({0, 2}, 2, 3)
+    selection.select_curves({0, 2}, 2, 3)
     a, b, c = CURVES
     assert selection.follow_curves(CURVES, (c, a, b), 0)
     assert selection.curves == {0, 1}

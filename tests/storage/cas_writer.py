@@ -20,11 +20,11 @@ def main(path: Path, signal: Path, rounds: int) -> None:
     for _ in range(rounds):
         content = read_content(path)
         document = document_in(content.data, path)
-        number = document.curves[0].nodes[0].x
+        number = document.curves[0].points[0].x
         # Long enough that a half written file would show.
-        nodes = [(number + 1.0, 0.0)] + [(float(index), 1.0) for index in range(200)]
+        points = [(number + 1.0, 0.0)] + [(float(index), 1.0) for index in range(200)]
         try:
-            save(path, Document((make_curve(nodes),)), seen=content.stamp)
+            save(path, Document((make_curve(points),)), seen=content.stamp)
         except ChangedOnDiskError:
             continue
         saved += 1

@@ -362,7 +362,7 @@ def test_two_processes_save_one_file(tmp_path):
     writers = [python(Path(__file__).with_name("cas_writer.py"), path, go, 60) for _ in range(2)]
     go.touch()
     saved = [int(writer.communicate(timeout=60)[0]) for writer in writers]
-    assert load(path).curves[0].nodes[0].x == sum(saved)
+    assert load(path).curves[0].points[0].x == sum(saved)
     assert sum(saved) >= 60
     assert sorted(each.name for each in tmp_path.iterdir()) == [path.name, go.name]
 

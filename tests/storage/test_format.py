@@ -16,9 +16,9 @@ from app.document.model import (
     AccelerationRule,
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
     VelocityRule,
     empty_document,
     make_curve,
@@ -47,12 +47,12 @@ def curves(draw):
     parameters = sorted(draw(st.lists(numbers, min_size=count, max_size=count, unique=True)))
     if rule.kind is not ParametrizationKind.MANUAL:
         parameters = [t if draw(st.booleans()) else None for t in parameters]
-    nodes = tuple(Node(draw(numbers), draw(numbers), t, draw(vectors), draw(vectors)) for t in parameters)
+    points = tuple(Point(draw(numbers), draw(numbers), t, draw(vectors), draw(vectors)) for t in parameters)
     return Curve(
         draw(names),
         draw(st.sampled_from(FAMILIES)),
         rule,
-        nodes,
+        points,
         draw(st.sampled_from(VelocityRule)),
         draw(st.sampled_from(AccelerationRule)),
     )
@@ -93,8 +93,8 @@ def test_awkward_floats_survive(value):
 
 
 def test_numpy_floats_are_floats():
-    document = Document((Curve("", LAGRANGE, Parametrization(), (Node(np.float64(0.1), 0.0),)),))
-    assert decode(encode(document)).curves[0].nodes[0].x == 0.1
+    document = Document((Curve("", LAGRANGE, Parametrization(), (Point(np.float64(0.1), 0.0),)),))
+    assert decode(encode(document)).curves[0].points[0].x == 0.1
 
 
 @pytest.mark.parametrize("count", [0, 1])
@@ -125,18 +125,18 @@ def test_file_reads_well():
 
 
 @pytest.mark.parametrize(
-    ("node", "message"),
+    ("point", "message"),
     [
-        (Node(math.nan, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not nan"),
-        (Node(0.0, -math.inf), "curves[0].points[0].y must lie between -1e12 and 1e12, not -inf"),
-        (Node(0.0, 0.0, velocity=(0.0, math.nan)), "curves[0].points[0].velocity[1] must lie between"),
-        (Node(0.0, 0.0, acceleration=(2e12, 0.0)), "curves[0].points[0].acceleration[0] must lie between"),
-        (Node(True, 0.0), "curves[0].points[0].x must be a number, not True"),
-        (Node(10**5000, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not a larger one"),
+        (Point(math.nan, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not nan"),
+        (Point(0.0, -math.inf), "curves[0].points[0].y must lie between -1e12 and 1e12, not -inf"),
+        (Point(0.0, 0.0, velocity=(0.0, math.nan)), "curves[0].points[0].velocity[1] must lie between"),
+        (Point(0.0, 0.0, acceleration=(2e12, 0.0)), "curves[0].points[0].acceleration[0] must lie between"),
+        (Point(True, 0.0), "curves[0].points[0].x must be a number, not True"),
+        (Point(10**5000, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not a larger one"),
     ],
 )
-def test_encode_refuses_what_decode_would_not_read(node, message):
-    document = Document((Curve("", LAGRANGE, Parametrization(), (node,)),))
+def test_encode_refuses_what_decode_would_not_read(point, message):
+    document = Document((Curve("", LAGRANGE, Parametrization(), (point,)),))
     with pytest.raises(FormatError) as refusal:
         encode(document)
     assert str(refusal.value).startswith(message)

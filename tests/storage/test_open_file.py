@@ -286,7 +286,7 @@ def test_without_a_migration_an_older_version_is_refused(tmp_path):
 
 def test_an_older_version_is_migrated(draft):
     document = load(draft)
-    assert [node.position for node in document.curves[0].nodes] == [(0, 0), (1, 1)]
+    assert [point.position for point in document.curves[0].points] == [(0, 0), (1, 1)]
     assert draft.read_bytes() == old_content()
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, Node, ReferenceImage, make_curve
+from app.document.model import Document, Point, ReferenceImage, make_curve
 from app.storage.files import save
 from app.storage.format import FormatError, encode
 from app.storage.lock import acquire
@@ -324,7 +324,7 @@ def test_killed_at_any_step_of_writing_there_is_the_old_snapshot_or_the_new_one(
 
 
 def test_a_snapshot_of_ten_thousand_points_comes_back(tmp_path):
-    nodes = tuple(Node(i / 3, -i / 7, velocity=(1 / 3, i / 11)) for i in range(10_000))
-    document = Document((replace(make_curve([]), nodes=nodes),))
+    points = tuple(Point(i / 3, -i / 7, velocity=(1 / 3, i / 11)) for i in range(10_000))
+    document = Document((replace(make_curve([]), points=points),))
     left_behind(tmp_path, document)
     assert list_snapshots(tmp_path).snapshots[0].document == document

@@ -5,16 +5,16 @@ import json
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.storage.format import FormatError, decode, encode
 
 NODES = (
-    Node(0.0, 1.0, 0.0, velocity=(1.0, 2.0)),
-    Node(2.0, 1.5, 0.5, acceleration=(0.0, 3.0)),
-    Node(3.0, 1.0, 1.0, velocity=(1.0, 2.0), corner=True, velocity_after=(2.0, 2.0)),
+    Point(0.0, 1.0, 0.0, velocity=(1.0, 2.0)),
+    Point(2.0, 1.5, 0.5, acceleration=(0.0, 3.0)),
+    Point(3.0, 1.0, 1.0, velocity=(1.0, 2.0), corner=True, velocity_after=(2.0, 2.0)),
 )
 PLAIN = make_curve([(0.0, 0.0), (1.0, 2.0)])
-MANUAL = replace(PLAIN, nodes=NODES, parametrization=Parametrization(ParametrizationKind.MANUAL))
+MANUAL = replace(PLAIN, points=NODES, parametrization=Parametrization(ParametrizationKind.MANUAL))
 CONTENT = json.loads(encode(Document((PLAIN, MANUAL, PLAIN))))
 # A key that may be left out is: it must not make up for one that is there twice.
 del CONTENT["curves"][1]["parametrization"]["alpha"]

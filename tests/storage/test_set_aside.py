@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 
 from app.document.model import Document, make_curve
+from app.features.lessons.lesson import load_lesson
 from app.features.recovery.set_aside import SetAside
-from app.lessons import load_lesson
 from app.session import MessageKind, Session
 from app.storage.files import load
 from app.storage.recovery import list_snapshots
@@ -101,5 +101,5 @@ def test_a_disk_that_refuses_is_told_of(session, tmp_path):
     session.files.open_copy(LESSONS[0], "Lesson 3")
     assert "cannot be backed up" in said[0]
     session.undo_stack.undo()
-    assert session.document.curves[0].nodes[1].position == POINTS[1]
+    assert session.document.curves[0].points[1].position == POINTS[1]
     kept.leave()

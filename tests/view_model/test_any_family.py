@@ -20,7 +20,7 @@ from app.view_model.analysis.ghosts import ghost_views
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.joints import as_text, certificate_of
 from app.view_model.analysis.laboratory import Refused, calculations, digits_at, try_methods
-from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
+from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 from app.view_model.analysis.overlay import OVERLAYS
 from app.view_model.analysis.overlays import marks
 from app.view_model.analysis.picture import live_picture, settled_picture, settling
@@ -58,8 +58,8 @@ def curve_of(name, kind=ParametrizationKind.CHORD_LENGTH, points=POINTS):
     if kind is not ParametrizationKind.MANUAL:
         return replace(made, parametrization=rule)
     times = np.linspace(1.0, 3.5, len(points)) + 0.1 * np.sin(np.arange(len(points)))
-    nodes = tuple(replace(node, t=float(t)) for node, t in zip(made.nodes, times, strict=True))
-    return replace(made, nodes=nodes, parametrization=rule)
+    points = tuple(replace(point, t=float(t)) for point, t in zip(made.points, times, strict=True))
+    return replace(made, points=points, parametrization=rule)
 
 
 def made_or_reason(make):
@@ -115,9 +115,9 @@ def test_a_drag_draws_what_a_new_view_would_draw(name, kind):
     before = view_of(curve_of(name, kind))
     before.flattened(1e-3)
     for step in range(1, 40):
-        nodes = list(before.source.nodes)
-        nodes[2] = replace(nodes[2], x=2.5 + 0.05 * step, y=1.0 - 0.03 * step)
-        moved = replace(before.source, nodes=tuple(nodes))
+        points = list(before.source.points)
+        points[2] = replace(points[2], x=2.5 + 0.05 * step, y=1.0 - 0.03 * step)
+        moved = replace(before.source, points=tuple(points))
         before = view_of(moved, before)
         line = before.flattened(1e-3)
         fresh = view_of(moved)
@@ -166,7 +166,7 @@ def test_a_bend_is_the_least_change_of_the_points(own):
     row = TRUE_BASIS[own](np.array([t]), view.parameters)
     least = np.linalg.lstsq(row, way[None], rcond=None)[0]
     bent = Bend(view, t, BendWith.ALL).bent(tuple((view.curve.evaluate(t) + way).tolist()), 1e-9)
-    moves = np.array([node.position for node in bent.nodes]) - view.points
+    moves = np.array([point.position for point in bent.points]) - view.points
     assert moves == pytest.approx(least, abs=1e-12)
 
 
@@ -175,7 +175,7 @@ def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
     view = view_of(curve_of(name, kind))
     made = with_point_inserted(view, 2.1)
     index = int(np.searchsorted(view.parameters, 2.1))
-    assert made.curve.nodes[index].position == pytest.approx(view.curve.evaluate(2.1), abs=1e-12)
+    assert made.curve.points[index].position == pytest.approx(view.curve.evaluate(2.1), abs=1e-12)
     after = view_of(made.curve)
     if kind is ParametrizationKind.MANUAL:
         moved = np.abs(shape(after) - shape(view)).max()
@@ -338,7 +338,7 @@ def test_the_joints_are_told(name):
 
 def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
     view = view_of(curve_of(name))
-    for rounding in Rounding:
+    for rounding in RoundedPart:
         settings = LaboratorySettings(
             on=True, rounding=rounding, digits=16, methods=frozenset(Calculation), shift=0.0
         )

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from app.document import edits
-from app.document.model import Document, Node, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.features.point_table.columns import COLUMNS, POSITION
 from app.features.point_table.edits import paste_block
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import view_of
 from app.view_model.handles import handles_of
 from app.view_model.pasting import appended
+from app.view_model.point_columns import COLUMNS, POSITION
 
 FAR = (9.0, 1.0)
 
@@ -25,7 +25,7 @@ def by_pen(document, view):
 
 
 def by_paste(document, view):
-    return document.with_curve(0, appended(view, [Node(*FAR)]))
+    return document.with_curve(0, appended(view, [Point(*FAR)]))
 
 
 def by_table(document, view):
@@ -47,5 +47,5 @@ def test_a_far_point_makes_no_handle_longer(family, kind, append):
     document = edits.set_parametrization(document, 0, kind, [0.0, 0.6, 1.0])
     document = edits.set_velocity(document, 0, 2, (0.4, 0.9))
     after = append(document, view_of(document.curves[0]))
-    assert len(after.curves[0].nodes) == 4
+    assert len(after.curves[0].points) == 4
     assert longest(after) == pytest.approx(longest(document), rel=1e-9)

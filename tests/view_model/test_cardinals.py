@@ -12,9 +12,9 @@ from app.document.model import (
     AccelerationRule,
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
     VelocityRule,
 )
 from app.exchange.facts import facts_of
@@ -41,31 +41,31 @@ def rng():
 
 def seven(kind=CHORD, family=HERMITE, **other):
     """The points of the lesson on chord length."""
-    nodes = tuple(Node(x, y) for x, y in UNEVEN)
-    return Curve("Uneven", family, Parametrization(kind), nodes, **other)
+    points = tuple(Point(x, y) for x, y in UNEVEN)
+    return Curve("Uneven", family, Parametrization(kind), points, **other)
 
 
 def frozen(curve):
     """The same curve, its parameters set by hand: moving a point moves none of them."""
-    t = view_of(curve).parameters[: len(curve.nodes)].tolist()
+    t = view_of(curve).parameters[: len(curve.points)].tolist()
     rule = replace(curve.parametrization, kind=MANUAL)
-    nodes = tuple(replace(node, t=each) for node, each in zip(curve.nodes, t, strict=True))
-    return replace(curve, nodes=nodes, parametrization=rule)
+    points = tuple(replace(point, t=each) for point, each in zip(curve.points, t, strict=True))
+    return replace(curve, points=points, parametrization=rule)
 
 
 def moved(curve, moves):
     """The curve after its points were really moved."""
-    nodes = [
-        replace(n, x=n.x + dx, y=n.y + dy) for n, (dx, dy) in zip(curve.nodes, moves.tolist(), strict=True)
+    points = [
+        replace(n, x=n.x + dx, y=n.y + dy) for n, (dx, dy) in zip(curve.points, moves.tolist(), strict=True)
     ]
-    return view_of(replace(curve, nodes=tuple(nodes)))
+    return view_of(replace(curve, points=tuple(points)))
 
 
-def with_nodes(curve, **changes):
-    nodes = list(curve.nodes)
+def with_points(curve, **changes):
+    points = list(curve.points)
     for name, change in changes.items():
-        nodes[int(name[1:])] = replace(nodes[int(name[1:])], **change)
-    return replace(curve, nodes=tuple(nodes))
+        points[int(name[1:])] = replace(points[int(name[1:])], **change)
+    return replace(curve, points=tuple(points))
 
 
 EXPLICIT = {"p1": {"velocity": (1.0, 2.0)}, "p4": {"acceleration": (30.0, -8.0)}}
@@ -80,7 +80,7 @@ def test_a_point_that_is_moved_does_what_its_function_says(rule, closed, changes
     """The parameters stay, everything that is estimated is estimated again."""
     for family, acceleration in product((HERMITE, QUINTIC_HERMITE), AccelerationRule):
         curve = seven(family=family, closed=closed, velocity_rule=rule, acceleration_rule=acceleration)
-        curve = with_nodes(frozen(curve), **changes)
+        curve = with_points(frozen(curve), **changes)
         view = view_of(curve)
         assert view.is_current
         t = np.linspace(*view.curve.domain, 101)
@@ -97,15 +97,15 @@ def test_a_parameter_that_is_moved_takes_the_estimates_along(family, closed, cha
     """They were held: differences of the curve estimated anew were off by up to half."""
     if family is LAGRANGE:
         closed, changes = False, {}
-    curve = with_nodes(frozen(seven(family=family, closed=closed)), **changes)
+    curve = with_points(frozen(seven(family=family, closed=closed)), **changes)
     view = view_of(curve)
     for index, piece in enumerate(view.pieces):
         t = np.linspace(*piece.domain, 23)[1:-1]
         moves = parameter_moves(view, index, t)
-        for knot, at in enumerate(view.parameters[: len(curve.nodes)].tolist()):
+        for knot, at in enumerate(view.parameters[: len(curve.points)].tolist()):
             if closed and knot == 0:
                 continue  # the interval would be another one
-            sides = [with_nodes(curve, **{f"p{knot}": {"t": at + by}}) for by in (1e-6, -1e-6)]
+            sides = [with_points(curve, **{f"p{knot}": {"t": at + by}}) for by in (1e-6, -1e-6)]
             far, near = (view_of(each).pieces[index].evaluate(t) for each in sides)
             # Differences leave 1e-12 times the third derivative, 1e5 or so here.
             assert moves[:, knot] == pytest.approx((far - near) / 2e-6, abs=2e-5 * np.abs(moves).max())
@@ -165,10 +165,10 @@ def test_catmull_rom_with_the_knots_of_its_parameters_is_the_bessel_rule():
 def test_functions_are_made_anew_only_when_they_are_other_ones():
     view = view_of(frozen(seven()))
     known = view.cardinal
-    nudged = with_nodes(view.source, p3={"x": 4.0})
+    nudged = with_points(view.source, p3={"x": 4.0})
     assert view_of(nudged, view).cardinal is known
     for changes in ({"velocity": (1.0, 1.0)}, {"corner": True}, {"t": 0.5}):
-        other = view_of(with_nodes(view.source, p3=changes), view)
+        other = view_of(with_points(view.source, p3=changes), view)
         assert other.cardinal is not known
         fresh = view_of(other.source)
         assert (other.cardinal.basis(0.4) == fresh.cardinal.basis(0.4)).all()
@@ -181,7 +181,7 @@ def test_the_constant_of_the_points_and_of_the_data():
     view = view_of(seven())
     assert growth_of_points(view) == pytest.approx(8.556, abs=1e-3)
     assert growth_of_data(view) == 1.0
-    set_by_hand = with_nodes(seven(), **{f"p{i}": {"velocity": (1.0, 1.0)} for i in range(7)})
+    set_by_hand = with_points(seven(), **{f"p{i}": {"velocity": (1.0, 1.0)} for i in range(7)})
     assert growth_of_points(view_of(set_by_hand)) == 1.0
     lagrange = view_of(seven(family=LAGRANGE))
     assert growth_of_points(lagrange) == growth_of_data(lagrange) == lebesgue_constant(lagrange.curve)
@@ -195,8 +195,8 @@ def test_the_facts_have_both_constants():
 
 def test_parameters_almost_equal_send_errors_beyond_all_numbers_and_nothing_breaks():
     """With equal points and t 1e-310 apart the velocities are 0, their derivatives by the points infinite."""
-    nodes = (Node(0.0, 0.0, t=0.0), Node(0.0, 0.0, t=1e-310), Node(1.0, 1.0, t=1.0))
-    view = view_of(Curve("Close", HERMITE, Parametrization(MANUAL), nodes))
+    points = (Point(0.0, 0.0, t=0.0), Point(0.0, 0.0, t=1e-310), Point(1.0, 1.0, t=1.0))
+    view = view_of(Curve("Close", HERMITE, Parametrization(MANUAL), points))
     if view.is_current:
         assert growth_of_points(view) > 1e300
 
@@ -213,7 +213,7 @@ def test_the_wiggle_is_explained_by_points_far_away():
 def test_samples_of_the_panel():
     view = view_of(seven())
     shown = cardinal_view(view)
-    assert (shown.kinds, shown.count, shown.node_count, shown.is_coarse) == (1, 7, 7, False)
+    assert (shown.kinds, shown.count, shown.point_count, shown.is_coarse) == (1, 7, 7, False)
     t, values = shown.function(2, 0)
     assert values == pytest.approx(view.cardinal.basis(t)[:, 2])
     assert shown.extent([])[1] > 2.5
@@ -226,8 +226,8 @@ def test_samples_of_the_panel():
 def test_samples_of_many_points():
     s = np.linspace(0, 1, 300)
     points = np.column_stack([4 * s, np.sin(40 * s)])
-    nodes = tuple(Node(float(x), float(y)) for x, y in points)
-    view = view_of(Curve("Many", HERMITE, Parametrization(CHORD), nodes))
+    points = tuple(Point(float(x), float(y)) for x, y in points)
+    view = view_of(Curve("Many", HERMITE, Parametrization(CHORD), points))
     shown = cardinal_view(view)
     t, low, high = shown.envelope(0)
     exact = view.cardinal.basis(t)
@@ -240,7 +240,7 @@ def test_samples_of_many_points():
 
 def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
     """Nothing was said of it, Λ being 1."""
-    curve = with_nodes(frozen(seven()), p4={"t": view_of(seven()).parameters[3] + 1e-3})
+    curve = with_points(frozen(seven()), p4={"t": view_of(seven()).parameters[3] + 1e-3})
     view = view_of(curve)
     (found,) = [each for each in warnings_of(view, growth_of_points(view)) if each.topic is Topic.LEBESGUE]
     assert view.growth > 100

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from app.view_model.bend_together import Cost, divided
+from app.view_model.bend_together import QuadraticCost, divided
 
 
 @pytest.mark.parametrize("size", [1.0, 1e-300, 5e-324])
@@ -18,7 +18,7 @@ def test_a_pull_of_any_length_is_divided_in_few_steps(size):
         return bend
 
     pull = np.array([3e11, 4e11])
-    shares = divided(answer, pull, Cost(1.0, 0.5, 3), size, np.eye(2))
+    shares = divided(answer, pull, QuadraticCost(1.0, 0.5, 3), size, np.eye(2))
     assert len(asked) <= 41 * 8
     assert math.isfinite(float(np.hypot(*shares.bend)))
     # Bend and shift together meet the pull, whatever each does.

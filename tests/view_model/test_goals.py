@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.lessons import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
+from app.features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
 from app.storage.files import load
 from app.storage.format import encode
 from app.view_model.curve_view import view_of
@@ -27,7 +27,7 @@ def value(text):
 
 def test_the_lebesgue_constant_of_four_uniform_parameters():
     curve = make_curve(SQUARE)
-    curve = Curve(curve.name, LAGRANGE, Parametrization(ParametrizationKind.UNIFORM), curve.nodes)
+    curve = Curve(curve.name, LAGRANGE, Parametrization(ParametrizationKind.UNIFORM), curve.points)
     standing = standing_of(parse_goal("lebesgue < 2"), view_of(curve))
     assert standing.is_met
     # Brutman, Annals of Numerical Mathematics 4 (1997) 111-127: 1.6311
@@ -37,7 +37,7 @@ def test_the_lebesgue_constant_of_four_uniform_parameters():
 def test_a_parabola_leaves_its_box_by_an_eighth():
     """Through (0,0), (1,0), (1,1) under t = 0, 1/2, 1 the x-component is 3t - 2t², at most 9/8."""
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    curve = Curve("p", LAGRANGE, rule, tuple(Node(*place) for place in SQUARE[:3]))
+    curve = Curve("p", LAGRANGE, rule, tuple(Point(*place) for place in SQUARE[:3]))
     assert value(standing_of(parse_goal("overshoot > 10"), view_of(curve)).text) == pytest.approx(
         12.5, abs=1e-3
     )
@@ -45,14 +45,14 @@ def test_a_parabola_leaves_its_box_by_an_eighth():
 
 @pytest.mark.parametrize(("family", "order"), [(HERMITE, 1), (QUINTIC_HERMITE, 2)])
 def test_joints_are_as_smooth_as_their_family(family, order):
-    nodes = tuple(Node(*place, velocity=(1.0, 2.0)) for place in SQUARE)
-    curve = Curve("s", family, Parametrization(), nodes)
+    points = tuple(Point(*place, velocity=(1.0, 2.0)) for place in SQUARE)
+    curve = Curve("s", family, Parametrization(), points)
     assert value(standing_of(parse_goal("smoothness >= 2"), view_of(curve)).text) == order
 
 
 def test_the_distance_from_chord_lengths():
-    nodes = tuple(Node(*place, t=t) for place, t in zip(SQUARE, (0.0, 0.3, 0.7, 1.0), strict=True))
-    curve = Curve("m", LAGRANGE, Parametrization(ParametrizationKind.MANUAL), nodes)
+    points = tuple(Point(*place, t=t) for place, t in zip(SQUARE, (0.0, 0.3, 0.7, 1.0), strict=True))
+    curve = Curve("m", LAGRANGE, Parametrization(ParametrizationKind.MANUAL), points)
     text = standing_of(parse_goal("chord_gap < 0.01"), view_of(curve)).text
     assert value(text) == pytest.approx(1 / 3 - 0.3, rel=1e-3)
 
@@ -73,14 +73,14 @@ def by_chord_length(curve):
 
 
 def typed(curve, parameters):
-    nodes = tuple(replace(node, t=float(t)) for node, t in zip(curve.nodes, parameters, strict=True))
-    return replace(rule_of(curve, ParametrizationKind.MANUAL), nodes=nodes)
+    points = tuple(replace(point, t=float(t)) for point, t in zip(curve.points, parameters, strict=True))
+    return replace(rule_of(curve, ParametrizationKind.MANUAL), points=points)
 
 
 DETOURS = {
     # All of these were "reached".
-    "deleting points": ("01_basis_functions", 4, lambda c: replace(c, nodes=c.nodes[:4]), "points"),
-    "deleting joints": ("07_cubic_or_quintic", 4, lambda c: replace(c, nodes=c.nodes[:2]), "∞"),
+    "deleting points": ("01_basis_functions", 4, lambda c: replace(c, points=c.points[:4]), "points"),
+    "deleting joints": ("07_cubic_or_quintic", 4, lambda c: replace(c, points=c.points[:2]), "∞"),
     "another family": ("05_sensitivity", 3, lambda c: replace(c, family=HERMITE), "family"),
     "a rule for a drag": ("02_three_parameter_sets", 4, by_chord_length, "rule"),
     "a rule for typing": ("09_exercise_rounded_parameters", 1, by_chord_length, "rule"),
@@ -93,7 +93,7 @@ DETOURS = {
     "straight points": (
         "03_chord_length",
         3,
-        lambda c: replace(c, nodes=tuple(replace(n, x=float(i), y=0.0) for i, n in enumerate(c.nodes))),
+        lambda c: replace(c, points=tuple(replace(n, x=float(i), y=0.0) for i, n in enumerate(c.points))),
         "points",
     ),
     "another rule for growth": (
@@ -127,8 +127,8 @@ def test_a_goal_is_about_its_curve():
 
 def test_a_point_that_was_moved_a_little_does_not_count_as_another():
     goal, curve = given("03_chord_length", 3)
-    nodes = (replace(curve.nodes[0], y=0.3), *curve.nodes[1:])
-    moved = replace(rule_of(curve, ParametrizationKind.CENTRIPETAL), nodes=nodes)
+    points = (replace(curve.points[0], y=0.3), *curve.points[1:])
+    moved = replace(rule_of(curve, ParametrizationKind.CENTRIPETAL), points=points)
     assert standing_of(goal, view_of(moved), curve).is_met
 
 

@@ -7,30 +7,30 @@ from itertools import pairwise
 
 import pytest
 
-from app.document.model import AccelerationRule, Curve, Node, Parametrization, VelocityRule
+from app.document.model import AccelerationRule, Curve, Parametrization, Point, VelocityRule
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.view_model.analysis.joints import Kind, as_text, certificate_of
+from app.view_model.analysis.joints import JointKind, as_text, certificate_of
 from app.view_model.curve_view import view_of
 
 POINTS = ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 1.5), (4.0, 0.0))
 
 
-def certificate(nodes=None, family=HERMITE, **fields):
-    nodes = nodes or [Node(x, y) for x, y in POINTS]
-    return certificate_of(view_of(Curve("Test", family, Parametrization(), tuple(nodes), **fields)))
+def certificate(points=None, family=HERMITE, **fields):
+    points = points or [Point(x, y) for x, y in POINTS]
+    return certificate_of(view_of(Curve("Test", family, Parametrization(), tuple(points), **fields)))
 
 
-def with_node(index, **fields):
-    nodes = [Node(x, y) for x, y in POINTS]
-    nodes[index] = Node(*POINTS[index], **fields)
-    return nodes
+def with_point(index, **fields):
+    points = [Point(x, y) for x, y in POINTS]
+    points[index] = Point(*POINTS[index], **fields)
+    return points
 
 
 def test_a_spline_is_smooth_everywhere():
     result = certificate(velocity_rule=VelocityRule.NATURAL_SPLINE)
     assert result.summary == "C² everywhere."
     assert [row.joint for row in result.rows] == [1, 2, 3]
-    assert all(row.kind is Kind.SMOOTH and row.jumps == (0, 0, 0) for row in result.rows)
+    assert all(row.kind is JointKind.SMOOTH and row.jumps == (0, 0, 0) for row in result.rows)
     assert all(row.angle == 0 and row.curvature == 0 for row in result.rows)
 
 
@@ -38,25 +38,25 @@ def test_estimated_cubics_jump_in_the_acceleration():
     result = certificate(velocity_rule=VelocityRule.BESSEL)
     assert result.summary == "C¹ everywhere."
     for row in result.rows:
-        assert row.kind is Kind.ACCELERATION
+        assert row.kind is JointKind.ACCELERATION
         assert row.jumps[:2] == (0, 0)
         assert row.jumps[2] > 0
 
 
 def test_the_jumps_are_measured():
     """Speed 2 before and 6 after, in the same direction."""
-    nodes = with_node(2, velocity=(2.0, 0.0), corner=True, velocity_after=(6.0, 0.0))
-    row = certificate(nodes).rows[1]
-    assert (row.kind, row.smoothness) == (Kind.SPEED, "C⁰, G¹")
+    points = with_point(2, velocity=(2.0, 0.0), corner=True, velocity_after=(6.0, 0.0))
+    row = certificate(points).rows[1]
+    assert (row.kind, row.smoothness) == (JointKind.SPEED, "C⁰, G¹")
     assert row.jumps[1] == pytest.approx(4.0)
     assert row.angle == 0.0
 
 
 def test_a_corner_has_an_angle_and_a_name_in_the_summary():
-    nodes = with_node(2, velocity=(2.0, 0.0), corner=True, velocity_after=(0.0, 2.0))
-    result = certificate(nodes, QUINTIC_HERMITE)
+    points = with_point(2, velocity=(2.0, 0.0), corner=True, velocity_after=(0.0, 2.0))
+    result = certificate(points, QUINTIC_HERMITE)
     row = result.rows[1]
-    assert (row.kind, row.smoothness) == (Kind.CORNER, "C⁰")
+    assert (row.kind, row.smoothness) == (JointKind.CORNER, "C⁰")
     assert row.angle == pytest.approx(90.0)
     assert row.jumps[1] == pytest.approx(math.hypot(2, 2))
     assert result.summary == "C² everywhere except joint 2: C⁰ (corner)."
@@ -64,7 +64,7 @@ def test_a_corner_has_an_angle_and_a_name_in_the_summary():
 
 def test_a_joint_that_keeps_the_direction_is_called_g1():
     """Accelerations that are zero on both sides: curvature and acceleration do not jump, the speed does."""
-    nodes = with_node(
+    points = with_point(
         2,
         velocity=(2.0, 0.0),
         acceleration=(0.0, 0.0),
@@ -72,27 +72,27 @@ def test_a_joint_that_keeps_the_direction_is_called_g1():
         velocity_after=(6.0, 0.0),
         acceleration_after=(0.0, 1.0),
     )
-    result = certificate(nodes, QUINTIC_HERMITE)
+    result = certificate(points, QUINTIC_HERMITE)
     assert result.summary == "C² everywhere except joint 2: G¹."
     assert result.rows[1].curvature == pytest.approx(1 / 36)
 
 
 def test_where_the_curve_stands_still_there_is_no_direction():
-    result = certificate(with_node(2, velocity=(0.0, 0.0)), QUINTIC_HERMITE)
+    result = certificate(with_point(2, velocity=(0.0, 0.0)), QUINTIC_HERMITE)
     row = result.rows[1]
     assert result.summary == "C² everywhere except joint 2: stands still."
-    assert row.kind is Kind.REST
+    assert row.kind is JointKind.REST
     assert math.isnan(row.angle)
     assert "stands still" in row.words
 
 
 def test_many_rough_joints_are_counted():
-    nodes = [Node(float(i), (i * 7 % 5) / 2) for i in range(12)]
+    points = [Point(float(i), (i * 7 % 5) / 2) for i in range(12)]
     for index in range(1, 5):
-        nodes[index] = Node(
-            nodes[index].x, nodes[index].y, velocity=(3.0, 0.0), corner=True, velocity_after=(0.0, 3.0)
+        points[index] = Point(
+            points[index].x, points[index].y, velocity=(3.0, 0.0), corner=True, velocity_after=(0.0, 3.0)
         )
-    result = certificate(nodes, QUINTIC_HERMITE, acceleration_rule=AccelerationRule.ZERO)
+    result = certificate(points, QUINTIC_HERMITE, acceleration_rule=AccelerationRule.ZERO)
     assert result.summary == "C² everywhere except at 4 of 10 joints."
 
 
@@ -106,8 +106,8 @@ def test_the_joint_where_a_curve_closes_comes_last():
 def test_one_polynomial_has_no_joints_and_neither_has_one_piece():
     assert certificate(family=LAGRANGE).rows == ()
     assert "One polynomial" in certificate(family=LAGRANGE).summary
-    assert certificate([Node(0.0, 0.0), Node(1.0, 1.0)]).rows == ()
-    assert certificate([Node(0.0, 0.0)]).summary == "A curve needs at least two points."
+    assert certificate([Point(0.0, 0.0), Point(1.0, 1.0)]).rows == ()
+    assert certificate([Point(0.0, 0.0)]).summary == "A curve needs at least two points."
 
 
 def test_a_close_up_reaches_as_far_as_the_nearer_neighbour():

@@ -15,20 +15,20 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.commands.connect import all_actions
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
-from app.lessons import lesson_names, load_lesson
+from app.features.lessons.lesson import lesson_names, load_lesson
 from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
 from app.view_model.analysis.laboratory_settings import (
     USUAL_SHIFT,
     Calculation,
     LaboratorySettings,
-    Rounding,
+    RoundedPart,
 )
 from app.view_model.curve_view import view_of
 from app.view_model.growth import growth_of_points
+from app.window.connect import all_actions
 from curvecore import (
     chord_length,
     evaluate_rounded,
@@ -83,8 +83,8 @@ def curve(number, name=None, rule=None, family=None):
     """A curve of a lesson, under another rule or in another family."""
     found = next(each for each in document(number).curves if name in (None, each.name))
     if rule is not None:
-        nodes = tuple(replace(node, t=None) for node in found.nodes)
-        found = replace(found, parametrization=replace(found.parametrization, kind=rule), nodes=nodes)
+        points = tuple(replace(point, t=None) for point in found.points)
+        found = replace(found, parametrization=replace(found.parametrization, kind=rule), points=points)
     return replace(found, family=family) if family is not None else found
 
 
@@ -123,15 +123,17 @@ def percent_outside(which):
 def cardinals(which, move=1e-3):
     """What the curve does when one point moves, its velocities are estimated anew and its parameters stay."""
     before = view_of(which)
-    held = tuple(replace(node, t=float(t)) for node, t in zip(which.nodes, before.parameters, strict=True))
+    held = tuple(replace(point, t=float(t)) for point, t in zip(which.points, before.parameters, strict=True))
     manual = replace(which.parametrization, kind=KIND.MANUAL)
     t = np.linspace(*before.curve.domain, 4001)
     functions = []
-    for i, node in enumerate(held):
+    for i, point in enumerate(held):
         ends = []
         for by in (move, -move):
-            nodes = (*held[:i], replace(node, y=node.y + by), *held[i + 1 :])
-            ends.append(view_of(replace(which, parametrization=manual, nodes=nodes)).curve.evaluate(t)[:, 1])
+            points = (*held[:i], replace(point, y=point.y + by), *held[i + 1 :])
+            ends.append(
+                view_of(replace(which, parametrization=manual, points=points)).curve.evaluate(t)[:, 1]
+            )
         functions.append((ends[0] - ends[1]) / (2 * move))
     return t, np.array(functions)
 
@@ -141,7 +143,7 @@ def constant_with_estimates(which):
 
 
 @cache
-def trial(number, digits, shift=0.0, rounding=Rounding.EVERY_STEP, family=None):
+def trial(number, digits, shift=0.0, rounding=RoundedPart.EVERY_STEP, family=None):
     settings = LaboratorySettings(True, rounding, digits, frozenset(Calculation), shift=shift)
     return try_methods(view_of(curve(number, family=family)), settings)
 
@@ -179,7 +181,9 @@ def gap(which, i):
 
 def with_uniform(count):
     eleven = curve(1, "Eleven points")
-    return constant(replace(eleven, nodes=tuple(replace(eleven.nodes[0], x=float(i)) for i in range(count))))
+    return constant(
+        replace(eleven, points=tuple(replace(eleven.points[0], x=float(i)) for i in range(count)))
+    )
 
 
 def key(name):
@@ -188,7 +192,7 @@ def key(name):
 
 
 def points_of(number, name=None):
-    return len(curve(number, name).nodes)
+    return len(curve(number, name).points)
 
 
 def point(number, index, name=None):
@@ -421,12 +425,12 @@ CLAIMS = {
 }
 
 
-def felt(node, segment):
+def felt(point, segment):
     """The largest share of an error of a point that is felt in a segment of lesson 5's Hermite curve."""
     t, functions = cardinals(curve(5, family=HERMITE))
     knots = view_of(curve(5)).parameters
     inside = (t >= knots[segment]) & (t <= knots[segment + 1])
-    return np.abs(functions[node, inside]).max()
+    return np.abs(functions[point, inside]).max()
 
 
 def farthest(points):
@@ -439,7 +443,7 @@ def by_hand(number):
     """An exercise as it is solved: chord lengths with three decimals."""
     found = curve(number, "Yours")
     t = np.round(chord_length(view_of(found).points), 3)
-    return replace(found, nodes=tuple(replace(n, t=float(x)) for n, x in zip(found.nodes, t, strict=True)))
+    return replace(found, points=tuple(replace(n, t=float(x)) for n, x in zip(found.points, t, strict=True)))
 
 
 def pages():
@@ -492,7 +496,7 @@ def test_lesson_3_turns_back_without_a_loop():
     assert 0.149 < t[points[:, 1].argmin()] < 0.816  # "it sags in the long gap"
     _, t, points, _ = drawn(UNEVEN)
     assert t[points[:, 0].argmax()] > 5 / 6  # "on the right"
-    assert points[t < 1 / 6, 0].max() > 2 * UNEVEN.nodes[1].x  # "at both ends … past the points"
+    assert points[t < 1 / 6, 0].max() > 2 * UNEVEN.points[1].x  # "at both ends … past the points"
 
 
 def test_lesson_1_says_where_the_curve_runs():
@@ -520,9 +524,9 @@ def test_lesson_6_says_how_the_errors_go_along_t():
     flat = [of(MONOMIAL, k) for k in range(8)]
     assert max(flat) < 10 * min(flat)
     # The coefficients: worse along t; with a shift "there is no good end".
-    rising = [of(MONOMIAL, k, rounding=Rounding.COEFFICIENTS) for k in range(8)]
+    rising = [of(MONOMIAL, k, rounding=RoundedPart.COEFFICIENTS) for k in range(8)]
     assert rising == sorted(rising)
-    shifted = [of(MONOMIAL, k, rounding=Rounding.COEFFICIENTS, shift=USUAL_SHIFT) for k in range(8)]
+    shifted = [of(MONOMIAL, k, rounding=RoundedPart.COEFFICIENTS, shift=USUAL_SHIFT) for k in range(8)]
     assert min(shifted) > max(rising)
     assert max(shifted) < 2 * min(shifted)
     # Lagrange: "lower in the middle, higher at both ends".
@@ -536,8 +540,8 @@ def test_lesson_7_says_what_jumps():
     assert {joint.parametric for joint in joint_report(quintic)} == {2}
     assert np.hypot(*cubic.evaluate(0.0, 2)) > 1  # "at the beginning it comes out of nothing"
     assert not cubic.evaluate(0.0, 1).any()
-    nodes = tuple(replace(node, velocity=None) for node in curve(7, "Cubic").nodes)
-    spline = view_of(replace(curve(7, "Cubic"), nodes=nodes)).curve
+    points = tuple(replace(point, velocity=None) for point in curve(7, "Cubic").points)
+    spline = view_of(replace(curve(7, "Cubic"), points=points)).curve
     assert {joint.parametric for joint in joint_report(spline)} == {2}
     assert np.hypot(*spline.evaluate(0.0, 1)) > 0.5  # "no longer stands still"
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Node, Parametrization, ParametrizationKind, VelocityRule
-from app.examples import first_sketch
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point, VelocityRule
 from app.families import HERMITE, QUINTIC_HERMITE, Family
+from app.storage.examples import first_sketch
 from app.view_model.curve_view import view_of
 from app.view_model.motion import STATIONS, Course, folded, round_of, runs_back
 from app.view_model.motion_picture import (
@@ -160,9 +160,9 @@ def test_cubic_and_quintic_are_compared_by_their_accelerations():
 
 def test_the_jumps_are_said_as_they_are_measured():
     # h = 1, v = (1, 0): y'' is 6 (0 - 1) = -6 before the middle and 6 (3 - 1) = 12 after it, x'' is 0.
-    nodes = tuple(Node(float(i), y, velocity=(1.0, 0.0)) for i, y in enumerate((0.0, 1.0, 3.0)))
+    points = tuple(Point(float(i), y, velocity=(1.0, 0.0)) for i, y in enumerate((0.0, 1.0, 3.0)))
     rule = Parametrization(ParametrizationKind.UNIFORM, start=0.0, end=2.0)
-    text = jumps_in_words(rivals_of(view_of(sketch(nodes=nodes, parametrization=rule))))
+    text = jumps_in_words(rivals_of(view_of(sketch(points=points, parametrization=rule))))
     assert text == (
         "Cubic: acceleration jumps at its joint, at point 1 by 18.0.  Quintic: no jump of acceleration."
     )
@@ -174,6 +174,6 @@ def test_where_there_is_no_jump_the_reason_is_given():
 
 
 def test_two_points_have_no_joints():
-    view = view_of(sketch(nodes=first_sketch().curves[0].nodes[:2]))
+    view = view_of(sketch(points=first_sketch().curves[0].points[:2]))
     assert jumps_in_words(rivals_of(view)) == "Cubic: no joints.  Quintic: no joints."
-    assert rivals_of(view_of(sketch(nodes=()))) == {}
+    assert rivals_of(view_of(sketch(points=()))) == {}

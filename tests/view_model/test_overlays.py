@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, usual_error
 from app.view_model.analysis.figures import Shape, number
@@ -24,8 +24,8 @@ UNIFORM = ParametrizationKind.UNIFORM
 
 
 def curve_of(points, family=LAGRANGE, kind=UNIFORM, **fields):
-    nodes = tuple(Node(float(x), float(y)) for x, y in points)
-    return Curve("Test", family, Parametrization(kind), nodes, **fields)
+    points = tuple(Point(float(x), float(y)) for x, y in points)
+    return Curve("Test", family, Parametrization(kind), points, **fields)
 
 
 def wave(n, family=LAGRANGE, kind=UNIFORM):
@@ -93,8 +93,8 @@ def test_arrows_have_the_direction_and_proportion_of_the_derivatives():
 
 def test_accelerations_of_cubics_have_two_sides_at_joints():
     """Two cubics through three points, velocities 0: c'' = ±6 (p₁ − p₀) / h² at their ends."""
-    nodes = tuple(Node(float(x), 0.0, velocity=(0.0, 0.0)) for x in (0, 1, 3))
-    curve = Curve("Test", HERMITE, Parametrization(UNIFORM), nodes)
+    points = tuple(Point(float(x), 0.0, velocity=(0.0, 0.0)) for x in (0, 1, 3))
+    curve = Curve("Test", HERMITE, Parametrization(UNIFORM), points)
     picture = live(curve, vectors.ACCELERATIONS)
     ends = points_of(picture, vectors.ACCELERATION).reshape(-1, 2, 2)
     arrows = {tuple(start.tolist()): [] for start in ends[:, 0]}
@@ -108,8 +108,12 @@ def test_accelerations_of_cubics_have_two_sides_at_joints():
 
 def test_the_comb_jumps_where_the_curvature_does():
     """A straight segment, a corner, and a bend: at the corner a tooth of length 0 and a long one."""
-    nodes = (Node(0, 0), Node(1, 0, velocity=(1.0, 0.0), corner=True, velocity_after=(1.0, 2.0)), Node(2, 0))
-    picture = live(Curve("Test", HERMITE, Parametrization(UNIFORM), nodes), comb.COMB)
+    points = (
+        Point(0, 0),
+        Point(1, 0, velocity=(1.0, 0.0), corner=True, velocity_after=(1.0, 2.0)),
+        Point(2, 0),
+    )
+    picture = live(Curve("Test", HERMITE, Parametrization(UNIFORM), points), comb.COMB)
     teeth = points_of(picture, comb.TEETH).reshape(-1, 2, 2)
     there = teeth[np.linalg.norm(teeth[:, 0] - (1, 0), axis=1) < 1e-9]
     lengths = sorted(np.linalg.norm(there[:, 1] - there[:, 0], axis=1))
@@ -242,7 +246,7 @@ def test_a_ghost_is_what_the_document_would_show():
         t = np.linspace(*real.curve.domain, 20)
         assert np.array_equal(shown.view.curve.evaluate(t), real.curve.evaluate(t))
     # The views of the frame before lend what stays, and change nothing.
-    moved = replace(curve, nodes=(Node(0.1, 0.2), *curve.nodes[1:]))
+    moved = replace(curve, points=(Point(0.1, 0.2), *curve.points[1:]))
     fresh, lent = (ghost_views(view_of(moved), set(all_ghosts()), old) for old in ({}, ghosts))
     for ghost in all_ghosts():
         assert np.array_equal(fresh[ghost].view.curve.jets, lent[ghost].view.curve.jets)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Node, Parametrization, ParametrizationKind, VelocityRule
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point, VelocityRule
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.plot import PLOTS
@@ -23,8 +23,8 @@ from app.view_model.growth import growth_of_points
 
 def wave(count, family, kind=ParametrizationKind.CHORD_LENGTH, **fields):
     s = np.linspace(0, 1, count)
-    nodes = tuple(Node(4 * float(a), 1 + 0.7 * math.sin(14 * a)) for a in s)
-    return view_of(Curve("Wave", family, Parametrization(kind), nodes, **fields))
+    points = tuple(Point(4 * float(a), 1 + 0.7 * math.sin(14 * a)) for a in s)
+    return view_of(Curve("Wave", family, Parametrization(kind), points, **fields))
 
 
 def plots(view, *kinds, t_range=None, columns=800):
@@ -48,8 +48,8 @@ def test_the_curvature_is_that_of_a_circle_and_its_sign_tells_left_from_right():
     """Of a quintic through 12 points of a circle of radius 2; the error of the spline is far below 1 %."""
     angles = np.linspace(0, 1.5 * np.pi, 12)
     for sign in (1, -1):
-        nodes = tuple(
-            Node(
+        points = tuple(
+            Point(
                 2 * math.cos(a),
                 2 * sign * math.sin(a),
                 velocity=(-2 * math.sin(a), 2 * sign * math.cos(a)),
@@ -59,7 +59,7 @@ def test_the_curvature_is_that_of_a_circle_and_its_sign_tells_left_from_right():
             for a in angles
         )
         rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=float(angles[-1]))
-        view = view_of(Curve("Circle", QUINTIC_HERMITE, rule, nodes))
+        view = view_of(Curve("Circle", QUINTIC_HERMITE, rule, points))
         (plot,) = plots(view, curvature.CURVATURE)
         values = plot.lines[0].values
         assert values[~np.isnan(values)] == pytest.approx(sign * 0.5, rel=1e-4)
@@ -80,9 +80,9 @@ def test_a_jump_has_no_line_across_and_a_smooth_joint_has_no_gap():
 
 def test_a_corner_breaks_the_speed():
     view = wave(5, HERMITE)
-    nodes = list(view.source.nodes)
-    nodes[2] = Node(nodes[2].x, nodes[2].y, velocity=(1, 0), corner=True, velocity_after=(0, 5))
-    view = view_of(Curve("Corner", HERMITE, Parametrization(), tuple(nodes)))
+    points = list(view.source.points)
+    points[2] = Point(points[2].x, points[2].y, velocity=(1, 0), corner=True, velocity_after=(0, 5))
+    view = view_of(Curve("Corner", HERMITE, Parametrization(), tuple(points)))
     line = plots(view, lengths.SPEED)[0].lines[0]
     (gap,) = np.flatnonzero(np.isnan(line.values))
     assert line.t[gap] == view.parameters[2]
@@ -110,8 +110,8 @@ def test_no_error_of_a_point_grows_where_no_derivative_follows_it():
     assert known.values == pytest.approx(np.maximum(view.cardinal.sums(known.t), 1.0))
     assert plot.levels[0].name == f"Lebesgue constant Λ = {view.growth:.3g}"
     assert view.growth > 1.2
-    still = [replace(node, velocity=(1.0, 0.0), acceleration=(0.0, 0.0)) for node in view.source.nodes]
-    (plot,) = plots(view_of(replace(view.source, nodes=tuple(still))), lebesgue.LEBESGUE)
+    still = [replace(point, velocity=(1.0, 0.0), acceleration=(0.0, 0.0)) for point in view.source.points]
+    (plot,) = plots(view_of(replace(view.source, points=tuple(still))), lebesgue.LEBESGUE)
     assert plot.lines[0].values == pytest.approx(1.0, abs=1e-12)
     assert "no error of a point grows" in plot.levels[0].name
 
@@ -128,16 +128,16 @@ def test_only_the_visible_part_is_sampled_and_no_more_often_than_there_are_pixel
 
 
 def test_samples_ascend_even_where_parameters_are_far_from_zero():
-    nodes = tuple(Node(float(i), i * i / 3, t=1e6 + i * 1e-3) for i in range(6))
+    points = tuple(Point(float(i), i * i / 3, t=1e6 + i * 1e-3) for i in range(6))
     rule = Parametrization(ParametrizationKind.MANUAL, start=1e6, end=1e6 + 5e-3)
     for family in FAMILIES:
-        t = samples_over(view_of(Curve("Far", family, rule, nodes)), (1e6, 1e6 + 1), 500).t
+        t = samples_over(view_of(Curve("Far", family, rule, points)), (1e6, 1e6 + 1), 500).t
         assert (np.diff(t) >= 0).all()
 
 
 def test_a_spike_of_the_curvature_does_not_flatten_the_rest():
-    nodes = tuple(Node(x, y) for x, y in ((0, 0), (1, 1), (2, 0), (1.0001, 1), (0, 0.5)))
-    view = view_of(Curve("Needle", HERMITE, Parametrization(), nodes))
+    points = tuple(Point(x, y) for x, y in ((0, 0), (1, 1), (2, 0), (1.0001, 1), (0, 0.5)))
+    view = view_of(Curve("Needle", HERMITE, Parametrization(), points))
     (plot,) = plots(view, curvature.CURVATURE)
     finite = plot.lines[0].values[np.isfinite(plot.lines[0].values)]
     assert np.abs(finite).max() > 2 * max(-plot.extent[0], plot.extent[1])
@@ -156,16 +156,16 @@ def test_values_at_the_scrub_line_are_exact():
 
 
 def test_without_a_curve_there_is_nothing_to_plot():
-    view = view_of(Curve("One", LAGRANGE, Parametrization(), (Node(0.0, 0.0),)))
+    view = view_of(Curve("One", LAGRANGE, Parametrization(), (Point(0.0, 0.0),)))
     assert plots_of(view, frozenset(PLOTS), (0.0, 1.0), 100) == []
     assert values_at(view, frozenset(PLOTS), 0.5) == {}
 
 
 def test_huge_numbers_stay_quiet():
-    nodes = tuple(Node(x * 1e12, y * 1e12, t=t * 1e-9) for x, y, t in ((0, 0, 0), (1, 1, 1), (2, -1, 2)))
+    points = tuple(Point(x * 1e12, y * 1e12, t=t * 1e-9) for x, y, t in ((0, 0, 0), (1, 1, 1), (2, -1, 2)))
     rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=2e-9)
     for family in FAMILIES:
-        view = view_of(Curve("Huge", family, rule, nodes))
+        view = view_of(Curve("Huge", family, rule, points))
         for plot in plots(view, *PLOTS):
             assert np.isfinite(plot.extent).all()
         assert np.isfinite(hodograph_of(view, 2).reach)

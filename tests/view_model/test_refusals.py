@@ -5,7 +5,7 @@ import re
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from app.view_model.refusals import in_words
@@ -15,8 +15,8 @@ MANUAL = Parametrization(ParametrizationKind.MANUAL, start=-50.0, end=0.25)
 
 
 def manual(*times, closed=False, corner=None, family=HERMITE):
-    nodes = tuple(Node(float(i), float(i * i), t, corner=i == corner) for i, t in enumerate(times))
-    return Curve("", family, MANUAL, nodes, closed=closed)
+    points = tuple(Point(float(i), float(i * i), t, corner=i == corner) for i, t in enumerate(times))
+    return Curve("", family, MANUAL, points, closed=closed)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.edits import EditError
-from app.document.model import Document, Node, ParametrizationKind, VelocityRule, make_curve
+from app.document.model import Document, ParametrizationKind, Point, VelocityRule, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from app.view_model.measure import dense
@@ -26,9 +26,9 @@ def view(family=HERMITE, points=POINTS, *, manual=True, closed=False, corner=Non
     """The view of a curve through `points`."""
     curve = replace(make_curve(points, family=family), closed=closed, **changes)
     if corner is not None:
-        nodes = list(curve.nodes)
-        nodes[corner] = replace(nodes[corner], corner=True)
-        curve = replace(curve, nodes=tuple(nodes))
+        points = list(curve.points)
+        points[corner] = replace(points[corner], corner=True)
+        curve = replace(curve, points=tuple(points))
     made = view_of(curve)
     if not manual:
         return made
@@ -51,7 +51,7 @@ def test_a_point_inserted_under_manual_parameters_keeps_the_shape(family, rule, 
     for t in np.linspace(*before.curve.domain, 23)[1:-1]:
         made = with_point_inserted(before, float(t))
         after = view_of(made.curve)
-        assert len(made.curve.nodes) == len(POINTS) + 1
+        assert len(made.curve.points) == len(POINTS) + 1
         assert made.residual < ROUNDING
         assert distance(before, after) < ROUNDING
         assert not made.parameters_moved
@@ -62,7 +62,7 @@ def test_a_point_inserted_beside_a_corner_keeps_it(family):
     before = view(family, corner=2)
     t = float(before.parameters[1:3].mean())
     made = with_point_inserted(before, t)
-    assert made.curve.nodes[3].corner
+    assert made.curve.points[3].corner
     assert made.residual < ROUNDING
     assert distance(before, view_of(made.curve)) < ROUNDING
 
@@ -70,14 +70,14 @@ def test_a_point_inserted_beside_a_corner_keeps_it(family):
 def test_estimates_that_the_new_point_does_not_change_stay_estimates():
     before = view(points=[(float(x), float(x % 3)) for x in range(12)], velocity_rule=VelocityRule.BESSEL)
     made = with_point_inserted(before, float(before.parameters[5:7].mean()))
-    explicit = [index for index, node in enumerate(made.curve.nodes) if node.velocity is not None]
+    explicit = [index for index, point in enumerate(made.curve.points) if point.velocity is not None]
     # The Bessel rule looks at the neighbours, so only those of the new point are written down.
     assert explicit == [5, 6, 7]
 
 
 def test_a_natural_spline_through_one_more_of_its_points_stays_itself():
     made = with_point_inserted(view(), 0.37)
-    assert [node.velocity is not None for node in made.curve.nodes].count(True) == 1
+    assert [point.velocity is not None for point in made.curve.points].count(True) == 1
 
 
 def test_a_new_point_on_a_polynomial_changes_nothing_under_manual_parameters():
@@ -97,8 +97,8 @@ def test_under_a_rule_the_parameters_move_and_the_change_is_measured(family, kin
     made = with_point_inserted(before, t)
     after = view_of(made.curve)
     assert made.parameters_moved
-    assert made.curve.nodes[3].position == tuple(before.curve.evaluate(t))
-    assert made.curve.nodes[3].t is None
+    assert made.curve.points[3].position == tuple(before.curve.evaluate(t))
+    assert made.curve.points[3].t is None
     old, new = (
         each.curve.evaluate(np.linspace(0, 1, count)) for each, count in ((before, 300), (after, 9000))
     )
@@ -141,8 +141,8 @@ def test_a_baked_curve_is_the_same_with_nothing_left_to_rules(family, closed):
     before = view(family, manual=False, closed=closed, corner=2)
     curve = baked(before)
     assert curve.is_manual
-    assert all(node.velocity is not None for node in curve.nodes)
-    assert curve.nodes[2].velocity_after is not None
+    assert all(point.velocity is not None for point in curve.points)
+    assert curve.points[2].velocity_after is not None
     assert distance(before, view_of(curve)) == 0
 
 
@@ -165,10 +165,10 @@ def test_the_halves_of_a_hermite_curve_are_the_curve(family, manual):
 def test_a_corner_goes_into_both_halves_each_with_its_side():
     before = view(corner=2)
     first, second = split(before, float(before.parameters[2])).curves
-    assert first.nodes[-1].velocity == before.velocity_of(2, ahead=False)
-    assert second.nodes[0].velocity == before.velocity_of(2, ahead=True)
-    assert not (first.nodes[-1].corner)
-    assert not (second.nodes[0].corner)
+    assert first.points[-1].velocity == before.velocity_of(2, ahead=False)
+    assert second.points[0].velocity == before.velocity_of(2, ahead=True)
+    assert not (first.points[-1].corner)
+    assert not (second.points[0].corner)
 
 
 @pytest.mark.parametrize("family", WITH_VELOCITIES)
@@ -178,7 +178,7 @@ def test_a_closed_curve_cut_once_is_one_open_curve(family):
         done = split(before, float(t))
         (curve,) = done.curves
         assert not curve.closed
-        assert curve.nodes[0].position == curve.nodes[-1].position
+        assert curve.points[0].position == curve.points[-1].position
         assert done.residual < ROUNDING
         start, end = view_of(curve).curve.domain
         assert end - start == pytest.approx(1.0)
@@ -187,7 +187,7 @@ def test_a_closed_curve_cut_once_is_one_open_curve(family):
 def test_the_halves_of_a_polynomial_are_the_polynomial():
     before = view(LAGRANGE)
     done = split(before, 0.4)
-    assert [len(curve.nodes) for curve in done.curves] == [6, 6]
+    assert [len(curve.points) for curve in done.curves] == [6, 6]
     assert done.residual < ROUNDING
     for curve in done.curves:
         assert distance(view_of(curve), before) < ROUNDING
@@ -216,7 +216,7 @@ def test_what_was_split_can_be_joined_again(family):
         first, second = map(view_of, split(before, t).curves)
         made = joined(first, second)
         assert made.residual < ROUNDING
-        assert not any(node.corner for node in made.curve.nodes)
+        assert not any(point.corner for point in made.curve.points)
         assert distance(before, view_of(made.curve)) < ROUNDING
 
 
@@ -225,8 +225,8 @@ def test_curves_that_meet_at_an_angle_make_a_corner(family):
     first = view(family)
     second = view(family, [(7.0, 1.0), (7.0, 4.0), (5.0, 5.0)], manual=False)
     made = joined(first, second)
-    assert [index for index, node in enumerate(made.curve.nodes) if node.corner] == [5]
-    assert len(made.curve.nodes) == 8
+    assert [index for index, point in enumerate(made.curve.points) if point.corner] == [5]
+    assert len(made.curve.points) == 8
     after = view_of(made.curve)
     assert made.residual < ROUNDING
     assert distance(second, after, shift=1.0) < ROUNDING
@@ -245,20 +245,20 @@ def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, c
         "acceleration_after": (-30.0, 4.0),
     }
     first, second = view(family).source, view(family, [(7.0, 1.0), (9.0, 4.0), (8.0, 5.0)]).source
-    x, y = first.nodes[-1].position
-    start = replace(second.nodes[0], x=x + apart, y=y)
-    end = first.nodes[-1]
+    x, y = first.points[-1].position
+    start = replace(second.points[0], x=x + apart, y=y)
+    end = first.points[-1]
     if cornered != "second":
         end = replace(end, **corner)
     if cornered != "first":
         start = replace(start, **corner)
-    a = view_of(replace(first, nodes=(*first.nodes[:-1], end)))
-    b = view_of(replace(second, nodes=(start, *second.nodes[1:])))
+    a = view_of(replace(first, points=(*first.points[:-1], end)))
+    b = view_of(replace(second, points=(start, *second.points[1:])))
     made = joined(a, b)
     assert made.residual < ROUNDING
     assert made.sentence.startswith("Shape kept")
-    corners = [index for index, node in enumerate(made.curve.nodes) if node.corner]
-    assert corners == ([] if apart else [len(first.nodes) - 1])
+    corners = [index for index, point in enumerate(made.curve.points) if point.corner]
+    assert corners == ([] if apart else [len(first.points) - 1])
 
 
 def test_a_change_that_is_no_rounding_is_not_called_kept():
@@ -273,7 +273,7 @@ def test_between_curves_that_do_not_meet_a_smooth_segment_leads_from_one_to_the_
     second = view(HERMITE, [(9.0, 1.0), (10.0, 4.0), (12.0, 5.0)])
     made = joined(first, second)
     after = view_of(made.curve)
-    assert len(made.curve.nodes) == 9
+    assert len(made.curve.points) == 9
     assert made.residual < ROUNDING
     assert after.velocity_of(5) == first.velocity_of(5)
     assert after.velocity_of(6) == second.velocity_of(0)
@@ -309,12 +309,12 @@ def test_reversing_keeps_the_shape_and_twice_is_the_curve(family, manual, closed
     old, new = view_of(before.source), view_of(again)
     t = dense(old.parameters)
     assert new.curve.evaluate(t) == pytest.approx(old.curve.evaluate(t), abs=1e-12)
-    assert [node.position for node in again.nodes] == [node.position for node in before.source.nodes]
+    assert [point.position for point in again.points] == [point.position for point in before.source.points]
 
 
 def test_parameters_that_would_coincide_are_not_reversed():
-    nodes = (Node(0, 0, t=0.0), Node(1, 1, t=1e-20), Node(2, 0, t=1.0))
-    curve = replace(view(LAGRANGE).source, nodes=nodes)
+    points = (Point(0, 0, t=0.0), Point(1, 1, t=1e-20), Point(2, 0, t=1.0))
+    curve = replace(view(LAGRANGE).source, points=points)
     with pytest.raises(EditError, match="too close together"):
         reversed_curve(view_of(curve))
 
@@ -375,17 +375,17 @@ def test_a_corner_at_the_seam_has_two_sides():
 def test_corners_and_smooth_points_keep_the_shape(family, rule, closed, chosen):
     before = view(family, closed=closed, velocity_rule=rule, manual=False)
     cornered = view_of(with_corners(before, chosen))
-    assert [index for index, node in enumerate(cornered.source.nodes) if node.corner] == chosen
+    assert [index for index, point in enumerate(cornered.source.points) if point.corner] == chosen
     assert distance(before, cornered) < ROUNDING
     smooth = view_of(made_smooth(cornered, chosen))
-    assert not any(node.corner for node in smooth.source.nodes)
+    assert not any(point.corner for point in smooth.source.points)
     assert distance(before, smooth) < ROUNDING
 
 
 def test_the_start_of_a_closed_curve_may_be_a_corner():
     before = view(QUINTIC_HERMITE, closed=True, manual=False)
     cornered = view_of(with_corners(before, [0]))
-    assert cornered.source.nodes[0].velocity_after == before.velocity_of(0)
+    assert cornered.source.points[0].velocity_after == before.velocity_of(0)
     assert distance(before, cornered) < ROUNDING
     assert distance(before, view_of(made_smooth(cornered, [0]))) < ROUNDING
 

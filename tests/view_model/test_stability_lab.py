@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import FAMILIES
-from app.lessons import load_lesson
+from app.features.lessons.lesson import load_lesson
 from app.storage.files import load
 from app.tasks.progress import Cancelled
 from app.view_model.analysis.cost import cost_chart, cost_of
@@ -28,8 +28,8 @@ POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0)
 def ring(family):
     """A closed curve with a corner."""
     closed = replace(make_curve(POINTS, family=family), closed=True)
-    nodes = [replace(node, corner=index == 2) for index, node in enumerate(closed.nodes)]
-    return view_of(replace(closed, nodes=tuple(nodes)))
+    points = [replace(point, corner=index == 2) for index, point in enumerate(closed.points)]
+    return view_of(replace(closed, points=tuple(points)))
 
 
 @pytest.mark.parametrize("family", FAMILIES)
@@ -121,7 +121,7 @@ def test_the_pulls_make_the_point(family):
     weights = np.zeros(len(POINTS))
     for pull in found.pulls:
         if pull.order == 0:
-            weights[pull.node] = pull.weight
+            weights[pull.point] = pull.weight
     assert weights.sum() == pytest.approx(1)
     assert np.abs(weights).sum() == pytest.approx(found.lebesgue)
     sizes = [abs(pull.weight) for pull in found.pulls]

@@ -97,12 +97,12 @@ def _handles(document: Document) -> dict[int, list[Handle]]:
     """Return the handles of the curves that show any, by the curves' places in the document."""
     found: dict[int, list[Handle]] = {}
     for place, curve in enumerate(document.curves):
-        if not curve.visible or len(curve.nodes) > MOST_HANDLES:
+        if not curve.visible or len(curve.points) > MOST_HANDLES:
             continue
         view = view_of(curve)
         if not view.is_current:
             continue
-        handles = [handle for index in range(len(curve.nodes)) for handle in handles_of(view, index)]
+        handles = [handle for index in range(len(curve.points)) for handle in handles_of(view, index)]
         if handles:
             found[place] = handles
     return found
@@ -140,7 +140,7 @@ def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Annot
         Annotation("basis", (levels[0],), thin, _AXIS),
         Annotation("basis", ticks, thin, _COARSE),
     ]
-    colours = point_palette(view.node_count, theme, "")
+    colours = point_palette(view.point_count, theme, "")
     for kind in range(view.kinds):
         dash = tuple(length * side for length in _DASHES[kind])
         if view.is_coarse:

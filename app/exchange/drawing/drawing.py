@@ -66,7 +66,7 @@ class Outline(msgspec.Struct, frozen=True):
         The curve's name.
     control_points
         (k, 4, 2); a piece begins where the one before it ends.
-    nodes
+    points
         The points that the curve goes through, (n, 2).
     deviation
         Largest distance from the true curve; zero where the curve is a chain of cubics itself.
@@ -78,7 +78,7 @@ class Outline(msgspec.Struct, frozen=True):
 
     name: str
     control_points: FloatArray
-    nodes: FloatArray
+    points: FloatArray
     deviation: float
     colour: str = ""
     closed: bool = False
@@ -155,7 +155,7 @@ class Drawing(msgspec.Struct, frozen=True):
             return np.asarray((points - corner) * scale + room / 2)
 
         outlines = tuple(
-            replace(outline, control_points=moved(outline.control_points), nodes=moved(outline.nodes))
+            replace(outline, control_points=moved(outline.control_points), points=moved(outline.points))
             for outline in self.outlines
         )
         annotations = tuple(
@@ -213,14 +213,14 @@ def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) ->
     ExchangeError
         If no picture can hold the coordinates.
     """
-    parts = [np.vstack([extent_of(each.control_points), each.nodes]) for each in outlines]
+    parts = [np.vstack([extent_of(each.control_points), each.points]) for each in outlines]
     return frame_around(parts if points is None else [*parts, points])
 
 
 def too_much(curve: Curve) -> str:
     """Return why a curve cannot be computed in any sensible time, as a sentence; empty if it can."""
-    if curve.family.is_one_polynomial and len(curve.nodes) > MOST_POINTS:
-        return f"{curve.family.subject} can have {MOST_POINTS} points, not {len(curve.nodes)}."
+    if curve.family.is_one_polynomial and len(curve.points) > MOST_POINTS:
+        return f"{curve.family.subject} can have {MOST_POINTS} points, not {len(curve.points)}."
     return ""
 
 
@@ -261,9 +261,9 @@ def _outline(curve: Curve, core: CoreCurve, tolerance: float) -> Outline:
         path = cubic_path(core, tolerance)
     except CurveError as problem:
         raise ExchangeError(f"“{curve.name}” cannot be drawn: {in_words(str(problem))}.") from problem
-    nodes = core.points[: len(curve.nodes)]
+    points = core.points[: len(curve.points)]
     return Outline(
-        curve.name, path.control_points, nodes, float(path.deviation), curve.colour, curve.is_closed
+        curve.name, path.control_points, points, float(path.deviation), curve.colour, curve.is_closed
     )
 
 

@@ -60,7 +60,7 @@ class Written:
         return self.content.encode() if isinstance(self.content, str) else self.content
 
 
-class Kind(Enum):
+class ContentKind(Enum):
     """Way in which a file that is read becomes curves."""
 
     DOCUMENT = auto()
@@ -108,7 +108,7 @@ class Format:
     hidden: Callable[[Mapping[str, Any]], Sequence[Option[Any]]] = lambda _values: ()
     write: Callable[[Document, Options], Written] | None = None
     preview: Callable[[Document, Options, tuple[int, int]], PicturePreview] | None = None
-    kind: Kind | None = None
+    kind: ContentKind | None = None
     plural: str = ""
     read: Callable[..., Any] | None = None
 

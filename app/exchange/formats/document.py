@@ -6,7 +6,7 @@ import os
 
 from app.document.model import Document
 from app.exchange.errors import ExchangeError
-from app.exchange.formats import DOCUMENT_ENDING, Format, Kind, Written
+from app.exchange.formats import DOCUMENT_ENDING, ContentKind, Format, Written
 from app.exchange.options import Options
 from app.storage.format import FormatError, encode
 from app.storage.image_path import relative_to
@@ -27,7 +27,7 @@ FORMATS = (
         title="Curvebench document",
         place=0,
         write=_write,
-        kind=Kind.DOCUMENT,
+        kind=ContentKind.DOCUMENT,
         plural="Curvebench documents",
     ),
 )

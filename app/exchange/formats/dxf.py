@@ -14,7 +14,7 @@ import numpy as np
 
 from app.document.model import Document
 from app.exchange.dxf_reader import CLOSED, PLANAR, WHITE, ezdxf_module, read_dxf
-from app.exchange.formats import Format, Kind, Written
+from app.exchange.formats import ContentKind, Format, Written
 from app.exchange.naming import Names
 from app.exchange.options import DEFAULT, POINTS, TOLERANCE, Check, Options
 from app.exchange.parts import (
@@ -71,7 +71,7 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
         deviation = max(
             deviation, _add_spline(drawing, source, _pieces(source, allowed, options[CUBIC]), layer)
         )
-        for x, y in source.core.points[: len(source.curve.nodes)].tolist() if options.points else ():
+        for x, y in source.core.points[: len(source.curve.points)].tolist() if options.points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
     comments = [accuracy(deviation), *map(one_line, remarks)]
     drawing.header.custom_vars.append("Accuracy", comments[0])
@@ -140,7 +140,7 @@ FORMATS = (
         place=40,
         options=(POINTS, TOLERANCE, CUBIC),
         write=dxf_text,
-        kind=Kind.DRAWING,
+        kind=ContentKind.DRAWING,
         plural="DXF drawings",
         read=read_dxf,
     ),

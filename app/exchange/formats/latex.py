@@ -113,7 +113,7 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
     for outline in told(drawing.outlines, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"    % {one_line(outline.name)}")
         lines.append(_path(outline, _plain, "axis cs:", margin="    "))
-        marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.nodes.tolist())
+        marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.points.tolist())
         lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
     lines.append("  \\end{axis}")
     return _picture(lines, drawing.deviation, drawing.remarks, "pgfplots")

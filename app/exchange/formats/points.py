@@ -49,15 +49,15 @@ def points_table(document: Document, options: Options = DEFAULT) -> Written:
 def _rows(view: CurveView) -> list[tuple[float, ...]]:
     curve = view.source
     rows = []
-    for index, node in enumerate(curve.nodes):
+    for index, point in enumerate(curve.points):
         t = float(view.parameters[index])
         before = [_or_nothing(view.velocity_of(index, ahead=False)), _or_nothing(_bend(view, index, False))]
         after = [_NOTHING, _NOTHING]
-        if node.corner and curve.family.derivatives:
+        if point.corner and curve.family.derivatives:
             after = [_or_nothing(view.velocity_of(index)), _or_nothing(_bend(view, index, True))]
-        rows.append((t, node.x, node.y, *(number for pair in (*before, *after) for number in pair)))
+        rows.append((t, point.x, point.y, *(number for pair in (*before, *after) for number in pair)))
     if curve.is_closed:
-        first = curve.nodes[0]
+        first = curve.points[0]
         empty = (nan,) * (len(ROLES) + len(AFTER) - 3)
         rows.append((interval(curve)[1], first.x, first.y, *empty))
     return rows

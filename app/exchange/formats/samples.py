@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from app.document.model import Document
-from app.document.words import Named
+from app.document.words import NamedEnum
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
@@ -26,7 +26,7 @@ MOST_SAMPLES = 1_000_000
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
 
-class Spacing(Named):
+class Spacing(NamedEnum):
     """Spacing of samples along a curve."""
 
     T = "t", "equal steps of t"

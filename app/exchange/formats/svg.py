@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from app.document.model import Document
 from app.exchange import drawing, svg
 from app.exchange.cubics_in import Imported
-from app.exchange.formats import Format, Kind
+from app.exchange.formats import ContentKind, Format
 from app.exchange.options import PICTURE, TOLERANCE, Options
 from app.exchange.svg.writer import svg_of
 
@@ -34,7 +34,7 @@ FORMATS = (
         options=(*PICTURE, TOLERANCE),
         write=svg_of,
         preview=_preview,
-        kind=Kind.DRAWING,
+        kind=ContentKind.DRAWING,
         plural="SVG drawings",
         read=read,
     ),

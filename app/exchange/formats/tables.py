@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from app.exchange.formats import Format, Kind
+from app.exchange.formats import ContentKind, Format
 from app.exchange.table.json_table import read_json
 from app.exchange.table.numpy_array import read_array
 
 FORMATS = (
     Format(
-        endings=(".csv", ".tsv", ".txt", ".dat"), title="Table", place=60, kind=Kind.TABLE, plural="Tables"
+        endings=(".csv", ".tsv", ".txt", ".dat"),
+        title="Table",
+        place=60,
+        kind=ContentKind.TABLE,
+        plural="Tables",
     ),
     Format(
         endings=(".npy",),
         title="NumPy array",
         place=60,
-        kind=Kind.TABLE,
+        kind=ContentKind.TABLE,
         plural="NumPy arrays",
         read=read_array,
     ),
@@ -22,7 +26,7 @@ FORMATS = (
         endings=(".json", ".geojson"),
         title="JSON or GeoJSON",
         place=60,
-        kind=Kind.TABLE,
+        kind=ContentKind.TABLE,
         plural="JSON and GeoJSON",
         read=read_json,
     ),

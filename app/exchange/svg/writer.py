@@ -183,7 +183,7 @@ def _points(drawing: Drawing, style: Style) -> list[str]:
     discs = [
         f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline, style)}/>'
         for outline in drawing.outlines
-        for x, y in outline.nodes.tolist()
+        for x, y in outline.points.tolist()
     ]
     return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
 

@@ -11,12 +11,12 @@ import numpy as np
 from app.document.model import (
     Curve,
     Document,
-    Node,
     Parametrization,
     ParametrizationKind,
+    Point,
     Vector,
 )
-from app.document.words import Named
+from app.document.words import NamedEnum
 from app.exchange.cubics_in import Imported
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
@@ -38,7 +38,7 @@ CLOSED = "closed "
 """Before the family of a curve whose last row is its first point again."""
 
 
-class Missing(Named):
+class Missing(NamedEnum):
     """Treatment of rows without a number for t, x or y."""
 
     REFUSE = "refuse", "Refuse them"
@@ -317,11 +317,11 @@ class _Rows:
 
 def _full_curve(name: str, own: _Rows, family: Family, closed: bool, report: Report) -> Curve:
     times = own.t
-    nodes = tuple(_nodes(own, family, report))
-    return Curve(name, family, _rule(times), nodes[:-1] if closed else nodes, closed=closed)
+    points = tuple(_points(own, family, report))
+    return Curve(name, family, _rule(times), points[:-1] if closed else points, closed=closed)
 
 
-def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
+def _points(own: _Rows, family: Family, report: Report) -> Iterator[Point]:
     """Yield the points of all rows, made of some rows at a time: lists of all would double the memory."""
     x, y, times = own.column("x"), own.column("y"), own.t
     orders = ((1, "velocity"), (2, "acceleration"), (1, "velocity_after"), (2, "acceleration_after"))
@@ -336,13 +336,13 @@ def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
         for at_x, at_y, at, velocity, acceleration, after, bend in zip(
             x[some].tolist(), y[some].tolist(), t, *fields, strict=True
         ):
-            yield Node(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
+            yield Point(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
 
 
 def _thinned_curve(name: str, own: _Rows, kept: IntArray, parameters: FloatArray) -> Curve:
-    points = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
-    nodes = tuple(Node(x, y, t) for (x, y), t in points)
-    return Curve(name, HERMITE, _rule(parameters), nodes)
+    positions = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
+    points = tuple(Point(x, y, t) for (x, y), t in positions)
+    return Curve(name, HERMITE, _rule(parameters), points)
 
 
 def _rule(t: FloatArray | None) -> Parametrization:

@@ -41,7 +41,7 @@ _MISSING = frozenset(("nan", "na", "n/a", "null", "none", "-", "--"))
 
 
 @dataclass(frozen=True)
-class Layout:
+class TextLayout:
     """Division of a text into cells.
 
     Attributes
@@ -70,7 +70,7 @@ class Layout:
         return self.skipped + self.header + self.units
 
 
-def sniffed(lines: list[str]) -> Layout:
+def sniffed(lines: list[str]) -> TextLayout:
     """Return the layout of which the first rows make the most sense."""
     candidates = [
         arranged(lines, separator, comma)
@@ -81,9 +81,9 @@ def sniffed(lines: list[str]) -> Layout:
     return max(candidates, key=lambda layout: _sense(lines, layout))
 
 
-def arranged(lines: list[str], separator: str, decimal_comma: bool) -> Layout:
+def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayout:
     """Return the layout with these marks: what the rows above the numbers are."""
-    plain = Layout(separator, decimal_comma, header=False)
+    plain = TextLayout(separator, decimal_comma, header=False)
     rows = [cells_of(line, plain) for line in lines]
     # Of rows that end with a separator nobody knows yet whether an empty cell follows it.
     widths = {mode(map(len, rows)), mode(len(cells_of(line, plain, _ANY_WIDTH)) for line in lines)}
@@ -99,7 +99,7 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> Layout:
     return replace(plain, header=True, skipped=titles, units=units)
 
 
-def _is_above(row: list[str], widths: set[int], layout: Layout) -> bool:
+def _is_above(row: list[str], widths: set[int], layout: TextLayout) -> bool:
     """Whether a row is no row of numbers, nor a broken one."""
     numbers = sum(is_number(cell, layout) or is_missing(cell) for cell in row)
     if numbers == len(row):
@@ -108,7 +108,7 @@ def _is_above(row: list[str], widths: set[int], layout: Layout) -> bool:
     return numbers == 0 or len(row) not in widths or layout.separator == " "
 
 
-def _is_titles(row: list[str], widths: set[int], layout: Layout) -> bool:
+def _is_titles(row: list[str], widths: set[int], layout: TextLayout) -> bool:
     """Whether a row above the numbers holds titles; between blanks, words that are known."""
     if len(row) not in widths or any(is_number(cell, layout) for cell in row):
         return False
@@ -122,7 +122,7 @@ def _is_units(row: list[str]) -> bool:
     )
 
 
-def _sense(lines: list[str], layout: Layout) -> tuple[bool, bool, float, bool, bool]:
+def _sense(lines: list[str], layout: TextLayout) -> tuple[bool, bool, float, bool, bool]:
     """Return what speaks for a layout, the weightiest first."""
     first = cells_of(lines[layout.skipped], layout)
     body = [cells_of(line, layout, len(first)) for line in lines[layout.above :]]
@@ -138,12 +138,12 @@ def is_missing(cell: str) -> bool:
     return cell.lower() in _MISSING
 
 
-def is_number(cell: str, layout: Layout) -> bool:
+def is_number(cell: str, layout: TextLayout) -> bool:
     """Whether a cell is one number, written as the layout has it."""
     return bool(_NUMBER.fullmatch(cell) or (layout.decimal_comma and _DECIMAL_COMMA.fullmatch(cell)))
 
 
-def cells_of(line: str, layout: Layout, width: int = 0) -> list[str]:
+def cells_of(line: str, layout: TextLayout, width: int = 0) -> list[str]:
     """Return the cells of a line; an empty one at the end, beyond `width`, counts as none."""
     if layout.separator == " ":
         return line.split()
@@ -158,14 +158,14 @@ def cells_of(line: str, layout: Layout, width: int = 0) -> list[str]:
     return cells[:-1] if ends_so else cells
 
 
-def titles_of(rows: list[list[str]], layout: Layout) -> tuple[str, ...]:
+def titles_of(rows: list[list[str]], layout: TextLayout) -> tuple[str, ...]:
     """Return the titles of the columns: the cells of the first of `rows`, or "Column 1" and so on."""
     if layout.header:
         return tuple(cell or f"Column {index + 1}" for index, cell in enumerate(rows[0]))
     return tuple(f"Column {index + 1}" for index in range(len(rows[0])))
 
 
-def cells_of_row(data: bytes, layout: Layout, row: int) -> tuple[str, ...]:
+def cells_of_row(data: bytes, layout: TextLayout, row: int) -> tuple[str, ...]:
     """Return the cells of a line of plain UTF-8, counted from 1, none beyond its end."""
     lines = (data if b"\n" in data else data.replace(b"\r", b"\n")).split(b"\n", row)
     if not 1 <= row <= len(lines):

@@ -10,7 +10,7 @@ from app.document.model import Document
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.curves import Missing, TableOptions, document_of_table
-from app.exchange.table.layout import Layout, MissingNumber, RowProblem
+from app.exchange.table.layout import MissingNumber, RowProblem, TextLayout
 from app.exchange.table.source import TableSource
 from app.exchange.table.table import Table
 from app.exchange.table.thinning import MOST_KEPT, Thinning, TooManyLeftError
@@ -51,7 +51,7 @@ class TableChoice:
         What becomes of rows without numbers.
     """
 
-    layout: Layout
+    layout: TextLayout
     mapping: ColumnMapping
     family: Family = HERMITE
     thinning: Thinning | None = None
@@ -61,7 +61,7 @@ class TableChoice:
 
 
 @dataclass(frozen=True)
-class Prepared:
+class PreparedTable:
     """Result of the choices for a table.
 
     Attributes
@@ -99,10 +99,10 @@ class Prepared:
     @property
     def points(self) -> int:
         """Number of points of the curves."""
-        return sum(len(curve.nodes) for curve in self.document.curves) if self.document else 0
+        return sum(len(curve.points) for curve in self.document.curves) if self.document else 0
 
 
-def prepare_table(source: TableSource, choice: TableChoice, report: Report = silent) -> Prepared:
+def prepare_table(source: TableSource, choice: TableChoice, report: Report = silent) -> PreparedTable:
     """Return what becomes of a table; whatever is wrong with it stands in the result."""
     rows = 0
     try:
@@ -117,7 +117,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
             )
         return _made(table, choice, part(report, 0.6, 1.0))
     except RowProblem as problem:
-        return Prepared(
+        return PreparedTable(
             rows,
             problem=str(problem),
             bad_row=problem.row,
@@ -126,12 +126,12 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
             lacks_numbers=isinstance(problem, MissingNumber),
         )
     except ExchangeError as problem:
-        return Prepared(rows, problem=str(problem))
+        return PreparedTable(rows, problem=str(problem))
     except MemoryError:
-        return Prepared(rows, problem="The table takes more memory than there is.")
+        return PreparedTable(rows, problem="The table takes more memory than there is.")
 
 
-def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
+def _made(table: Table, choice: TableChoice, report: Report) -> PreparedTable:
     """Return the curves; where nobody chose a distance, with one that leaves few enough points."""
     suggested = _suggested(table, choice.mapping) if choice.thinning is not None else 0.0
     tolerance = (choice.tolerance or suggested) if choice.thinning is not None else 0.0
@@ -155,7 +155,7 @@ def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
             tolerance = float(f"{2 * tolerance:.0e}")
         else:
             is_wider = choice.tolerance is None and tolerance > suggested
-            return Prepared(
+            return PreparedTable(
                 len(table.values),
                 tolerance,
                 made.document,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from app.exchange.formats import FORMATS, format_of
 from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.curves import Missing
-from app.exchange.table.layout import Layout, cells_of_row
+from app.exchange.table.layout import TextLayout, cells_of_row
 from app.exchange.table.lines import plain_utf_8
 from app.exchange.table.table import Preview, Table, cells_at, preview_of
 from app.exchange.table.text import preview_table, read_table
@@ -30,10 +30,10 @@ class TableSource:
         self._read_whole = format_of(f"a{ending}", FORMATS.read).read
         self._is_text = self._read_whole is None
         self._whole: Table | None = None
-        self._read: tuple[Layout, ColumnMapping, bool, Table] | None = None
+        self._read: tuple[TextLayout, ColumnMapping, bool, Table] | None = None
         self.lines = data.count(b"\n") if self._is_text else 0
 
-    def preview(self, layout: Layout | None = None) -> Preview:
+    def preview(self, layout: TextLayout | None = None) -> Preview:
         """Return the first rows, and what the columns seem to be.
 
         Raises
@@ -49,7 +49,7 @@ class TableSource:
 
     def table(
         self,
-        layout: Layout,
+        layout: TextLayout,
         mapping: ColumnMapping,
         missing: Missing = Missing.REFUSE,
         report: Report = silent,
@@ -71,7 +71,7 @@ class TableSource:
         self._read = (layout, mapping, allows_missing, table)
         return table
 
-    def cells(self, layout: Layout, number: int) -> tuple[str, ...]:
+    def cells(self, layout: TextLayout, number: int) -> tuple[str, ...]:
         """Return the cells of the row that a problem names by this number; none where there is none."""
         if self._is_text:
             return cells_of_row(plain_utf_8(self.data), layout, number)

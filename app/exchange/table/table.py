@@ -9,7 +9,7 @@ import numpy as np
 from app.document.model import MAX_MAGNITUDE
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import ColumnMapping, Guess, guess
-from app.exchange.table.layout import Layout, RowProblem
+from app.exchange.table.layout import RowProblem, TextLayout
 from curvecore.arrays import FloatArray
 
 MAX_COLUMNS = 64
@@ -17,7 +17,7 @@ MAX_ROWS = 2_000_000
 PREVIEW_ROWS = 50
 
 
-NO_TEXT = Layout(",", decimal_comma=False, header=True)
+NO_TEXT = TextLayout(",", decimal_comma=False, header=True)
 """The layout of a table that is no text."""
 
 
@@ -43,7 +43,7 @@ class Preview:
         Whether the layout can be chosen: the file is text with separators.
     """
 
-    layout: Layout
+    layout: TextLayout
     titles: tuple[str, ...]
     cells: tuple[tuple[str, ...], ...]
     numbers: tuple[int, ...]
@@ -103,7 +103,7 @@ class Table:
         What of the file is in no row, in words; empty for nothing.
     """
 
-    layout: Layout
+    layout: TextLayout
     titles: tuple[str, ...]
     values: FloatArray
     first_row: int

@@ -12,9 +12,9 @@ from app.document.model import MAX_MAGNITUDE
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, guess, role_of
 from app.exchange.table.layout import (
-    Layout,
     MissingNumber,
     RowProblem,
+    TextLayout,
     cells_of,
     is_missing,
     is_number,
@@ -29,7 +29,7 @@ from curvecore.arrays import FloatArray
 _FORMULA = ("=", "@")
 
 
-def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
+def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
     """Return the first rows of a file, how it seems to be laid out, and what its columns seem to be.
 
     Raises
@@ -51,7 +51,7 @@ def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
 
 def read_table(
     data: bytes,
-    layout: Layout | None = None,
+    layout: TextLayout | None = None,
     mapping: ColumnMapping | None = None,
     *,
     allows_missing: bool = False,
@@ -99,7 +99,7 @@ def read_table(
 # The lines above the numbers
 
 
-def _rows(lines: list[str], layout: Layout) -> list[list[str]]:
+def _rows(lines: list[str], layout: TextLayout) -> list[list[str]]:
     """Return the cells of the lines from the titles, or the first row, on."""
     kept = lines[layout.skipped :]
     if not kept:
@@ -110,7 +110,7 @@ def _rows(lines: list[str], layout: Layout) -> list[list[str]]:
     return [first, *(cells_of(line, layout, len(first)) for line in kept[1:])]
 
 
-def _are_numbers(rows: list[list[str]], width: int, layout: Layout) -> list[bool]:
+def _are_numbers(rows: list[list[str]], width: int, layout: TextLayout) -> list[bool]:
     """Return for each column whether it looks like numbers: most of its cells are, or are missing."""
     columns = ([row[place] for row in rows if place < len(row) and row[place]] for place in range(width))
     return [
@@ -119,7 +119,7 @@ def _are_numbers(rows: list[list[str]], width: int, layout: Layout) -> list[bool
     ]
 
 
-def _said(lines: list[str], layout: Layout) -> str:
+def _said(lines: list[str], layout: TextLayout) -> str:
     """Return what stands above the numbers and is none of them."""
     above = [f"“{line.strip()[:40]}”" for line in lines[: layout.skipped][:3]]
     titles = f"Not read as numbers: {', '.join(above)}." if above else ""
@@ -168,7 +168,7 @@ def _wanted(titles: tuple[str, ...], mapping: ColumnMapping | None, are_numbers:
 class _Collector:
     """Gathers the numbers and the words of all rows."""
 
-    def __init__(self, layout: Layout, wanted: _Wanted, rows: int, allows_missing: bool) -> None:
+    def __init__(self, layout: TextLayout, wanted: _Wanted, rows: int, allows_missing: bool) -> None:
         self._layout, self._wanted, self._allows_missing = layout, wanted, allows_missing
         # At once: put together from parts, the numbers would be there twice. What is not used takes nothing.
         self._values = np.empty((rows, wanted.width))
@@ -262,7 +262,7 @@ def _lednicer(values: FloatArray) -> int:
     return int(upper) if min(upper, lower) >= 2 and upper + lower == len(values) - 1 and upper % 1 == 0 else 0
 
 
-def _fast(lines: list[str], layout: Layout, wanted: _Wanted, allows_missing: bool) -> FloatArray | None:
+def _fast(lines: list[str], layout: TextLayout, wanted: _Wanted, allows_missing: bool) -> FloatArray | None:
     """Return the numbers by NumPy's reader in C, or None if anything is unusual."""
     text = "\n".join(lines)
     if '"' in text or (layout.decimal_comma and "." in text):
@@ -287,7 +287,7 @@ def _fast(lines: list[str], layout: Layout, wanted: _Wanted, allows_missing: boo
     return values if values.shape[1] == len(wanted.numbers) and usable.all() else None
 
 
-def _is_even(lines: list[str], text: str, layout: Layout, width: int) -> bool:
+def _is_even(lines: list[str], text: str, layout: TextLayout, width: int) -> bool:
     if "#" in text:
         return False
     if layout.separator == " ":
@@ -296,7 +296,7 @@ def _is_even(lines: list[str], text: str, layout: Layout, width: int) -> bool:
 
 
 def _careful(
-    lines: list[str], first: int, layout: Layout, wanted: _Wanted, allows_missing: bool
+    lines: list[str], first: int, layout: TextLayout, wanted: _Wanted, allows_missing: bool
 ) -> FloatArray:
     """Return the numbers row by row, or say where the first cell is that is none."""
     rows = []
@@ -317,7 +317,7 @@ def _careful(
     return np.array(rows, dtype=float).reshape(-1, len(wanted.numbers))
 
 
-def _number(cell: str, row: int, column: int, layout: Layout) -> float:
+def _number(cell: str, row: int, column: int, layout: TextLayout) -> float:
     if not cell:
         return math.nan
     if not is_number(cell, layout):

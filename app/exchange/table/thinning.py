@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.document.words import Named
+from app.document.words import NamedEnum
 from app.exchange.errors import ExchangeError
 from app.tasks.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities
@@ -25,7 +25,7 @@ class TooManyLeftError(ExchangeError):
     """The tolerance is so small that hardly anything is thinned out."""
 
 
-class Thinning(Named):
+class Thinning(NamedEnum):
     """Line that stays within the tolerance of every point."""
 
     CURVE = "curve", "Fit a curve within"

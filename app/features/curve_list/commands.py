@@ -1,4 +1,4 @@
-"""The list of curves, and what is done to all that are chosen: duplicate, delete, show, lock, colour."""
+"""The list of curves, and what is done to all that are selected: duplicate, delete, show, lock, colour."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
 from app.actions.situation import Situation
-from app.colours import CURVE_COLOURS
-from app.commands.context import WindowContext
-from app.docks import UPPER, Panel
+from app.appearance.colours import CURVE_COLOURS
 from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
 from app.features.curve_list.controller import CurveListController
 from app.features.curve_list.panel import CurveList
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import UPPER, Panel
 
 _BUTTONS = (
     "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",
@@ -23,7 +23,7 @@ _BUTTONS = (
 
 
 class CurveListCommands:
-    """What works on several curves as on one, and the list where they are chosen.
+    """What works on several curves as on one, and the list where they are selected.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class CurveListCommands:
         self.panel.add_buttons([self._actions[name] for name in _BUTTONS])
         self.panel.view.deletion_wanted.connect(self._actions["deleteCurve"].trigger)
         self._list = CurveListController(self._session, self.panel)
-        self._session.chosen_changed.connect(self._render)
+        self._session.selected_curves_changed.connect(self._render)
         return self.panel
 
     def render(self, view: CurveView) -> None:
@@ -53,7 +53,7 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session = self._session
-        self.panel.render_document(session.document, session.active_index, session.chosen_curves)
+        self.panel.render_document(session.document, session.active_index, session.selected_curves)
 
     # Number
 
@@ -66,25 +66,25 @@ class CurveListCommands:
         title=lambda now: f"Duplicate {_curves(now)}",
     )
     def _duplicate(self) -> None:
-        """Add a copy of the curve, or of all that are chosen, in the same place."""
-        session, chosen = self._session, self._session.chosen_curves
-        document, order = session.document, sorted(chosen)
+        """Add a copy of the curve, or of all that are selected, in the same place."""
+        session, selected = self._session, self._session.selected_curves
+        document, order = session.document, sorted(selected)
         colours = self._next_colours([document.curves[place].colour for place in order])
         first, active = order[-1] + 1, order.index(session.active_index)
         if not session.change(
-            f"Duplicate {named(document, chosen)}",
+            f"Duplicate {named(document, selected)}",
             lambda document: add_copies(document, order, colours),
             active=first + active,
         ):
             return
         if len(order) == 1:
             copy = session.active_curve
-            session.select(range(len(copy.nodes)))
+            session.select(range(len(copy.points)))
             session.say(
                 f"“{copy.name}” lies on the original; all its points are selected, drag one to move it."
             )
             return
-        session.choose_curves(range(first, first + len(order)))
+        session.select_curves(range(first, first + len(order)))
         session.say(f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them.")
 
     @action(
@@ -96,13 +96,13 @@ class CurveListCommands:
         title=lambda now: f"Delete {_curves(now)}",
     )
     def _delete(self) -> None:
-        """Delete the curve, or all that are chosen."""
-        session, chosen = self._session, self._session.chosen_curves
+        """Delete the curve, or all that are selected."""
+        session, selected = self._session, self._session.selected_curves
         document = session.document
         session.change(
-            f"Delete {named(document, chosen)}",
-            lambda document: remove_curves(document, chosen),
-            active=active_after_removal(document, chosen, session.active_index),
+            f"Delete {named(document, selected)}",
+            lambda document: remove_curves(document, selected),
+            active=active_after_removal(document, selected, session.active_index),
         )
 
     def _next_colours(self, colours: list[str]) -> list[str]:
@@ -137,7 +137,7 @@ class CurveListCommands:
         checked=lambda now: now.view.source.visible,
     )
     def _switch_visible(self) -> None:
-        """Show or hide the curve, or all that are chosen."""
+        """Show or hide the curve, or all that are selected."""
         self._list.switch_visible(self._session.active_index)
 
     @action(
@@ -150,12 +150,12 @@ class CurveListCommands:
         checked=lambda now: now.view.source.locked,
     )
     def _switch_locked(self) -> None:
-        """Keep the curve, or all that are chosen, safe from changes."""
+        """Keep the curve, or all that are selected, safe from changes."""
         self._list.switch_locked(self._session.active_index)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     def _choose_colour(self) -> None:
-        """Choose the colour of the curve, or of all that are chosen."""
+        """Choose the colour of the curve, or of all that are selected."""
         self.panel.choose_colour(self._session.active_index)
 
     # Choosing
@@ -166,28 +166,28 @@ class CurveListCommands:
         EDIT_SELECT,
         "Ctrl+Shift+A",
         needs=Need(
-            "a curve that is not chosen yet", lambda now: len(now.chosen) < len(now.session.document.curves)
+            "a curve that is not chosen yet", lambda now: len(now.selected) < len(now.session.document.curves)
         ),
     )
     def _choose_all(self) -> None:
         """Choose all curves, to move, scale, hide, colour or delete them together."""
         session = self._session
-        session.choose_curves(range(len(session.document.curves)))
-        session.say(f"{named(session.document, session.chosen_curves)} chosen.")
+        session.select_curves(range(len(session.document.curves)))
+        session.say(f"{named(session.document, session.selected_curves)} chosen.")
 
     @action(
         "onlyThisCurve",
         "Only This Curve",
         EDIT_SELECT,
-        needs=Need("several chosen curves", lambda now: len(now.chosen) > 1),
+        needs=Need("several chosen curves", lambda now: len(now.selected) > 1),
     )
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
-        self._session.choose_curves((self._session.active_index,))
+        self._session.select_curves((self._session.active_index,))
 
 
 def _curves(now: Situation) -> str:
-    return f"{len(now.chosen)} Curves" if len(now.chosen) > 1 else "Curve"
+    return f"{len(now.selected)} Curves" if len(now.selected) > 1 else "Curve"
 
 
 COMMAND_SETS = (CurveListCommands,)

@@ -18,26 +18,26 @@ class CurveListController:
     def __init__(self, session: Session, panel: CurveList) -> None:
         self._session = session
         panel.view.activated_row.connect(session.activate)
-        panel.view.chosen_rows.connect(session.choose_curves)
+        panel.view.rows_selected.connect(session.select_curves)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._rename)
         panel.visible_switched.connect(self.switch_visible)
         panel.locked_switched.connect(self.switch_locked)
         panel.colour_chosen.connect(self._paint)
-        panel.row_meant.connect(lambda row: session.choose_curves(self._meant(row), row))
+        panel.row_meant.connect(lambda row: session.select_curves(self._meant(row), row))
 
     def _meant(self, row: int) -> frozenset[int]:
-        """Return the curves that a click on a part of a row is about: all that are chosen, or another one."""
-        chosen = self._session.chosen_curves
-        return chosen if row in chosen else frozenset({row})
+        """Return the curves that a click on a part of a row is about: all selected ones, or another."""
+        selected = self._session.selected_curves
+        return selected if row in selected else frozenset({row})
 
     def switch_visible(self, row: int) -> None:
-        """Show or hide a curve; where it is chosen, all that are."""
+        """Show or hide a curve; where it is selected, all that are."""
         visible = not self._session.committed.curves[row].visible
         self._change("Show" if visible else "Hide", row, partial(with_looks, visible=visible))
 
     def switch_locked(self, row: int) -> None:
-        """Lock a curve or free it; where it is chosen, all that are."""
+        """Lock a curve or free it; where it is selected, all that are."""
         locked = not self._session.committed.curves[row].locked
         self._change("Lock" if locked else "Unlock", row, partial(with_looks, locked=locked))
 

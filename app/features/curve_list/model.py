@@ -12,7 +12,7 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 
 from app.document.model import Curve, Document
 from app.document.words import count_of
-from app.overrides import Guarded
+from app.qt.overrides import Guarded
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -47,9 +47,9 @@ class CurveListModel(Guarded, QAbstractListModel):
         self._active = 0
         self._chosen: frozenset[int] = frozenset()
 
-    def show_document(self, document: Document, active: int, chosen: frozenset[int]) -> None:
+    def show_document(self, document: Document, active: int, selected: frozenset[int]) -> None:
         """Show the curves of `document`; only what changed is announced."""
-        self._active, self._chosen = active, chosen
+        self._active, self._chosen = active, selected
         known = {id(curve): row for curve, row in zip(self._curves, self._rows, strict=True)}
         new = [known.get(id(curve)) or _row(curve) for curve in document.curves]
         old, self._curves = self._rows, document.curves
@@ -106,7 +106,7 @@ class CurveListModel(Guarded, QAbstractListModel):
 
 def _row(curve: Curve) -> Row:
     family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
-    facts = f"{family}, {count_of(len(curve.nodes), 'point')}"
+    facts = f"{family}, {count_of(len(curve.points), 'point')}"
     if curve.is_closed:
         facts += ", closed"
     return Row(curve.name, curve.colour, curve.visible, curve.locked, facts)

@@ -8,14 +8,14 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
-from app.colours import CURVE_COLOURS, curve_colour
+from app.appearance.colours import CURVE_COLOURS, curve_colour
+from app.appearance.theme import Theme, theme_of
 from app.document.model import Document
 from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.view import CurveListView, Spot
-from app.overrides import Guarded
-from app.panels.tool_buttons import action_button
-from app.theme import Theme, theme_of
+from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
+from app.widgets.tool_buttons import action_button
 
 
 class CurveList(Guarded, QWidget):
@@ -26,7 +26,7 @@ class CurveList(Guarded, QWidget):
     visible_switched, locked_switched
         The eye or the lock of a row was clicked.
     colour_chosen
-        Another colour was chosen for a row.
+        Another colour was selected for a row.
     row_meant
         A menu about a row is wanted; it is to be the one that is edited.
     menu_requested
@@ -68,10 +68,10 @@ class CurveList(Guarded, QWidget):
             button.setFixedSize(26, 26)
             self._buttons.insertWidget(place, button)
 
-    def render_document(self, document: Document, active: int, chosen: frozenset[int]) -> None:
-        """Show the curves of `document`, which of them is edited and which are chosen."""
-        self.model.show_document(document, active, chosen)
-        self.view.show_active(active, chosen)
+    def render_document(self, document: Document, active: int, selected: frozenset[int]) -> None:
+        """Show the curves of `document`, which of them is edited and which are selected."""
+        self.model.show_document(document, active, selected)
+        self.view.show_active(active, selected)
 
     # What the person did
 
@@ -84,7 +84,7 @@ class CurveList(Guarded, QWidget):
             self.locked_switched.emit(row)
 
     def choose_colour(self, row: int) -> QMenu:
-        """Open the palette for a curve, or all that are chosen with it, beside its swatch if that is seen."""
+        """Open the palette for a curve, or all selected with it, beside its swatch if that is seen."""
         menu = QMenu(self)
         menu.setObjectName("colourMenu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

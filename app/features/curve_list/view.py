@@ -36,12 +36,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.colours import curve_colour
+from app.appearance.colours import curve_colour
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
 from app.features.curve_list.model import CurveListModel, Row
-from app.icons import icon
-from app.labels import tip_of
-from app.overrides import Guarded
-from app.theme import mix, theme_of
+from app.qt.labels import tip_of
+from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
 
 Index = QModelIndex | QPersistentModelIndex
@@ -91,8 +91,8 @@ class _RowDelegate(Guarded, QStyledItemDelegate):
         place = self._view.curves.place_of(index)
         theme, row = theme_of(self._view.palette()), self._view.curves.row(place)
         rect: QRect = option.rect
-        is_active, is_chosen = place == self._view.active, place in self._view.chosen
-        is_one_of_many = is_chosen and len(self._view.chosen) > 1
+        is_active, is_chosen = place == self._view.active, place in self._view.selected
+        is_one_of_many = is_chosen and len(self._view.selected) > 1
         if is_active or is_chosen:
             painter.fillRect(rect, mix(theme.accent, theme.paper, 0.2 if self._view.hasFocus() else 0.12))
         if is_active and is_one_of_many:
@@ -128,7 +128,7 @@ class _RowDelegate(Guarded, QStyledItemDelegate):
 
     @staticmethod
     def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:
-        """Mark what is chosen with others, by more than a colour behind it."""
+        """Mark what is selected with others, by more than a colour behind it."""
         ring = QRectF(0, 0, _SWATCH + 6, _SWATCH + 6)
         ring.moveCenter(QRectF(rect).center())
         painter.setPen(QPen(colour, 1.5))
@@ -167,18 +167,18 @@ class CurveListView(Guarded, QListView):
     -------
     activated_row
         A row was clicked or walked to.
-    chosen_rows
+    rows_selected
         These rows shall be worked on together (a set of numbers).
     spot_clicked
         The swatch, the lock or the eye of a row was clicked (row, Spot).
     moved
         A row was dragged to another place (from, to).
     deletion_wanted
-        The chosen curves shall be deleted.
+        The selected curves shall be deleted.
     """
 
     activated_row = Signal(int)
-    chosen_rows = Signal(object)
+    rows_selected = Signal(object)
     spot_clicked = Signal(int, object)
     moved = Signal(int, int)
     deletion_wanted = Signal()
@@ -187,7 +187,7 @@ class CurveListView(Guarded, QListView):
         super().__init__(parent)
         self.curves = model
         self.active = 0
-        self.chosen: frozenset[int] = frozenset()
+        self.selected: frozenset[int] = frozenset()
         # Where choosing row by row has come to, from the active one.
         self._reached = 0
         self._press: QPoint | None = None
@@ -208,10 +208,10 @@ class CurveListView(Guarded, QListView):
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
 
-    def show_active(self, row: int, chosen: frozenset[int]) -> None:
-        """Mark the row of the active curve, and those that are chosen."""
-        changed, self.active, self.chosen = row != self.active, row, chosen
-        if self._reached not in chosen:
+    def show_active(self, row: int, selected: frozenset[int]) -> None:
+        """Mark the row of the active curve, and those that are selected."""
+        changed, self.active, self.selected = row != self.active, row, selected
+        if self._reached not in selected:
             self._reached = row
         index = self.curves.index_of(row)
         if self.currentIndex() != index:
@@ -260,7 +260,7 @@ class CurveListView(Guarded, QListView):
         if spot is not Spot.NAME:
             self.spot_clicked.emit(row, spot)
         elif held & Qt.KeyboardModifier.ControlModifier:
-            self.chosen_rows.emit(self.chosen ^ {row})
+            self.rows_selected.emit(self.selected ^ {row})
         elif held & Qt.KeyboardModifier.ShiftModifier:
             self._choose_to(row)
         else:
@@ -270,13 +270,13 @@ class CurveListView(Guarded, QListView):
                 self.activated_row.emit(row)
 
     def _is_of_several(self, row: int) -> bool:
-        return row in self.chosen and len(self.chosen) > 1
+        return row in self.selected and len(self.selected) > 1
 
     def _choose_to(self, row: int) -> None:
         """Choose from the active row to this one."""
         self._reached = max(0, min(row, self.curves.rowCount() - 1))
         low, high = sorted((self.active, self._reached))
-        self.chosen_rows.emit(frozenset(range(low, high + 1)))
+        self.rows_selected.emit(frozenset(range(low, high + 1)))
         self.scrollTo(self.curves.index_of(self._reached))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -354,7 +354,7 @@ class CurveListView(Guarded, QListView):
         if event.key() == Qt.Key.Key_Escape and self.is_dragging:
             self._end_drag()
         elif event.matches(_ALL):
-            self.chosen_rows.emit(frozenset(range(self.curves.rowCount())))
+            self.rows_selected.emit(frozenset(range(self.curves.rowCount())))
         elif step is not None and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self._choose_to(self._reached + step)
         elif step is not None and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:

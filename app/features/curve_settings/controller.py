@@ -41,7 +41,7 @@ class CurveSettingsController:
 
     def _reset_all(self) -> None:
         def reset(document: Document, index: int) -> Document:
-            everyone = range(len(document.curves[index].nodes))
+            everyone = range(len(document.curves[index].points))
             orders = orders_set(self._session.active_view)
             return edits.estimate_derivatives(document, index, everyone, orders)
 

@@ -12,17 +12,17 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from app.appearance.icons import icon
+from app.appearance.theme import theme_of
 from app.document import edits
 from app.document.model import AccelerationRule, VelocityRule
-from app.document.words import Named, count_of, number
-from app.icons import icon
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit, NumberEdit
-from app.panels.number_text import decimal_mark, exact_text
-from app.panels.tool_buttons import ICON, tool_button
-from app.theme import theme_of
+from app.document.words import NamedEnum, count_of, number
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
 from app.view_model.curve_view import CoreCurve, CurveView
+from app.widgets.field_edit import FieldEdit, NumberEdit
+from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.tool_buttons import ICON, tool_button
 
 Rule = TypeVar("Rule", bound=StrEnum)
 
@@ -117,8 +117,8 @@ class CurveSettings(Guarded, QWidget):
         for edit in (self.start_edit, self.end_edit):
             edit.entered.connect(partial(self._set_interval, edit))
             edit.refused.connect(partial(self._refuse_text, edit))
-            edit.left.connect(self._forget_refusal)
-        self.name_edit.left.connect(self._forget_refusal)
+            edit.left.connect(self._clear_refusal)
+        self.name_edit.left.connect(self._clear_refusal)
         self.velocity_box.activated.connect(
             lambda row: self.velocity_rule_chosen.emit(list(VelocityRule)[row])
         )
@@ -158,7 +158,7 @@ class CurveSettings(Guarded, QWidget):
 
     def _render_problem(self) -> None:
         # Nothing is wrong with a curve that is yet to be begun.
-        text = self._refusal or (self._view.problem if self._view.source.nodes else "")
+        text = self._refusal or (self._view.problem if self._view.source.points else "")
         self._problem.setText(f"⚠ {text}" if text else "")
         self._problem.setVisible(bool(text))
 
@@ -177,13 +177,13 @@ class CurveSettings(Guarded, QWidget):
 
     def _rename(self, text: str) -> None:
         self._entry = self.name_edit
-        self._forget_refusal()
+        self._clear_refusal()
         self.name_edited.emit(text)
         self._render()
 
     def _set_interval(self, edit: NumberEdit, value: float) -> None:
         self._entry = edit
-        self._forget_refusal()
+        self._clear_refusal()
         start, end = edits.interval(self._view.source)
         self.interval_edited.emit(*((value, end) if edit is self.start_edit else (start, value)))
         self._render()
@@ -200,7 +200,7 @@ class CurveSettings(Guarded, QWidget):
             self._entry.keep()
         self._render_problem()
 
-    def _forget_refusal(self) -> None:
+    def _clear_refusal(self) -> None:
         self._refusal = ""
         self._render_problem()
 
@@ -213,7 +213,7 @@ def orders_set(view: CurveView) -> set[int]:
 
 def _facts(view: CurveView) -> str:
     curve = view.source
-    facts = [count_of(len(curve.nodes), "point")]
+    facts = [count_of(len(curve.points), "point")]
     if view.is_current and view.curve is not None:
         facts += [*_kind_facts(view.curve), *_shape_facts(view)]
         start, end = (number(t, 6, decimal_mark()) for t in view.curve.domain)
@@ -240,7 +240,7 @@ def _shape_facts(view: CurveView) -> list[str]:
     return [*facts, count_of(len(corners), "corner")] if corners else facts
 
 
-def _rule_box(name: str, label: str, rules: Iterable[Named]) -> QComboBox:
+def _rule_box(name: str, label: str, rules: Iterable[NamedEnum]) -> QComboBox:
     box = QComboBox()
     box.setObjectName(name)
     box.setAccessibleName(label)

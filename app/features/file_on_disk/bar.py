@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.icons import icon
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.tool_buttons import action_button, tool_button
-from app.theme import mix, theme_of
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
+from app.widgets.tool_buttons import action_button, tool_button
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
 _GAP = 8
@@ -101,7 +101,7 @@ class FileBar(Guarded, QFrame):
         for place, button in enumerate(self._buttons):
             self._row.insertWidget(place, button)
             button.show()
-        self._dress()
+        self._apply_theme()
         self.show()
         self._place()
         self.raise_()
@@ -140,13 +140,13 @@ class FileBar(Guarded, QFrame):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and not self.isHidden():
-            self._dress()
+            self._apply_theme()
 
     def _put_away(self) -> None:
         self.hide()
         self.closed.emit()
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         """Take the colours of the theme."""
         theme = theme_of(QApplication.palette())
         self._close.setIcon(icon("close", theme))

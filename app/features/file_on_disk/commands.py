@@ -9,16 +9,16 @@ from PySide6.QtCore import QObject, QTimer
 from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import FILE_DISK
-from app.commands.context import WindowContext
 from app.document.model import Document
 from app.features.file_on_disk.bar import FileBar
-from app.features.file_on_disk.notices import Notice, Standing, about_content, about_lock, about_refusal
+from app.features.file_on_disk.notices import Notice, Ownership, about_content, about_lock, about_refusal
 from app.features.file_on_disk.watch import DiskWatch
+from app.state.window_state import FileSituation
 from app.storage.files import Stamp, StorageError
 from app.storage.format import FormatError
 from app.storage.open_file import FileChange, OpenFile
 from app.view_model.curve_view import view_of
-from app.window_state import FileSituation
+from app.workbench.context import WindowContext
 
 _AGAIN_MS = 100
 _LOOKS = 5
@@ -45,7 +45,7 @@ class DiskCommands(QObject):
         self._file: OpenFile | None = None
         self._path: Path | None = None
         self._stamp: Stamp | None = None
-        self._standing = Standing.OURS
+        self._standing = Ownership.OURS
         self._dismissed: set[Notice] = set()
         self._reset()
         context.files.refused = self._show_refusal
@@ -77,7 +77,7 @@ class DiskCommands(QObject):
             self._file = file
             self._dismissed.clear()
             is_other = file is not None and file.owner is not None
-            self._standing = Standing.OPENED_ELSEWHERE if is_other else Standing.OURS
+            self._standing = Ownership.OPENED_ELSEWHERE if is_other else Ownership.OURS
         if self._session.path != self._path:
             self._path = self._session.path
             self._watch.watch(self._path)
@@ -136,14 +136,14 @@ class DiskCommands(QObject):
         owner = file.check_lock()
         if owner is None:
             if file.owner is not None:
-                self._standing = Standing.FREED
+                self._standing = Ownership.FREED
             return
-        if self._standing is Standing.OURS:
-            self._standing = Standing.TAKEN_AWAY
+        if self._standing is Ownership.OURS:
+            self._standing = Ownership.TAKEN_AWAY
             file.lose_to(owner)
             self._session.file_changed.emit()
-        elif self._standing is Standing.FREED:
-            self._standing = Standing.OPENED_ELSEWHERE
+        elif self._standing is Ownership.FREED:
+            self._standing = Ownership.OPENED_ELSEWHERE
             file.lose_to(owner)
 
     # What is shown
@@ -156,7 +156,7 @@ class DiskCommands(QObject):
                 change=self._change if self._file is not None else None,
                 is_read_only=self._session.files.is_read_only,
                 may_overwrite=self._may_overwrite,
-                is_asked=self._standing is Standing.ASKED,
+                is_asked=self._standing is Ownership.ASKED,
             )
         )
         notice = next((each for each in self._notices() if each not in self._dismissed), None)
@@ -185,7 +185,7 @@ class DiskCommands(QObject):
             name, owner = file.path.name, file.owner
             lock = about_lock(name, self._standing, owner)
             content = about_content(name, self._change, modified=self._session.has_changes, owner=owner)
-            is_urgent = self._standing in (Standing.ASKED, Standing.FREED, Standing.TAKEN_AWAY)
+            is_urgent = self._standing in (Ownership.ASKED, Ownership.FREED, Ownership.TAKEN_AWAY)
             found += [lock, content] if is_urgent else [content, lock]
         return [each for each in found if each is not None]
 
@@ -202,8 +202,8 @@ class DiskCommands(QObject):
         """Dismiss the sentence; if there is another one behind it, show that."""
         if self._shown is self._refusal:
             self._refusal = None
-        elif self._standing is Standing.ASKED:
-            self._standing = Standing.OPENED_ELSEWHERE
+        elif self._standing is Ownership.ASKED:
+            self._standing = Ownership.OPENED_ELSEWHERE
         else:
             self._dismissed.add(self._shown)
         self._show()
@@ -324,7 +324,7 @@ class DiskCommands(QObject):
             self._edit_anyway()
             return
         self._refusal = None
-        self._standing = Standing.ASKED
+        self._standing = Ownership.ASKED
         self._show()
 
     @action(
@@ -340,7 +340,7 @@ class DiskCommands(QObject):
         if self._file is None:
             return
         self._file.take_over()
-        self._standing, self._refusal = Standing.OURS, None
+        self._standing, self._refusal = Ownership.OURS, None
         self._session.file_changed.emit()
         self._session.say(f"{self._file.path.name} can be saved from here now.")
         self._look()

@@ -20,7 +20,7 @@ class Notice(msgspec.Struct, frozen=True):
     warns: bool = True
 
 
-class Standing(Enum):
+class Ownership(Enum):
     """How this window stands to the one that owns the document."""
 
     OURS = auto()
@@ -49,18 +49,18 @@ def about_content(name: str, change: FileChange, *, modified: bool, owner: Owner
     return None
 
 
-def about_lock(name: str, standing: Standing, owner: Owner | None) -> Notice | None:
+def about_lock(name: str, standing: Ownership, owner: Owner | None) -> Notice | None:
     """Return what there is to say about who owns the document `name`."""
-    if standing is Standing.OURS or owner is None:
+    if standing is Ownership.OURS or owner is None:
         return None
     who, have = _who(owner), _have(owner)
-    if standing is Standing.FREED:
+    if standing is Ownership.FREED:
         text = f"“{name}” is free again; nobody else has it open now."
         return Notice(text, ("takeOver",), warns=False)
-    if standing is Standing.ASKED:
+    if standing is Ownership.ASKED:
         text = f"{who} may still be editing “{name}”. If both save, one will have to choose between the two."
         return Notice(text, ("editAnyway", "saveDocumentAs"))
-    if standing is Standing.TAKEN_AWAY:
+    if standing is Ownership.TAKEN_AWAY:
         text = f"{who} {have} taken “{name}” over{_where(owner)}. Your changes can go to another file."
         return Notice(text, ("saveDocumentAs", "takeOver"))
     old = f" Perhaps {_who(owner, first=False)} forgot it." if owner.may_have_forgotten else ""

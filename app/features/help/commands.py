@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QMessageBox
 from app import __version__
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL, MENUS
-from app.commands.context import WindowContext
 from app.features import help as help_feature
 from app.tools.add import ADD
+from app.workbench.context import WindowContext
 
 if TYPE_CHECKING:
     from app.features.help.shortcut_sheet import ShortcutSheet
@@ -33,13 +33,13 @@ class HelpCommands:
                 context.window, over=context.window.centralWidget() or context.window
             )
         if self._sheet.isVisible():
-            self._sheet.put_away()
+            self._sheet.dismiss()
             return
         moment = help_feature.shortcut_sheet.Moment(
             adding=context.store.state.uses(ADD),
             selected=len(context.session.selection),
             has_derivatives=context.session.active_curve.family.derivatives > 0,
-            curves=len(context.session.chosen_curves),
+            curves=len(context.session.selected_curves),
         )
         self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 

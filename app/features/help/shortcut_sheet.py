@@ -19,12 +19,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
 from app.document.words import count_of
-from app.icons import icon
-from app.labels import Label, html_of
-from app.overrides import Guarded
-from app.panels.tool_buttons import ICON, tool_button
-from app.theme import mix, theme_of
+from app.qt.labels import Label, html_of
+from app.qt.overrides import Guarded
+from app.widgets.tool_buttons import ICON, tool_button
 
 Rows = Sequence[tuple[str, str]]
 _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
@@ -195,7 +195,7 @@ class ShortcutSheet(Guarded, QFrame):
     def _make_close_button(self) -> QToolButton:
         words = "Put the sheet away"
         button = tool_button("closeShortcuts", words, f"{words} (Esc)", icon_size=ICON, flat=True)
-        button.clicked.connect(self.put_away)
+        button.clicked.connect(self.dismiss)
         return button
 
     def _lay_out(self) -> None:
@@ -227,7 +227,7 @@ class ShortcutSheet(Guarded, QFrame):
         self.setFocus()
         _application().installEventFilter(self)
 
-    def put_away(self) -> None:
+    def dismiss(self) -> None:
         """Hide, and give the focus back."""
         _application().removeEventFilter(self)
         had_focus = self.hasFocus() or self.isAncestorOf(QApplication.focusWidget() or self._window)
@@ -284,10 +284,10 @@ class ShortcutSheet(Guarded, QFrame):
             case QEvent.Type.Resize if watched is self._over:
                 self._place()
             case QEvent.Type.KeyPress if _is_escape(event) and watched.isWidgetType():
-                self.put_away()
+                self.dismiss()
                 return True
             case QEvent.Type.MouseButtonPress if isinstance(watched, QWidget) and self._is_beside(event):
-                self.put_away()
+                self.dismiss()
         return False
 
     def _is_beside(self, event: QEvent) -> bool:

@@ -22,5 +22,5 @@ class HistoryController:
         if session.path is not None:
             opened = session.path.name
         else:
-            opened = session.active_curve.name if session.active_curve.nodes else ""
+            opened = session.active_curve.name if session.active_curve.points else ""
         self._panel.name_beginning(f"Opened {opened}" if opened else "New document")

@@ -15,14 +15,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.theme import theme_of
 from app.document.words import number
 from app.features.joints.model import JointsModel
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.number_text import decimal_mark
-from app.panels.tool_buttons import action_button
-from app.theme import theme_of
-from app.view_model.analysis.joints import Certificate, JointRow, Kind
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
+from app.view_model.analysis.joints import Certificate, JointKind, JointRow
+from app.widgets.number_text import decimal_mark
+from app.widgets.tool_buttons import action_button
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _PADDING = 5
@@ -167,7 +167,9 @@ class JointsPanel(Guarded, QWidget):
         self._model.render(certificate.rows)
         has_rows = bool(certificate.rows)
         # The worst of all joints; kinds are listed from smooth to broken.
-        worst = max((row.kind for row in certificate.rows), key=list(Kind).index, default=Kind.SMOOTH)
+        worst = max(
+            (row.kind for row in certificate.rows), key=list(JointKind).index, default=JointKind.SMOOTH
+        )
         sign = f"{worst.value} " if has_rows else ""
         self._summary.setText(sign + certificate.summary)
         for part, seen in ((self.view, has_rows), (self._detail, has_rows), (self._spare, not has_rows)):
@@ -175,13 +177,13 @@ class JointsPanel(Guarded, QWidget):
         self._copy.setVisible(has_rows)
         self._show_detail()
 
-    def set_selection(self, nodes: Collection[int]) -> None:
+    def set_selection(self, points: Collection[int]) -> None:
         """Choose the joint at the selected point, where there is just one."""
-        if len(nodes) != 1:
+        if len(points) != 1:
             return
-        node = next(iter(nodes))
+        point = next(iter(points))
         for place, row in enumerate(self._model.rows):
-            if row.joint == node:
+            if row.joint == point:
                 if self.view.currentIndex().row() != place:
                     self.view.setCurrentIndex(self._model.index(place, 0))
                 return

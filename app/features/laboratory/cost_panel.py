@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from app.document.words import number
 from app.features.laboratory.log_plot import LogLine, LogPlot
-from app.labels import Label
-from app.view_model.analysis.cost import Cost, cost_chart
+from app.qt.labels import Label
+from app.view_model.analysis.cost import SolvingCost, cost_chart
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.analysis.wording import short
 
@@ -58,7 +58,7 @@ class CostPanel(QWidget):
                 self._cells[f"{key}_{way}"] = cell
                 self._numbers.addWidget(cell, row, column)
 
-    def render_cost(self, cost: Cost | None, *, busy: bool) -> None:
+    def render_cost(self, cost: SolvingCost | None, *, busy: bool) -> None:
         """Show what was counted and measured; muted while it is being measured anew."""
         for cell in self._cells.values():
             cell.setEnabled(not busy)
@@ -94,7 +94,7 @@ def _line(name: str) -> Label:
     return label
 
 
-def _words(cost: Cost) -> str:
+def _words(cost: SolvingCost) -> str:
     times = cost.seconds[0] / cost.seconds[1]
     return (
         f"With {cost.count} points, solving for the monomials' coefficients costs {cost.ratio:.1f} times "
@@ -102,7 +102,7 @@ def _words(cost: Cost) -> str:
     )
 
 
-def _note(cost: Cost) -> str:
+def _note(cost: SolvingCost) -> str:
     text = (
         f"Twice as many points: {cost.doubled[0]:.1f} times the operations to solve, "
         f"{cost.doubled[1]:.1f} times for the basis form; 8 and 4 for large n. "

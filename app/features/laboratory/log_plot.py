@@ -11,12 +11,12 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from app.appearance.theme import theme_of
 from app.plotting.camera import FixedCamera
 from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import theme_of
 from app.view_model.analysis.wording import power
 from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray
@@ -51,7 +51,7 @@ class LogPlot(PlotWidget):
         self._marker: float | None = None
         self._lines: list[tuple[FloatArray, LogLine]] = []
         self._layer = Layer(self, self._paint)
-        self._dress()
+        self._apply_theme()
 
     def sizeHint(self) -> QSize:
         return QSize(300, 160)
@@ -119,9 +119,9 @@ class LogPlot(PlotWidget):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_layer"):
-            self._dress()
+            self._apply_theme()
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         self.set_theme(theme_of(self.palette()))
 
 

@@ -8,13 +8,13 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
+from app.appearance.theme import theme_of
 from app.document.words import number
-from app.labels import Label
-from app.overrides import Guarded
 from app.plotting.pens import SIGN, sign_pixmap
-from app.theme import theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
 from app.view_model.analysis.laboratory import Trial
-from app.view_model.analysis.laboratory_settings import Calculation, Rounding
+from app.view_model.analysis.laboratory_settings import Calculation, RoundedPart
 from app.view_model.analysis.wording import short
 
 _HEADINGS = (
@@ -62,7 +62,7 @@ class MethodTable(Guarded, QWidget):
         self._cells: dict[Calculation, list[Label]] = {}
         for row, method in enumerate(Calculation, start=1):
             self._add_row(row, method)
-        self._dress()
+        self._apply_theme()
 
     def _add_row(self, row: int, method: Calculation) -> None:
         box = QCheckBox(method.label)
@@ -115,9 +115,9 @@ class MethodTable(Guarded, QWidget):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_cells"):
-            self._dress()
+            self._apply_theme()
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         theme = theme_of(self.palette())
         for method, box in self._boxes.items():
             box.setIcon(QIcon(sign_pixmap(method.style, theme, self.devicePixelRatioF())))
@@ -130,6 +130,6 @@ def _side(column: int) -> Qt.AlignmentFlag:
 
 
 def _condition(method: Calculation, trial: Trial, lebesgue: float | None) -> str:
-    if method is Calculation.MONOMIAL and trial.settings.rounding is not Rounding.DATA:
+    if method is Calculation.MONOMIAL and trial.settings.rounding is not RoundedPart.DATA:
         return f"κ {short(trial.condition)}" if trial.condition is not None else "–"
     return f"Λ {short(lebesgue)}" if lebesgue is not None else "–"

@@ -18,16 +18,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.analysis import Analysis
 from app.document.expression import ExpressionError
 from app.document.words import count_of
 from app.features.laboratory.cost_panel import CostPanel
 from app.features.laboratory.digits_table import DigitsTable
 from app.features.laboratory.method_table import MethodTable
-from app.labels import Label
-from app.panels.field_edit import NumberEdit, read_number
-from app.panels.fitting import Scrolled
-from app.panels.number_text import decimal_mark, exact_text
+from app.qt.labels import Label
+from app.state.analysis import Analysis
 from app.view_model.analysis.laboratory import Digits, Trial, calculations
 from app.view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,
@@ -36,10 +33,13 @@ from app.view_model.analysis.laboratory_settings import (
     USUAL_SHIFT,
     Calculation,
     LaboratorySettings,
-    Rounding,
+    RoundedPart,
 )
 from app.view_model.analysis.laboratory_words import growth_words, trial_words
 from app.view_model.curve_view import CurveView
+from app.widgets.field_edit import NumberEdit, read_number
+from app.widgets.fitting import Scrolled
+from app.widgets.number_text import decimal_mark, exact_text
 
 _LARGEST_SHIFT = 1e9
 _PAGE = QSize(2000, 72)
@@ -105,7 +105,7 @@ class LaboratoryPanel(QTabWidget):
             "Every step, as on a pocket calculator; or once only the coefficients of each method, "
             "or the data, with exact arithmetic before and after"
         )
-        box.addItems([each.label for each in Rounding])
+        box.addItems([each.label for each in RoundedPart])
         return box
 
     def _make_rounding(self) -> QComboBox:
@@ -180,7 +180,7 @@ class LaboratoryPanel(QTabWidget):
 
     def _connect(self) -> None:
         self.slider.actionTriggered.connect(lambda _action: self._change(digits=self.slider.sliderPosition()))
-        self.what.activated.connect(lambda row: self._change(rounding=list(Rounding)[row]))
+        self.what.activated.connect(lambda row: self._change(rounding=list(RoundedPart)[row]))
         self.rounding.activated.connect(lambda row: self._change(decimals=row - 1 if row else None))
         self.shift_button.clicked.connect(self._toggle_shift)
         self.shift_field.entered.connect(self._set_shift)
@@ -226,7 +226,7 @@ class LaboratoryPanel(QTabWidget):
         settings = self._settings
         if not self.slider.isSliderDown():
             self.slider.setValue(settings.digits)
-        self.what.setCurrentIndex(list(Rounding).index(settings.rounding))
+        self.what.setCurrentIndex(list(RoundedPart).index(settings.rounding))
         self.digits_text.setText(f"<b>{settings.digits}</b> digits")
         self.rounding.setCurrentIndex(0 if settings.decimals is None else settings.decimals + 1)
         self.shift_button.setChecked(settings.shift != 0)

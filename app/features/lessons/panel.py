@@ -19,9 +19,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.labels import Label, html_of
-from app.lessons import Lesson
-from app.view_model.goals import Standing
+from app.features.lessons.lesson import Lesson
+from app.qt.labels import Label, html_of
+from app.view_model.goals import GoalResult
 
 _MARGIN = 10
 _LEAST_WIDTH = 256
@@ -149,7 +149,7 @@ class LessonPanel(QWidget):
         self.next_button.setEnabled(not (at_end and is_last))
         self.show_standing(None, reached=False)
 
-    def show_standing(self, standing: Standing | None, *, reached: bool) -> None:
+    def show_standing(self, standing: GoalResult | None, *, reached: bool) -> None:
         """Show whether the goal of the step is met; None where the step has none.
 
         A goal that was reached once stays ticked: what comes after may lead away from it.

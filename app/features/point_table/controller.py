@@ -10,10 +10,10 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document
 from app.document.words import count_of
-from app.features.point_table.columns import POSITION, Column
 from app.features.point_table.edits import fill_cells, keepers, paste_block, reset_name
 from app.features.point_table.panel import PointTable
 from app.session import Session
+from app.view_model.point_columns import POSITION, Column
 
 
 class PointTableController:
@@ -84,7 +84,7 @@ class PointTableController:
         if self._is_refused(change.refusal):
             return
         session.say(f"Pasted {what}.")
-        overwritten = range(top, min(top + height, len(view.source.nodes)))
+        overwritten = range(top, min(top + height, len(view.source.points)))
         session.select(range(top, top + height))
         self._panel.tell_who_kept(*keepers(view, overwritten, columns))
         self._show_points()

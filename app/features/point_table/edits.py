@@ -8,11 +8,11 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.edits import EditError
-from app.document.model import Document, Node
-from app.features.point_table.columns import PARAMETER, POSITION, Column, knot_parameters
-from app.view_model.appending import with_nodes_appended
+from app.document.model import Document, Point
+from app.view_model.appending import with_points_appended
 from app.view_model.curve_view import CurveView, appended_parameter, view_of
 from app.view_model.jets import explicit_sides
+from app.view_model.point_columns import PARAMETER, POSITION, Column, knot_parameters
 from curvecore.arrays import FloatArray
 
 
@@ -39,7 +39,7 @@ def paste_block(
     block
         The numbers, (rows, len(columns)).
     """
-    count = len(view.source.nodes)
+    count = len(view.source.points)
     old, new = block[: max(count - top, 0)], block[max(count - top, 0) :]
     if len(new):
         _refuse_incomplete_points(columns)
@@ -47,14 +47,14 @@ def paste_block(
     for place, column in enumerate(columns):
         if len(old) and place not in times:
             document = column.put(document, curve, view, _by_row(top, old[:, place]))
-    nodes = [_new_node(columns, row) for row in new]
+    points = [_new_point(columns, row) for row in new]
     if times:
-        document = edits.insert_nodes(document, curve, count, nodes)
+        document = edits.insert_points(document, curve, count, points)
         document = columns[times[0]].put(document, curve, view, _by_row(top, block[:, times[0]]))
-    elif nodes:
-        document = _append(document, curve, view, nodes)
+    elif points:
+        document = _append(document, curve, view, points)
     others = [place for place, column in enumerate(columns) if column.order is None]
-    if nodes and others:
+    if points and others:
         grown = view_of(document.curves[curve], view)
         for place in others:
             document = columns[place].put(document, curve, grown, _by_row(count, new[:, place]))
@@ -74,44 +74,44 @@ def _refuse_incomplete_points(columns: Sequence[Column]) -> None:
             raise EditError(f"New points need both components; {column.name} stands alone.")
 
 
-def _new_node(columns: Sequence[Column], row: FloatArray) -> Node:
+def _new_point(columns: Sequence[Column], row: FloatArray) -> Point:
     data: dict[int, list[float]] = {}
     for column, value in zip(columns, row.tolist(), strict=True):
         data.setdefault(-1 if column.order is None else column.order, []).append(value)
     vectors = {order: (pair[0], pair[1]) for order, pair in data.items() if order >= POSITION}
-    return Node(*vectors[POSITION], velocity=vectors.get(1), acceleration=vectors.get(2))
+    return Point(*vectors[POSITION], velocity=vectors.get(1), acceleration=vectors.get(2))
 
 
-def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Node]) -> Document:
+def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Point]) -> Document:
     """Append points to a closed curve with manual parameters: what leads back now leads through them."""
     times = knot_parameters(before)
     step = times[-1] - times[-2]
-    document = edits.insert_nodes(document, curve, len(before.source.nodes), new)
+    document = edits.insert_points(document, curve, len(before.source.points), new)
     more = (times[-1] + step * (offset + 1) for offset in range(len(new)))
     return edits.freeze_parameters(document, curve, [*times, *more])
 
 
-def _append(document: Document, curve: int, view: CurveView, new: Sequence[Node]) -> Document:
+def _append(document: Document, curve: int, view: CurveView, new: Sequence[Point]) -> Document:
     """Append points; the handles that the person set stay where they are."""
     before = view_of(document.curves[curve], view)
     if before.source.is_manual and before.source.is_closed:
         return _append_to_closed(document, curve, before, new)
     if before.source.is_manual:
         first = appended_parameter(before, new[0])
-        step = first - (before.source.nodes[-1].t or 0.0) if before.source.nodes else 1.0
-        new = [replace(node, t=first + step * offset) for offset, node in enumerate(new)]
-    return with_nodes_appended(document, curve, before, new)
+        step = first - (before.source.points[-1].t or 0.0) if before.source.points else 1.0
+        new = [replace(point, t=first + step * offset) for offset, point in enumerate(new)]
+    return with_points_appended(document, curve, before, new)
 
 
 # Back to the rules
 
 
-def explicit_orders(nodes: Sequence[Node], indices: Collection[int], orders: Collection[int]) -> set[int]:
+def explicit_orders(points: Sequence[Point], indices: Collection[int], orders: Collection[int]) -> set[int]:
     """Return which of the derivatives `orders` the person set at any of `indices`."""
     found = set()
     for index in indices:
         for order in orders:
-            if any(side is not None for side in explicit_sides(nodes[index], order)):
+            if any(side is not None for side in explicit_sides(points[index], order)):
                 found.add(order)
     return found
 
@@ -124,9 +124,9 @@ def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -
     if not any(column.order == POSITION for column in columns):
         return [], set()
     shown = set(range(1, view.source.family.derivatives + 1)) - {column.order for column in columns}
-    nodes = view.source.nodes
-    found = [row for row in rows if explicit_orders(nodes, [row], shown)]
-    return found, explicit_orders(nodes, found, shown)
+    points = view.source.points
+    found = [row for row in rows if explicit_orders(points, [row], shown)]
+    return found, explicit_orders(points, found, shown)
 
 
 def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:

@@ -18,21 +18,21 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
+from app.appearance.theme import LIGHT, Theme
 from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Node
+from app.document.model import Point
 from app.document.words import number, with_minus
-from app.features.point_table.columns import Column, columns_of
-from app.overrides import Guarded
-from app.panels.number_text import (
+from app.plotting.colours import colours_of
+from app.qt.overrides import Guarded
+from app.view_model.curve_view import CurveView
+from app.view_model.point_columns import Column, columns_of
+from app.widgets.number_text import (
     ColumnNumbers,
     decimal_mark,
     exact_text,
     numbers_of_columns,
 )
-from app.plotting.colours import colours_of
-from app.theme import LIGHT, Theme
-from app.view_model.curve_view import CurveView
 from curvecore.arrays import FloatArray
 
 Index = QModelIndex | QPersistentModelIndex
@@ -109,9 +109,9 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return self._shown.estimated
 
     @property
-    def nodes(self) -> tuple[Node, ...]:
+    def points(self) -> tuple[Point, ...]:
         """The points that are shown."""
-        return () if self._view is None else self._view.source.nodes
+        return () if self._view is None else self._view.source.points
 
     @property
     def numbers_of_columns(self) -> list[ColumnNumbers]:
@@ -161,7 +161,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
     def _rows_with_other_corners(self, view: CurveView) -> np.ndarray:
         """Take over which points are corners, and return which rows that changes."""
         old, self._corners = self._corners, frozenset(view.corners)
-        rows = np.zeros(len(view.source.nodes), dtype=bool)
+        rows = np.zeros(len(view.source.points), dtype=bool)
         rows[[row for row in old ^ self._corners if row < len(rows)]] = True
         if rows.any():
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(rows) - 1)

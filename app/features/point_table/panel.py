@@ -9,20 +9,20 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QVBoxLayout, QWidget
 
+from app.appearance.icons import icon
+from app.appearance.theme import Theme, theme_of
 from app.document.edits import EditError
 from app.document.words import count_of
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
-from app.features.point_table.columns import POSITION, Column, known_titles
 from app.features.point_table.edits import explicit_orders, keeping_sentence
 from app.features.point_table.model import PointTableModel
 from app.features.point_table.view import PointTableView
-from app.icons import icon
-from app.labels import Label, html_of
-from app.overrides import Guarded
-from app.panels.number_text import decimal_mark, exact_text
-from app.panels.tool_buttons import ICON, tool_button
-from app.theme import Theme, theme_of
+from app.qt.labels import Label, html_of
+from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
+from app.view_model.point_columns import POSITION, Column, known_titles
+from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.tool_buttons import ICON, tool_button
 
 INTERVAL_MS = 100
 """The table follows a drag at this pace; the canvas is what the eye is on."""
@@ -135,14 +135,14 @@ class PointTable(Guarded, QWidget):
         self._timer.timeout.connect(self._show_pending)
         self._reset_button.clicked.connect(self.reset_to_estimated)
         self.model.refused.connect(self._report_refusal)
-        self.view.cell_delegate.edit_began.connect(self._forget_message)
-        self.view.cell_delegate.closeEditor.connect(self._forget_message)
+        self.view.cell_delegate.edit_began.connect(self._clear_message)
+        self.view.cell_delegate.closeEditor.connect(self._clear_message)
         self.view.cell_delegate.given_up.connect(self._report_given_up)
         self.view.reset_requested.connect(self.reset_to_estimated)
         self.view.copy_requested.connect(self.copy)
         self.view.paste_requested.connect(self.paste)
         self.view.selectionModel().selectionChanged.connect(self._report_selection)
-        self.view.selectionModel().currentChanged.connect(self._forget_message)
+        self.view.selectionModel().currentChanged.connect(self._clear_message)
         self._message.linkActivated.connect(self._reset_kept)
         application = QApplication.instance()
         assert isinstance(application, QApplication)
@@ -156,7 +156,7 @@ class PointTable(Guarded, QWidget):
         While the previews of a gesture are `streaming`, the columns keep their widths.
         """
         self._pending = view, streaming
-        self._forget_message()
+        self._clear_message()
         if self.isVisible() and not self._timer.isActive():
             self._show_pending()
             self._timer.start()
@@ -175,7 +175,7 @@ class PointTable(Guarded, QWidget):
         self._fit_columns(view, streaming=streaming)
         self.view.select_rows(self._selection)
         self._rendering = False
-        self._forget_message()
+        self._clear_message()
         self._render_footer()
 
     def _fit_columns(self, view: CurveView, *, streaming: bool) -> None:
@@ -236,7 +236,7 @@ class PointTable(Guarded, QWidget):
         self._tell(f"⚠ {html_of(reason)}")
         self.model.refuse()
 
-    def _forget_message(self) -> None:
+    def _clear_message(self) -> None:
         self._tell("")
 
     def _report_given_up(self, label: str) -> None:
@@ -245,7 +245,7 @@ class PointTable(Guarded, QWidget):
     def _watch_focus(self, old: QWidget | None, new: QWidget | None) -> None:
         # Without a new one another window has the focus: the spreadsheet, perhaps, to mend the numbers there.
         if new is not None and not self.isAncestorOf(new):
-            self._forget_message()
+            self._clear_message()
 
     def _orders_to_reset(self) -> set[int]:
         """Return which derivatives of the selected points a reset would change.
@@ -255,7 +255,7 @@ class PointTable(Guarded, QWidget):
         rows, columns = self.view.selected_rows(), self.view.selected_columns()
         shown = self.model.columns
         orders = _derivatives_of(shown[column] for column in columns) or _derivatives_of(shown)
-        return explicit_orders(self.model.nodes, rows, orders)
+        return explicit_orders(self.model.points, rows, orders)
 
     def reset_to_estimated(self) -> None:
         """Ask for the selected velocities and accelerations to be left to the rules again."""

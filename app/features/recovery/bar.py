@@ -16,15 +16,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
 from app.document.words import count_of
 from app.features.recovery.offers import Offer
-from app.icons import icon
-from app.labels import Label, tip_of
-from app.overrides import Guarded
-from app.panels.elided_label import ElidedLabel
-from app.panels.thumbnail import thumbnail
-from app.panels.tool_buttons import tool_button
-from app.theme import mix, theme_of
+from app.features.recovery.thumbnail import thumbnail
+from app.qt.labels import Label, tip_of
+from app.qt.overrides import Guarded
+from app.widgets.elided_label import ElidedLabel
+from app.widgets.tool_buttons import tool_button
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44
 _PICTURE = (88, 56)
@@ -81,7 +81,7 @@ class RecoveryBar(Guarded, QFrame):
         layout.addLayout(head)
         layout.addWidget(self._rows)
         parent.installEventFilter(self)
-        self._dress()
+        self._apply_theme()
 
     def render(self, offers: Sequence[Offer], note: str = "") -> None:  # type: ignore[override]
         """Show `offers`, and above them `note`; hide where there is neither.
@@ -196,9 +196,9 @@ class RecoveryBar(Guarded, QFrame):
         super().changeEvent(event)
         # A style sheet of one's own is a change of the palette too.
         if event.type() == QEvent.Type.PaletteChange and theme_of(QApplication.palette()) is not self._theme:
-            self._dress()
+            self._apply_theme()
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         theme = self._theme = theme_of(QApplication.palette())
         line = mix(theme.ink, theme.paper, 0.14).name()
         self._close.setIcon(icon("close", theme))

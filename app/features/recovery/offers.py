@@ -13,8 +13,8 @@ from PySide6.QtCore import QDateTime, QLocale
 
 from app.document.model import Document
 from app.document.words import count_of
-from app.file_commands import NEW_NAME
 from app.storage.recovery import Snapshot
+from app.workbench.document_files import NEW_NAME
 
 _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
 
@@ -66,7 +66,7 @@ def offers_of(snapshots: Sequence[Snapshot]) -> list[Offer]:
 def _contents(snapshot: Snapshot) -> str:
     """Return when it was kept, to the second, and how much it holds."""
     curves = snapshot.document.curves
-    points = count_of(sum(len(each.nodes) for each in curves), "point")
+    points = count_of(sum(len(each.points) for each in curves), "point")
     moment = time.strftime("%H:%M:%S", time.localtime(snapshot.written))
     return f"{moment} · {count_of(len(curves), 'curve')}, {points}"
 

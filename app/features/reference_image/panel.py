@@ -17,15 +17,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.theme import theme_of
 from app.document.model import ReferenceImage
 from app.document.words import number
-from app.labels import Label, tip_of
-from app.overrides import Guarded
-from app.panels.field_edit import NumberEdit
-from app.panels.live_slider import LiveSlider
-from app.panels.number_text import decimal_mark
-from app.panels.tool_buttons import action_button
-from app.theme import theme_of
+from app.qt.labels import Label, tip_of
+from app.qt.overrides import Guarded
+from app.widgets.field_edit import NumberEdit
+from app.widgets.live_slider import LiveSlider
+from app.widgets.number_text import decimal_mark
+from app.widgets.tool_buttons import action_button
 
 STEPS = 100
 """Positions of the slider from nothing to all of the image."""
@@ -119,7 +119,7 @@ class ImagePanel(Guarded, QWidget):
         for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
             edit.entered.connect(partial(self._report, edit))
             edit.refused.connect(partial(self._refuse_text, edit))
-            edit.left.connect(self._forget_refusal)
+            edit.left.connect(self._clear_refusal)
         self.opacity.drag_ended.connect(lambda: self.render_image(self._image))
         self.lock.clicked.connect(self.locked_switched)
 
@@ -180,7 +180,7 @@ class ImagePanel(Guarded, QWidget):
         image, self._entry = self._image, edit
         if image is None:
             return
-        self._forget_refusal()
+        self._clear_refusal()
         if edit is self.x_edit:
             self.corner_edited.emit(value, image.y)
         elif edit is self.y_edit:
@@ -205,7 +205,7 @@ class ImagePanel(Guarded, QWidget):
                 self._entry.revert()
         self._render_problem()
 
-    def _forget_refusal(self) -> None:
+    def _clear_refusal(self) -> None:
         self._refusal = ""
         self._render_problem()
 

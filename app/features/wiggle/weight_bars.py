@@ -8,9 +8,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.overrides import Guarded
+from app.appearance.theme import theme_of
 from app.plotting.colours import colours_of
-from app.theme import theme_of
+from app.qt.overrides import Guarded
 from app.view_model.analysis.wiggle import MOST_PULLS, Pull
 from app.view_model.analysis.wording import short
 
@@ -75,10 +75,12 @@ class WeightBars(Guarded, QWidget):
                 QRectF(right, top, value, _ROW), int(middle | Qt.AlignmentFlag.AlignRight), short(pull.weight)
             )
             end = zero + pull.weight / largest * unit
-            painter.fillRect(QRectF(QPointF(zero, top + 4), QPointF(end, top + _ROW - 4)), colours[pull.node])
+            painter.fillRect(
+                QRectF(QPointF(zero, top + 4), QPointF(end, top + _ROW - 4)), colours[pull.point]
+            )
         painter.setPen(QPen(theme.muted, 1.0))
         painter.drawLine(QPointF(zero, 0), QPointF(zero, len(self.pulls) * _ROW))
 
 
 def _name(pull: Pull) -> str:
-    return f"{_NAMES[pull.order]}{'point ' if not pull.order else ''}{pull.node}"
+    return f"{_NAMES[pull.order]}{'point ' if not pull.order else ''}{pull.point}"

@@ -30,7 +30,7 @@ _MOST_SECONDS = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Cost:
+class SolvingCost:
     """Solving against the basis form, for one polynomial through the points of a curve.
 
     Attributes
@@ -76,7 +76,7 @@ class CostChart:
     basis: FloatArray
 
 
-def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
+def cost_of(view: CurveView, report: Report = silent) -> SolvingCost | None:
     """Count and measure for a curve; None without one."""
     if not view.is_current:
         return None
@@ -100,7 +100,7 @@ def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
     doubled = (twice[0] / solving, twice[1] / basis)
     piecewise = small.setup if small is not None else None
     other = "" if calculations(view) else family.a_curve
-    return Cost(len(t), solving, basis, further, seconds, doubled, piecewise, other)
+    return SolvingCost(len(t), solving, basis, further, seconds, doubled, piecewise, other)
 
 
 def cost_chart() -> CostChart:

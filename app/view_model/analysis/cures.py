@@ -105,7 +105,7 @@ def cured(document: Document, curve: int, key: str, parameters: list[float]) -> 
     rule = VelocityRule.BESSEL if key == "hermite" else VelocityRule.NATURAL_SPLINE
     result = edits.set_velocity_rule(edits.set_family(document, curve, family), curve, rule)
     if key == "spline":
-        result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].nodes)))
+        result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].points)))
     return result
 
 
@@ -141,6 +141,8 @@ def _shape(document: Document, curve: int) -> object:
 
 
 def _lebesgue(view: CurveView) -> float:
-    if view.skeleton is None or (not view.source.family.is_local and len(view.parameters) > _MOST_LAGRANGE):
+    if view.basis_curve is None or (
+        not view.source.family.is_local and len(view.parameters) > _MOST_LAGRANGE
+    ):
         return float("nan")
     return growth_of_points(view)

@@ -86,7 +86,7 @@ def ghost_views(
         if ghost in ghosts:
             variant = _variant(view.source, ghost)
             is_real = _rules(variant) == _rules(view.source)
-            if is_real or (in_drag and not variant.family.is_local and len(variant.nodes) > _LONG):
+            if is_real or (in_drag and not variant.family.is_local and len(variant.points) > _LONG):
                 views[ghost] = GhostView(ghost, view, is_real, not is_real)
                 continue
             old = previous.get(ghost)

@@ -20,7 +20,7 @@ _RESIDUE = 1e-9
 """A jump of the curvature below this share of the curvature itself is a rounding residue."""
 
 
-class Kind(Enum):
+class JointKind(Enum):
     """What happens at a joint, from smooth to broken; the value is its sign, beside its colour."""
 
     SMOOTH = "✓"
@@ -50,7 +50,7 @@ class JointRow:
     Attributes
     ----------
     joint
-        The node it lies at.
+        The point it lies at.
     place
         The point.
     reach
@@ -75,7 +75,7 @@ class JointRow:
     angle: float
     curvature: float
     smoothness: str
-    kind: Kind
+    kind: JointKind
     words: str
 
 
@@ -107,23 +107,23 @@ def certificate_of(view: CurveView) -> Certificate:
 
 
 def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
-    node = view.owner(joint.joint)
-    x, y = view.points[node].tolist()
+    point = view.owner(joint.joint)
+    x, y = view.points[point].tolist()
     measured = (joint.point_jump, joint.velocity_jump, joint.acceleration_jump)
     sizes = [0.0 if order <= joint.parametric else _size(each) for order, each in enumerate(measured)]
     kind = _kind(joint)
     words = _WORDS.get((joint.parametric, joint.geometric), "The curve is broken.")
     return JointRow(
-        joint=node,
+        joint=point,
         t=joint.parameter,
         place=(x, y),
-        reach=reaches[node],
+        reach=reaches[point],
         jumps=(sizes[0], sizes[1], sizes[2]),
         angle=0.0 if joint.geometric >= 1 else math.degrees(joint.angle),
         curvature=_curvature_jump(joint),
         smoothness=_class_text(joint),
         kind=kind,
-        words=_RESTS if kind is Kind.REST else words,
+        words=_RESTS if kind is JointKind.REST else words,
     )
 
 
@@ -137,16 +137,16 @@ def _curvature_jump(joint: Joint) -> float:
     return 0.0 if is_none else joint.curvature_jump
 
 
-def _kind(joint: Joint) -> Kind:
+def _kind(joint: Joint) -> JointKind:
     if joint.parametric < 0:
-        return Kind.BREAK
+        return JointKind.BREAK
     if math.isnan(joint.angle):
-        return Kind.REST
+        return JointKind.REST
     if joint.parametric >= 2:
-        return Kind.SMOOTH
+        return JointKind.SMOOTH
     if joint.parametric == 1:
-        return Kind.ACCELERATION
-    return Kind.SPEED if joint.geometric >= 1 else Kind.CORNER
+        return JointKind.ACCELERATION
+    return JointKind.SPEED if joint.geometric >= 1 else JointKind.CORNER
 
 
 def _class_text(joint: Joint) -> str:
@@ -161,7 +161,7 @@ def _raised(order: int) -> str:
 
 
 def _reaches(view: CurveView) -> list[float]:
-    """Return for every node the distance to the nearer of its neighbours that is elsewhere."""
+    """Return for every point the distance to the nearer of its neighbours that is elsewhere."""
     points = view.points
     ring = np.vstack([points[-1:], points, points[:1]])
     steps = np.hypot(*np.diff(ring, axis=0).T)
@@ -178,7 +178,7 @@ def _summary(rows: Sequence[JointRow]) -> str:
     """Say the class of most joints, and which ones are less smooth, or have no direction."""
     usual = Counter(row.smoothness for row in rows).most_common(1)[0][0]
     rank = {row.smoothness: _rank(row) for row in rows}
-    worse = [row for row in rows if rank[row.smoothness] < rank[usual] or row.kind is Kind.REST]
+    worse = [row for row in rows if rank[row.smoothness] < rank[usual] or row.kind is JointKind.REST]
     if not worse:
         return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its one joint."
     if len(worse) > _MOST_NAMED:
@@ -195,9 +195,11 @@ def _rank(row: JointRow) -> tuple[int, int]:
 
 def _brief(row: JointRow) -> str:
     """Name what is less smooth: of C⁰, G¹ the G¹, for the C⁰ goes without saying."""
-    if row.kind is Kind.REST:
+    if row.kind is JointKind.REST:
         return "stands still"
-    return f"{row.smoothness} (corner)" if row.kind is Kind.CORNER else row.smoothness.removeprefix("C⁰, ")
+    return (
+        f"{row.smoothness} (corner)" if row.kind is JointKind.CORNER else row.smoothness.removeprefix("C⁰, ")
+    )
 
 
 def as_text(certificate: Certificate) -> str:

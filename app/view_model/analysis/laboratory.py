@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from app.tasks.progress import Report, silent
-from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
+from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 from app.view_model.curve_view import CoreCurve, CurveView
 from app.view_model.refusals import in_words
 from curvecore import (
@@ -177,10 +177,10 @@ def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Tri
     outcomes, computed = list[Outcome](), list[FloatArray]()
     for calculation in chosen:
         # From rounded data, with exact arithmetic, all methods come to the same.
-        if settings.rounding is not Rounding.DATA or not outcomes:
+        if settings.rounding is not RoundedPart.DATA or not outcomes:
             computed = [trial.values(t, calculation, report) for trial, t in zip(trials, where, strict=True)]
         outcomes.append(_outcome(calculation, computed, truths, where, settings))
-    solves = settings.rounding is Rounding.EVERY_STEP and count <= _MOST_CONDITION
+    solves = settings.rounding is RoundedPart.EVERY_STEP and count <= _MOST_CONDITION
     condition = max(trial.condition() for trial in trials) if solves else None
     return Trial(view, settings, np.concatenate(where), tuple(outcomes), condition, note)
 
@@ -259,7 +259,7 @@ class _Experiment:
             *self._derivatives(),
             rounding=self._settings.rounding.value,
         )
-        if self._settings.rounding is Rounding.EVERY_STEP:
+        if self._settings.rounding is RoundedPart.EVERY_STEP:
             return str(x), str(y)
         # As many as are shown of the truth: what is computed exactly has no last digit of its own.
         shown = self._settings.digits + 2
@@ -279,7 +279,7 @@ class _Experiment:
 def _affordable(view: CurveView, settings: LaboratorySettings) -> tuple[list[Calculation], str]:
     """Return the chosen methods that are not too slow, and a sentence on what is left out."""
     chosen = [each for each in calculations(view) if each in settings.methods]
-    if len(view.parameters) <= MOST_POINTS or settings.rounding is Rounding.DATA:
+    if len(view.parameters) <= MOST_POINTS or settings.rounding is RoundedPart.DATA:
         return chosen, ""
     notes = []
     if Calculation.LAGRANGE in chosen:
@@ -288,16 +288,16 @@ def _affordable(view: CurveView, settings: LaboratorySettings) -> tuple[list[Cal
             f"Above {MOST_POINTS} points Lagrange is left out: its products take n² operations for every t. "
             "The barycentric form is the same polynomial."
         )
-    if settings.rounding is Rounding.COEFFICIENTS and view.source.family.derivatives == 0:
+    if settings.rounding is RoundedPart.COEFFICIENTS and view.source.family.derivatives == 0:
         chosen = [each for each in chosen if each is not Calculation.MONOMIAL]
         notes.append(f"Above {MOST_POINTS} points the monomials' coefficients are not found exactly.")
     return chosen, " ".join(notes)
 
 
 def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
-    if settings.rounding is Rounding.COEFFICIENTS:
+    if settings.rounding is RoundedPart.COEFFICIENTS:
         return f"The coefficients are not found exactly: {problem}."
-    if settings.rounding is Rounding.DATA:
+    if settings.rounding is RoundedPart.DATA:
         return f"To {settings.digits} digits, neighbouring t are the same number; keep more of them."
     if settings.decimals is not None:
         return f"To {settings.decimals} decimals, neighbouring t are the same number; keep more of them."

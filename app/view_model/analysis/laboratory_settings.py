@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from app.document.words import Named
+from app.document.words import NamedEnum
 from app.view_model.line_styles import BLUE, GREEN, PURPLE, USUAL_STYLE, VERMILLION, LineStyle
 
 LEAST_DIGITS, MOST_DIGITS = 2, 16
@@ -12,7 +12,7 @@ MOST_DECIMALS = 6
 USUAL_SHIFT = 100.0
 
 
-class Calculation(Named):
+class Calculation(NamedEnum):
     """A way to compute the curve, in the order in which the window lists them.
 
     Attributes
@@ -59,7 +59,7 @@ class Calculation(Named):
     )
 
 
-class Rounding(Named):
+class RoundedPart(NamedEnum):
     """What is rounded, in the order in which the window lists it."""
 
     EVERY_STEP = "every_step", "every step"
@@ -87,7 +87,7 @@ class LaboratorySettings(msgspec.Struct, frozen=True):
     """
 
     on: bool = False
-    rounding: Rounding = Rounding.EVERY_STEP
+    rounding: RoundedPart = RoundedPart.EVERY_STEP
     digits: int = 4
     methods: frozenset[Calculation] = frozenset(
         {Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BASIS}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import log10
 
 from app.view_model.analysis.laboratory import Outcome, Trial
-from app.view_model.analysis.laboratory_settings import Calculation, Rounding
+from app.view_model.analysis.laboratory_settings import Calculation, RoundedPart
 from app.view_model.analysis.wording import short
 
 _HOPELESS = 0.7
@@ -21,17 +21,17 @@ def trial_words(trial: Trial) -> str:
         return "Choose a method to compute the curve with."
     monomial = trial.outcome(Calculation.MONOMIAL)
     match trial.settings.rounding:
-        case Rounding.DATA:
+        case RoundedPart.DATA:
             return (
                 "Only the data are rounded: every method gives the same curve. An error of the points grows "
                 "Λ times at the most, one of tᵢ moves the curve by Lᵢ(t) c′(tᵢ) times as much."
             )
-        case Rounding.COEFFICIENTS if monomial is not None:
+        case RoundedPart.COEFFICIENTS if monomial is not None:
             return (
                 f"Only the coefficients are rounded, to {trial.settings.digits} digits. An error in the "
                 "coefficient of tᵏ moves the curve by tᵏ times as much, so that the error grows with |t|."
             )
-        case Rounding.EVERY_STEP if monomial is not None and trial.condition is not None:
+        case RoundedPart.EVERY_STEP if monomial is not None and trial.condition is not None:
             return _on_solving(trial, monomial, trial.condition)
     best = min(trial.outcomes, key=lambda each: each.lost)
     return f"{best.calculation.label} loses {best.lost:.1f} of {trial.settings.digits} digits."
@@ -49,7 +49,7 @@ def growth_words(trial: Trial) -> str:
 
 
 def _shows_growth(trial: Trial, outcome: Outcome) -> bool:
-    return outcome.calculation is not Calculation.MONOMIAL or trial.settings.rounding is Rounding.DATA
+    return outcome.calculation is not Calculation.MONOMIAL or trial.settings.rounding is RoundedPart.DATA
 
 
 def _on_solving(trial: Trial, monomial: Outcome, condition: float) -> str:

@@ -14,7 +14,7 @@ import msgspec
 
 from app.view_model.analysis.figures import Figure
 from app.view_model.analysis.records import Records
-from app.view_model.analysis.settings import AnalysisSettings, Setting
+from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 from app.view_model.line_styles import LineStyle
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     key: str = ""
     icon: str = ""
     full_name: str = ""
-    settings: tuple[Setting, ...] = ()
+    settings: tuple[OverlaySetting, ...] = ()
     follows_scrub: bool = False
     brings_scrub: bool = False
     legend: Callable[[AnalysisSettings], Sequence[Entry]] = lambda _settings: ()

@@ -17,7 +17,7 @@ _FEW, _LONG = 3, 200
 """Samples a segment of a polynomial through more than `_LONG` points, whose derivatives cost most."""
 
 
-class Samples(msgspec.Struct, frozen=True, eq=False):
+class PieceSamples(msgspec.Struct, frozen=True, eq=False):
     """A piece of a curve without corners: parameters (m,), and c, c', c'' there, (m, 2) each."""
 
     parameters: FloatArray
@@ -26,7 +26,7 @@ class Samples(msgspec.Struct, frozen=True, eq=False):
     accelerations: FloatArray
 
 
-def samples_of(view: CurveView) -> list[Samples]:
+def samples_of(view: CurveView) -> list[PieceSamples]:
     """Return samples of every piece, the joints among them, one-sided at both ends of each segment.
 
     A joint of a Hermite curve stands there twice: its second derivative is another one on either side.
@@ -36,7 +36,7 @@ def samples_of(view: CurveView) -> list[Samples]:
     segments = len(view.parameters) - 1
     least = _FEW if not view.source.family.is_local and segments > _LONG else LEAST_A_SEGMENT
     return [
-        Samples(t, *piece.derivatives_at(t, (0, 1, 2)))
+        PieceSamples(t, *piece.derivatives_at(t, (0, 1, 2)))
         for piece in view.pieces
         for t in [_parameters(piece.parameters, max(least, min(MOST // segments, 60)))]
     ]

@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 
 from app.tasks.progress import Report, silent
-from app.view_model.analysis.samples import Samples, samples_of
-from app.view_model.analysis.settings import AnalysisSettings, Setting
+from app.view_model.analysis.samples import PieceSamples, samples_of
+from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 from app.view_model.curve_view import CurveView
 from curvecore.arrays import FloatArray
 
@@ -33,12 +33,12 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
     scrub: float | None = None
     report: Report = silent
 
-    def value(self, setting: Setting) -> float:
+    def value(self, setting: OverlaySetting) -> float:
         """Return what a setting of an overlay is."""
         return self.settings.value(setting)
 
     @cached_property
-    def samples(self) -> list[Samples]:
+    def samples(self) -> list[PieceSamples]:
         """Samples of every piece; computed once for all overlays."""
         return samples_of(self.view)
 

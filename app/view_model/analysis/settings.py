@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from app.view_model.curve_view import CurveView
 
 
-class Setting(msgspec.Struct, frozen=True):
+class OverlaySetting(msgspec.Struct, frozen=True):
     """A number that an overlay is drawn with; this kind is set by an action.
 
     Attributes
@@ -34,20 +34,20 @@ class Setting(msgspec.Struct, frozen=True):
     default: float = 0.0
 
 
-class Factor(Setting, frozen=True):
+class Factor(OverlaySetting, frozen=True):
     """A factor from a tenth to ten, set by a slider."""
 
     default: float = 1.0
 
 
-class Count(Setting, frozen=True, kw_only=True):
+class Count(OverlaySetting, frozen=True, kw_only=True):
     """A whole number from `least` to `most`, set by a slider."""
 
     least: int
     most: int
 
 
-class ErrorSize(Setting, frozen=True, kw_only=True):
+class ErrorSize(OverlaySetting, frozen=True, kw_only=True):
     """The largest error of something, typed.
 
     Attributes
@@ -83,7 +83,7 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
     """
 
     overlays: frozenset[Overlay] = frozenset()
-    values: frozenset[tuple[Setting, float]] = frozenset()
+    values: frozenset[tuple[OverlaySetting, float]] = frozenset()
     plots: frozenset[Plot] = frozenset()
     ghosts: frozenset[Ghost] = frozenset()
     laboratory: LaboratorySettings = LaboratorySettings()
@@ -93,15 +93,15 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
         """Whether nothing is switched on."""
         return not self.overlays and not self.ghosts
 
-    def value(self, setting: Setting) -> float:
+    def value(self, setting: OverlaySetting) -> float:
         """Return what a setting is."""
         return dict(self.values).get(setting, setting.default)
 
-    def has(self, setting: Setting) -> bool:
+    def has(self, setting: OverlaySetting) -> bool:
         """Whether a setting was ever set."""
         return setting in dict(self.values)
 
-    def with_value(self, setting: Setting, value: float) -> AnalysisSettings:
+    def with_value(self, setting: OverlaySetting, value: float) -> AnalysisSettings:
         """Return these settings with another value for one of them."""
         values = dict(self.values) | {setting: value}
         return msgspec.structs.replace(self, values=frozenset(values.items()))

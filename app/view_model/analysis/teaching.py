@@ -67,7 +67,7 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
                 "get from one to the other in no time, and the smallest error shows.",
             )
         )
-    if lebesgue > _LOOK_CLOSER and len(view.parameters) <= _MOST_EXACT and view.skeleton is not None:
+    if lebesgue > _LOOK_CLOSER and len(view.parameters) <= _MOST_EXACT and view.basis_curve is not None:
         lebesgue = growth_of_points(view)
     if lebesgue > LARGE_LEBESGUE:
         found.append(

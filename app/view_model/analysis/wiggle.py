@@ -30,7 +30,7 @@ class Pull:
 
     Attributes
     ----------
-    node
+    point
         The point it belongs to.
     order
         0: its position; 1: its velocity; 2: its acceleration.
@@ -40,7 +40,7 @@ class Pull:
         distance of the two points of the segment.
     """
 
-    node: int
+    point: int
     order: int
     weight: float
 
@@ -54,7 +54,7 @@ class Explanation:
     t
         The parameter.
     segment
-        The knot at the beginning of the segment, and the nodes at both its ends.
+        The knot at the beginning of the segment, and the points at both its ends.
     pulls
         The strongest data, the strongest first.
     lebesgue
@@ -109,7 +109,7 @@ def _distances(places: FloatArray, start: FloatArray, end: FloatArray) -> FloatA
 
 def explain(view: CurveView, t: float) -> Explanation | None:
     """Return who pulls at `t`; None where there is no curve."""
-    if not view.is_current or view.curve is None or view.skeleton is None:
+    if not view.is_current or view.curve is None or view.basis_curve is None:
         return None
     knots = view.parameters
     t = min(max(t, float(knots[0])), float(knots[-1]))
@@ -131,10 +131,10 @@ def explain(view: CurveView, t: float) -> Explanation | None:
 
 def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ...]:
     """Return all that counts, the strongest first: points with their estimates, and what was set."""
-    assert view.skeleton is not None
-    found = [Pull(node, 0, float(weight)) for node, weight in enumerate(weights_at(view, t)) if weight != 0]
+    assert view.basis_curve is not None
+    found = [Pull(point, 0, float(weight)) for point, weight in enumerate(weights_at(view, t)) if weight != 0]
     if view.sides is not None:
-        basis = view.skeleton.basis(np.array([t]))[0]
+        basis = view.basis_curve.basis(np.array([t]))[0]
         for order in range(1, basis.shape[1]):
             # Velocity and acceleration ahead of the first point, and before the second.
             for at, jets, ahead in ((knot, view.sides.after, True), (knot + 1, view.sides.before, False)):
@@ -156,7 +156,7 @@ def _swing_words(segment: tuple[int, int, int], swing: float, chord: float) -> s
 
 def _pull_words(view: CurveView, pulls: tuple[Pull, ...], segment: tuple[int, int, int]) -> str:
     """Say who of those far away pulls hardest, or that nobody does."""
-    far = [pull for pull in pulls if pull.order == 0 and pull.node not in segment[1:]]
+    far = [pull for pull in pulls if pull.order == 0 and pull.point not in segment[1:]]
     given = _given_words(pulls)
     if not far or abs(far[0].weight) < _FAR_WEIGHT:
         near = f"points {segment[1]} and {segment[2]}"
@@ -164,11 +164,11 @@ def _pull_words(view: CurveView, pulls: tuple[Pull, ...], segment: tuple[int, in
             return f"Only {near} have a say here."
         return f"Only {near} and their derivatives count here{given}."
     pull = far[0]
-    steps = segment[1] - pull.node if pull.node < segment[1] else pull.node - segment[2]
+    steps = segment[1] - pull.point if pull.point < segment[1] else pull.point - segment[2]
     verb = "pushes" if pull.weight < 0 else "pulls"
     away = "it is only the next point" if steps == 1 else f"it lies {steps} points away"
     follows = ", for the estimates follow it" if view.source.family.derivatives else ""
-    return f"Point {pull.node} {verb} with weight {short(pull.weight)} though {away}{follows}{given}."
+    return f"Point {pull.point} {verb} with weight {short(pull.weight)} though {away}{follows}{given}."
 
 
 def _given_words(pulls: tuple[Pull, ...]) -> str:
@@ -178,7 +178,7 @@ def _given_words(pulls: tuple[Pull, ...]) -> str:
         return ""
     name = ("", "velocity", "acceleration")[strongest.order]
     carries = f"carries the curve {short(strongest.weight)} times their distance"
-    return f"; the {name} set at point {strongest.node} {carries}"
+    return f"; the {name} set at point {strongest.point} {carries}"
 
 
 def _error_words(lebesgue: float) -> str:

@@ -16,7 +16,7 @@ import curvecore
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
 from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
-from app.view_model.analysis.samples import Samples, unit_tangents
+from app.view_model.analysis.samples import PieceSamples, unit_tangents
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.line_styles import LineStyle, Sign
@@ -72,16 +72,16 @@ def _band(scene: Scene) -> Drawn:
     return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
 
 
-def _thinned(piece: Samples, most: int) -> Samples:
+def _thinned(piece: PieceSamples, most: int) -> PieceSamples:
     """Leave out samples that repeat the one before, and more than a drawing needs."""
     t = piece.parameters
     kept = np.flatnonzero(np.append(np.diff(t) > 1e-9 * (t[-1] - t[0]), True))
     step = -(-len(kept) // most)
     kept = np.unique(np.append(kept[::step], kept[-1]))
-    return Samples(t[kept], piece.points[kept], piece.velocities[kept], piece.accelerations[kept])
+    return PieceSamples(t[kept], piece.points[kept], piece.velocities[kept], piece.accelerations[kept])
 
 
-def _strip(piece: Samples, radii: FloatArray) -> list[FloatArray]:
+def _strip(piece: PieceSamples, radii: FloatArray) -> list[FloatArray]:
     """Return polygons that cover the discs around the samples and what lies between them."""
     tangents = unit_tangents(piece.velocities)
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])

@@ -11,7 +11,7 @@ import numpy as np
 import curvecore
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.samples import Samples, unit_tangents
+from app.view_model.analysis.samples import PieceSamples, unit_tangents
 from app.view_model.analysis.scene import Scene, usual_length
 from app.view_model.analysis.settings import Factor
 from app.view_model.line_styles import LineStyle
@@ -46,11 +46,11 @@ def _comb(scene: Scene) -> Drawn:
     return figures, ""
 
 
-def _curvature(piece: Samples) -> FloatArray:
+def _curvature(piece: PieceSamples) -> FloatArray:
     return curvecore.curvature_of(piece.velocities, piece.accelerations)
 
 
-def _normals(piece: Samples) -> FloatArray:
+def _normals(piece: PieceSamples) -> FloatArray:
     """Return unit normals to the left of the curve, zero where it stands still."""
     tangents = unit_tangents(piece.velocities)
     return np.column_stack([-tangents[:, 1], tangents[:, 0]])

@@ -9,7 +9,7 @@ from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
-from app.view_model.analysis.settings import Count, Setting
+from app.view_model.analysis.settings import Count, OverlaySetting
 from app.view_model.line_styles import LineStyle
 from app.view_model.refusals import in_words
 from curvecore.arrays import FloatArray
@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 LINES = LineStyle("muted", 0.3)
 
 COUNT = Count("ensembleCount", "Number of curves", 30, least=1, most=200)
-SEED = Setting("ensembleSeed", "Which random numbers")
+SEED = OverlaySetting("ensembleSeed", "Which random numbers")
 
 _SAMPLES = 240
 

@@ -1,0 +1,69 @@
+"""Chosen curves and selected points: where they are after a change, and which came back with it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from app.document.model import Curve, Point, Vector
+
+
+def followed_curves(
+    selected: Collection[int], before: Sequence[Curve], after: Sequence[Curve]
+) -> frozenset[int]:
+    """Return where selected curves are after a change: the same values, or else the same places.
+
+    An edit hands on what it does not change, so that a curve elsewhere in the order is the same object. One
+    that was changed is looked for in its place, where the number of curves is what it was.
+    """
+    if before is after:
+        return frozenset(selected)
+    places = {id(curve): place for place, curve in enumerate(after)}
+    same_number = len(before) == len(after)
+    found = set()
+    for place in selected:
+        if same_number and after[place] is before[place]:
+            found.add(place)
+        elif id(before[place]) in places:
+            found.add(places[id(before[place])])
+        elif same_number:
+            found.add(place)
+    return frozenset(found)
+
+
+def followed_points(
+    selected: Collection[int], before: Sequence[Point], after: Sequence[Point]
+) -> frozenset[int]:
+    """Return where selected points are after a change; those of which nothing is left are left out.
+
+    As many points as before are the same ones, wherever they went. Otherwise a point is where it was in the
+    plane: of several at one place the first stays the first.
+    """
+    if len(before) == len(after):
+        return frozenset(selected)
+    places: dict[Vector, list[int]] = {}
+    for index, point in enumerate(after):
+        places.setdefault(point.position, []).append(index)
+    found = set()
+    # Every old point takes the first place left where it is, so that one walk over the points will do.
+    left = {position: iter(indices) for position, indices in places.items()}
+    for index, point in enumerate(before):
+        place = next(left[point.position], None) if point.position in left else None
+        if place is not None and index in selected:
+            found.add(place)
+    return frozenset(found)
+
+
+def returned_points(before: Sequence[Point], after: Sequence[Point]) -> frozenset[int]:
+    """Return which points of `after` are at no place of `before`; none unless there are more of them."""
+    if len(after) <= len(before):
+        return frozenset()
+    places = {point.position for point in before}
+    return frozenset(index for index, point in enumerate(after) if point.position not in places)
+
+
+def returned_curves(before: Sequence[Curve], after: Sequence[Curve]) -> frozenset[int]:
+    """Return which curves of `after` are not among `before`; none unless there are more of them."""
+    if len(after) <= len(before):
+        return frozenset()
+    known = {id(curve) for curve in before}
+    return frozenset(place for place, curve in enumerate(after) if id(curve) not in known)

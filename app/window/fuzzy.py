@@ -1,0 +1,103 @@
+"""Fuzzy match of something typed with a name: whole words, beginnings, or letters in their order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
+_BEGINS, _BEGINS_WORD, _WITHIN, _SCATTERED = 100.0, 85.0, 60.0, 40.0
+_IN_PATH, _IN_TIP, _BY_ANOTHER_NAME = 0.6, 0.3, 0.8
+_LEAST_SCATTERED = 8.0
+
+_ALSO_CALLED: Final = {
+    "fill": ("colour",), "stroke": ("colour",), "color": ("colour",), "paint": ("colour",),
+    "mirror": ("flip", "reverse", "scale"), "flip": ("mirror", "reverse", "scale"), "invert": ("reverse",),
+    "remove": ("delete",), "erase": ("delete",), "clone": ("duplicate",), "resize": ("scale",),
+    "turn": ("rotate",), "settings": ("preferences",), "options": ("preferences",), "hotkeys": ("shortcuts",),
+    "print": ("export",), "night": ("dark",), "fullscreen": ("presentation",), "animate": ("play",),
+}  # fmt: skip
+"""Synonyms: words that people type, and those of this program for them."""
+
+
+class SearchEntry(NamedTuple):
+    """A command that can be found: name, the menus that lead to it, and words about it."""
+
+    name: str
+    path: str = ""
+    tip: str = ""
+
+
+def ranked(typed: str, things: Sequence[SearchEntry]) -> list[int]:
+    """Return the places of the things that fit, the best first.
+
+    Letters that are only scattered over a name count where no name has them in one piece.
+    """
+    rated = [(fit, place) for place, each in enumerate(things) if (fit := fitness(typed, *each)) is not None]
+    if any(_is_whole(typed, things[place]._replace(tip="")) for _, place in rated):
+        rated = [(fit, place) for fit, place in rated if _is_whole(typed, things[place])]
+    return [place for _, place in sorted(rated, key=lambda pair: -pair[0])]
+
+
+def fitness(typed: str, name: str, path: str = "", tip: str = "") -> float | None:
+    """Return how well `typed` fits; None where it does not.
+
+    Every word typed must be found: in the name, or where a word of the path or of the tip begins.
+    """
+    total = 0.0
+    for word in typed.casefold().split():
+        best = max(_fitness_of(word, name, path, tip), _scattered_in(word, name.casefold()))
+        if best <= 0:
+            return None
+        total += best
+    if typed.strip() and name.casefold().startswith(" ".join(typed.casefold().split())):
+        total += _BEGINS  # the words as they were typed are how it is called
+    # Of two that fit alike the shorter is meant.
+    return total - 0.05 * len(name)
+
+
+def _is_whole(typed: str, thing: SearchEntry) -> bool:
+    """Whether every word that was typed is found in one piece."""
+    return all(_fitness_of(word, *thing) > 0 for word in typed.casefold().split())
+
+
+def _fitness_of(word: str, name: str, path: str, tip: str) -> float:
+    """Return how well a word fits in one piece, by one of its names; 0 where it does not."""
+    others = [_word_fitness(other, name.casefold()) for other in _ALSO_CALLED.get(word, ())]
+    return max(
+        _word_fitness(word, name.casefold()),
+        _BY_ANOTHER_NAME * max(others, default=0.0),
+        _BEGINS_WORD * _IN_PATH if _begins_word(word, path.casefold()) else 0.0,
+        _BEGINS_WORD * _IN_TIP if _begins_word(word, tip.casefold()) else 0.0,
+    )
+
+
+def _word_fitness(word: str, text: str) -> float:
+    if text.startswith(word):
+        return _BEGINS
+    if _begins_word(word, text):
+        return _BEGINS_WORD
+    return _WITHIN if word in text else 0.0
+
+
+def _begins_word(word: str, text: str) -> bool:
+    return any(part.startswith(word) for part in text.split())
+
+
+def _scattered_in(word: str, text: str) -> float:
+    return max((_scattered(word, text, i) for i, letter in enumerate(text) if letter == word[0]), default=0.0)
+
+
+def _scattered(word: str, text: str, start: int) -> float:
+    """Rate the letters of `word` found in order from `start` on; gaps cost, beginnings of words are free."""
+    score, place = _SCATTERED, start
+    for letter in word[1:]:
+        following = text.find(letter, place + 1)
+        if following < 0:
+            return 0.0
+        initial = text.find(f" {letter}", place) + 1
+        if initial > 0 and following != place + 1:
+            following = initial
+        elif following != place + 1:
+            score -= 3.0 + (following - place)
+        place = following
+    return score if score >= _LEAST_SCATTERED else 0.0
