@@ -16,7 +16,8 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
-from curvecore.bezier.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
+from curvecore.bezier.flatten_samples import sampled_pieces
+from curvecore.bezier.polylines import Pieces, may_enter, merged_pieces, segment_distance
 from curvecore.drag.left_out import LeftOut
 from curvecore.families.curve import Curve
 

@@ -155,7 +155,7 @@ class Chain(Curve):
             segment[part.where] = own + part.joint
         return segment, moves
 
-    def _parts(self, t: FloatArray) -> Iterator[_Part]:
+    def _parts(self, t: FloatArray) -> Iterator[_PieceParameters]:
         """Yield the pieces that hold some of t; the first and the last one go on outside the domain."""
         starts = np.array([piece.domain[0] for piece in self._pieces[1:]])
         piece_of = np.searchsorted(starts, t, side="right")
@@ -163,7 +163,7 @@ class Chain(Curve):
         for index, piece in enumerate(self._pieces):
             where = np.flatnonzero(piece_of == index)
             if where.size:
-                yield _Part(piece, where, t[where], row, row - index)
+                yield _PieceParameters(piece, where, t[where], row, row - index)
             row += len(piece.parameters)
 
     def _cuts(self) -> IntArray:
@@ -171,7 +171,7 @@ class Chain(Curve):
         return np.cumsum([len(piece.parameters) for piece in self._pieces])[:-1]
 
 
-class _Part(NamedTuple):
+class _PieceParameters(NamedTuple):
     """A piece of a chain and the parameters t that it holds.
 
     Attributes
