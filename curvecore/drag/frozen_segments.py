@@ -29,10 +29,8 @@ class FrozenSegments:
     ----------
     curve : Curve
         Of dim 2, of a family with Bezier pieces.
-    tolerance : float
-        Largest allowed distance from a curve to its polyline, above 0.
-    box : (xmin, ymin, xmax, ymax), optional
-        Where the tolerance matters; see `flatten_parameters`.
+    tolerance, box
+        As for `FrozenFlattening`.
 
     Raises
     ------
