@@ -1,4 +1,4 @@
-"""Lengths of vectors."""
+"""Lengths and cross products of vectors."""
 
 from __future__ import annotations
 
@@ -6,6 +6,11 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
+
+
+def cross(first: FloatArray, second: FloatArray) -> FloatArray:
+    """Return the cross products of plane vectors along the last axis."""
+    return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
 
 
 def vector_lengths(vectors: FloatArray) -> FloatArray:

@@ -93,6 +93,13 @@ def product(first: FloatArray, second: FloatArray) -> FloatArray:
     return result
 
 
+def squared_length(vectors: FloatArray) -> FloatArray:
+    """Return the coefficients of the squared lengths of vectors, shape (k, d + 1, dim) to (k, 2 d + 1)."""
+    squares = (product(column, column) for column in np.moveaxis(vectors, 2, 0))
+    result: FloatArray = np.sum(list(squares), axis=0)
+    return result
+
+
 def elevated(coefficients: FloatArray, by: int = 1) -> FloatArray:
     """Return the same polynomials with coefficients of a higher degree, shape (k, d + 1 + by, ...)."""
     result = coefficients
