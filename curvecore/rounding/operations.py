@@ -1,4 +1,4 @@
-"""What the methods of `rounding` cost, counted and not measured.
+"""Cost of the methods of `rounding`, counted and not measured.
 
 References
 ----------
