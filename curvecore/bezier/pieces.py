@@ -22,12 +22,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.bezier.bernstein_algebra import derivative, elevated, weights
-from curvecore.bezier.control_points import all_joints, spread
+from curvecore.bezier.control_points import MAX_PIECES, all_joints, spread
 from curvecore.families.curve import Curve
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
-
-MAX_PIECES = 1 << 12
-"""No polynomial is divided into more pieces than this."""
 
 _DEGREE = 8
 _POINTS = 2 * _DEGREE + 1

@@ -29,7 +29,7 @@ from curvecore.double_double import DoubleDouble, add, difference, multiply, res
 
 
 class LocalCoordinates(NamedTuple):
-    """Where parameters lie in their segments.
+    """Places of parameters within their segments.
 
     Attributes
     ----------

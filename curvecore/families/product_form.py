@@ -43,7 +43,7 @@ _FAR = 2.0**60  # so do those above
 
 
 class Hits(NamedTuple):
-    """Where parameters equal nodes: t[columns] == node[nodes]."""
+    """Places at which parameters equal nodes: t[columns] == node[nodes]."""
 
     columns: IntArray
     nodes: IntArray
@@ -71,7 +71,7 @@ class BasisPart(NamedTuple):
 
 
 class Nodes(NamedTuple):
-    """What the basis functions need to know about the parameters.
+    """Parameters, prepared for their basis functions.
 
     Attributes
     ----------
