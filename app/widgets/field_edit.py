@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from app.document.expression import ExpressionError, parse_number
 from app.document.words import number
 from app.qt.overrides import Guarded
+from app.widgets.controls import named
 from app.widgets.number_text import decimal_mark, typed_text
 
 # Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
@@ -37,9 +38,7 @@ class FieldEdit(Guarded, QLineEdit):
 
     def __init__(self, name: str, label: str, tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName(name)
-        self.setAccessibleName(label)
-        self.setToolTip(tip)
+        named(self, name, label, tip)
         self.setTextMargins(3, 0, 3, 0)
         self._whole = self._short = self._entered = ""
         self.returnPressed.connect(self._commit)

@@ -7,9 +7,10 @@ from typing import Generic, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QScreen, QShowEvent
-from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QWidget
 
 from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of
 
 FRAME = QSize(16, 48)
 """Room for title bar and borders, which nobody knows before a window is shown."""
@@ -88,16 +89,9 @@ class FittedDialog(Guarded, QDialog):
     def hold(self, *feet: QWidget, wished: QSize | None = None) -> None:
         """Show the body and below it what always stays in sight; `wished` is the least size where it fits."""
         self._wished = wished or QSize()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self._area, 1)
+        layout = column_of((self._area, 1), margins=0, spacing=0, parent=self)
         if feet:
-            below = QVBoxLayout()
-            below.setContentsMargins(16, 10, 16, 14)
-            for foot in feet:
-                below.addWidget(foot)
-            layout.addLayout(below)
+            layout.addLayout(column_of(*feet, margins=(16, 10, 16, 14)))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

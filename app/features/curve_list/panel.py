@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from app.appearance.colours import CURVE_COLOURS, curve_colour
 from app.appearance.theme import Theme, theme_of
@@ -15,6 +15,7 @@ from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.view import CurveListView, Spot
 from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
+from app.widgets.boxes import column_of, row_of
 from app.widgets.tool_buttons import action_button
 
 
@@ -49,15 +50,8 @@ class CurveList(Guarded, QWidget):
         self.setObjectName("curveListPanel")
         self.model = CurveListModel(self)
         self.view = CurveListView(self.model, self)
-        self._buttons = QHBoxLayout()
-        self._buttons.setContentsMargins(6, 4, 6, 4)
-        self._buttons.setSpacing(2)
-        self._buttons.addStretch(1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self.view, 1)
-        layout.addLayout(self._buttons)
+        self._buttons = row_of(1, margins=(6, 4, 6, 4), spacing=2)
+        column_of((self.view, 1), self._buttons, margins=0, spacing=0, parent=self)
         self.view.spot_clicked.connect(self._switch)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:

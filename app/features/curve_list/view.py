@@ -43,6 +43,7 @@ from app.features.curve_list.model import CurveListModel, Row
 from app.qt.labels import tip_of
 from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
+from app.widgets.controls import named
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -110,12 +111,9 @@ class _RowDelegate(Guarded, QStyledItemDelegate):
         name = spot_rect(rect, Spot.NAME)
         elided = painter.fontMetrics().elidedText(row.name, Qt.TextElideMode.ElideRight, name.width())
         painter.drawText(name, int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft), elided)
-        self._paint_switch(
-            painter, spot_rect(rect, Spot.LOCK), "lock" if row.locked else "unlock", row.locked
-        )
-        self._paint_switch(
-            painter, spot_rect(rect, Spot.EYE), "eye" if row.visible else "eye-off", row.visible
-        )
+        lock, eye = "lock" if row.locked else "unlock", "eye" if row.visible else "eye-off"
+        self._paint_switch(painter, spot_rect(rect, Spot.LOCK), lock, row.locked)
+        self._paint_switch(painter, spot_rect(rect, Spot.EYE), eye, row.visible)
         painter.restore()
 
     @staticmethod
@@ -147,11 +145,8 @@ class _RowDelegate(Guarded, QStyledItemDelegate):
         return QSize(120, option.fontMetrics.height() + 12)
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
-        editor = QLineEdit(parent)
-        editor.setObjectName("curveNameEditor")
-        editor.setAccessibleName("Name of the curve")
-        editor.setToolTip("Name of the curve (Enter to set, Escape to leave it)")
-        return editor
+        tip = "Name of the curve (Enter to set, Escape to leave it)"
+        return named(QLineEdit(parent), "curveNameEditor", "Name of the curve", tip)
 
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:
         rect: QRect = option.rect
@@ -194,12 +189,11 @@ class CurveListView(Guarded, QListView):
         self._pressed_row = -1
         self._gap: int | None = None
         self.setModel(model)
-        self.setObjectName("curveList")
-        self.setAccessibleName("Curves")
-        self.setToolTip(
+        tip = (
             "The curve in front is at the top. Click a curve to edit it, double-click to rename it,"
             " drag it to another place; Ctrl or Shift+click chooses several"
         )
+        named(self, "curveList", "Curves", tip)
         self._delegate = _RowDelegate(self)
         self.setItemDelegate(self._delegate)
         self.setFrameShape(QListView.Shape.NoFrame)

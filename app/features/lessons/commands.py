@@ -20,7 +20,6 @@ from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
 from app.workbench.context import WindowContext
 from app.workbench.docks import LEFT, LatePanel
-from app.workbench.late_dock import LateDock
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -58,10 +57,8 @@ class LessonCommands:
         self._given: Document | None = None
         self._visits: dict[Beginning, _Visit] = {}
         self._switched_on: list[str] = []
-        dock = context.docks["lessonsDock"]
-        assert isinstance(dock, LateDock)
-        self._dock = dock
-        dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
+        self._dock = context.docks["lessonsDock"]
+        self._dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
 
     def render(self, view: CurveView) -> None:
         """Tick the goal when the curve meets it."""
@@ -90,9 +87,9 @@ class LessonCommands:
         self._begin([lesson.name for lesson in self._lessons].index(name))
 
     @LatePanel("lessonsDock", "Lessons", LEFT, on_demand=True)
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when the dock is first shown."""
-        panel = self._panel = lessons.panel.LessonPanel(self._lessons)
+        panel = self._panel = lessons.panel.LessonPanel(self._lessons, parent)
         panel.lesson_chosen.connect(self._begin)
         panel.again_wanted.connect(self._begin_again)
         panel.step_chosen.connect(self._go)

@@ -68,10 +68,6 @@ class MotionStage(Guarded, QObject):
         if compares:
             self.player.play()
 
-    def ask_and_export(self) -> None:
-        """Let the person say how large and how long, and write the motion."""
-        self.export.ask(self.player.settings)
-
     # What is shown
 
     def settle(self, view: CurveView) -> None:

@@ -48,9 +48,9 @@ class OverlayCommands:
         context.session.scrub_changed.connect(self._follow_scrub)
 
     @LatePanel("analysisDock", "Analysis")
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when its dock is first shown."""
-        return overlays.panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
+        return overlays.panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__, parent)
 
     # What is shown
 

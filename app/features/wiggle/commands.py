@@ -14,7 +14,6 @@ from app.canvas.trace_layer import Trace
 from app.document.model import Document
 from app.features import wiggle
 from app.tasks.debounced_task import DebouncedTask
-from app.tasks.progress import Report
 from app.tools.explain import EXPLAIN
 from app.view_model import analysis
 from app.view_model.curve_view import CurveView
@@ -54,9 +53,9 @@ class WiggleCommands(QObject):
         self.follow(self._session.active_view)
 
     @LatePanel("wiggleDock", "Wiggle", on_demand=True)
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        self._panel = wiggle.panel.WigglePanel()
+        self._panel = wiggle.panel.WigglePanel(parent)
         self._panel.looked_at.connect(self._preview)
         self._panel.chosen.connect(self._apply)
         return self._panel
@@ -95,7 +94,6 @@ class WiggleCommands(QObject):
         self._open()
 
     def _explain_widest(self) -> None:
-
         view = self._session.active_view
         if view.is_current:
             self._session.set_scrub(analysis.wiggle.widest(view))
@@ -107,8 +105,7 @@ class WiggleCommands(QObject):
         self._open()
 
     def _open(self) -> None:
-        self._dock.show()
-        self._dock.raise_()
+        self._dock.bring_up()
         self.follow(self._session.active_view)
         make_room_once(self._context.window, self._dock, _HEIGHT)
 
@@ -126,7 +123,6 @@ class WiggleCommands(QObject):
         panel = self._panel
         if panel is None or not self._is_seen:
             return
-
         t = self._session.scrub
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.points), view.problem)
@@ -140,11 +136,11 @@ class WiggleCommands(QObject):
         if self._asked != (document, curve, knot):
             self._asked = (document, curve, knot)
             self._preview("")
-            self._task.ask(lambda report: _try(document, curve, view, knot, report))
+            self._task.ask(lambda report: analysis.cures.cures_of(document, curve, view, knot, report))
             self._show_cures()
 
-    def _take(self, result: object) -> None:
-        self._cures = result  # type: ignore[assignment]  # from _try
+    def _take(self, cures: Cures | None) -> None:
+        self._cures = cures
         self._show_cures()
 
     def _show_cures(self) -> None:
@@ -178,10 +174,6 @@ class WiggleCommands(QObject):
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
             self._session.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
-
-
-def _try(document: Document, curve: int, view: CurveView, knot: int, report: Report) -> Cures | None:
-    return analysis.cures.cures_of(document, curve, view, knot, report)
 
 
 COMMAND_SETS = (WiggleCommands,)
