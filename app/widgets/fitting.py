@@ -93,6 +93,12 @@ class FittedDialog(Guarded, QDialog):
         if feet:
             layout.addLayout(column_of(*feet, margins=(16, 10, 16, 14)))
 
+    def bring_up(self) -> None:
+        """Show it in front of the other windows."""
+        self.show()
+        self.raise_()
+        self.activateWindow()
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if not event.spontaneous() and not self._wished.isNull():

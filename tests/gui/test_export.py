@@ -103,7 +103,7 @@ def test_the_options_of_a_format_alone_are_shown(dialog):
         assert form.fields["width"].widget.isVisible() is shown
         assert form.fields["samples"].widget.isVisible() is (ending == ".csv")
         assert form.fields["tolerance"].widget.isVisible() is (ending == ".svg")
-        assert dialog.look.isVisible() is (ending in (".png", ".svg"))
+        assert dialog.preview_side.isVisible() is (ending in (".png", ".svg"))
         assert not form.fields["cubic"].widget.isVisible()
     choose_format(dialog, ".dxf")
     assert form.fields["cubic"].widget.isVisible()

@@ -94,7 +94,7 @@ def save_loudly(qtbot):
 
 def looks(editor):
     """How often the file was looked at since it was found gone or broken."""
-    return editor.window.findChild(DiskCommands)._looks
+    return editor.window.findChild(DiskCommands).checks
 
 
 def edit(editor):

@@ -32,7 +32,7 @@ from app.workbench.strip_menu import strip_menu
 
 
 class CurveListCommands:
-    """What works on several curves as on one, and the list where they are selected.
+    """Actions on all selected curves, and the list where they are selected.
 
     Attributes
     ----------

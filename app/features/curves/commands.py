@@ -30,7 +30,7 @@ from app.workbench.context import WindowContext
 
 
 class CurveCommands:
-    """What is done to a curve as a whole."""
+    """Actions on a whole curve."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication, QImage
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog
 
 from app import exchange
 from app.actions.declaration import action
@@ -163,7 +163,7 @@ class ExchangeCommands:
         dialog.foot.rest_skipped.connect(skip_rest)
         dialog.foot.show_turn(self._series.turn)
         self._series.changed = dialog.foot.show_turn
-        _open(dialog)
+        dialog.bring_up()
 
     def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
         if isinstance(found, _OpenTable):
@@ -222,7 +222,7 @@ class ExchangeCommands:
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._release_dialog)
         self._show_in_dialog()
-        _open(self._dialog)
+        self._dialog.bring_up()
 
     def _release_dialog(self) -> None:
         self._dialog = None
@@ -334,12 +334,6 @@ def _filters() -> str:
     everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
     kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
     return ";;".join([everything, *kinds, "All files (*)"])
-
-
-def _open(dialog: QWidget) -> None:
-    dialog.show()
-    dialog.raise_()
-    dialog.activateWindow()
 
 
 COMMAND_SETS = (ExchangeCommands,)

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 _GROUP = "laboratory"
 _HEIGHT = 480
-"""What the laboratory needs of the side to show its controls and its table."""
+"""Pixels of the side that the laboratory needs for its controls and its table."""
 
 
 class LaboratoryCommands(Guarded, QObject):
@@ -66,14 +66,14 @@ class LaboratoryCommands(Guarded, QObject):
     def _connect(self) -> None:
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
-        self._dock.visibilityChanged.connect(self._look)
+        self._dock.visibilityChanged.connect(self._follow_visibility)
         self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
         self._session.scrub_changed.connect(self._ask_digits)
         self._context.store.changed.connect(self._plot_errors)
-        self._task.ready.connect(self._take)
+        self._task.ready.connect(self._show_result)
         self._task.busy_changed.connect(lambda _busy: self._show())
-        self._digits_task.ready.connect(self._take_digits)
-        self._cost_task.ready.connect(self._take_cost)
+        self._digits_task.ready.connect(self._show_digits)
+        self._cost_task.ready.connect(self._show_measured)
         self._cost_task.busy_changed.connect(lambda _busy: self._show_cost())
 
     @LatePanel("laboratoryDock", "Lab", on_demand=True)
@@ -132,7 +132,7 @@ class LaboratoryCommands(Guarded, QObject):
             # What it plots is computed here.
             self._open()
 
-    def _look(self, visible: bool) -> None:
+    def _follow_visibility(self, visible: bool) -> None:
         self._is_seen = visible
         if visible and self._context.window.isVisible():
             self._switch(True)
@@ -170,7 +170,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, ())
         self._plot_errors()
 
-    def _take(self, result: object) -> None:
+    def _show_result(self, result: object) -> None:
         self.trial = result if isinstance(result, analysis.laboratory.Trial) else None
         self._problem = result.reason if isinstance(result, analysis.laboratory.Refused) else ""
         self._show()
@@ -187,7 +187,7 @@ class LaboratoryCommands(Guarded, QObject):
             t = max(trial.outcomes, key=lambda each: each.worst[0]).worst[1]
         self._digits_task.ask(lambda _report: analysis.laboratory.digits_at(trial.view, trial.settings, t))
 
-    def _take_digits(self, digits: Digits | None) -> None:
+    def _show_digits(self, digits: Digits | None) -> None:
         if self._panel is not None:
             self._panel.render_digits(digits)
 
@@ -199,7 +199,7 @@ class LaboratoryCommands(Guarded, QObject):
             self._costed = view
             self._cost_task.ask(lambda report: analysis.cost.cost_of(view, report))
 
-    def _take_cost(self, cost: SolvingCost | None) -> None:
+    def _show_measured(self, cost: SolvingCost | None) -> None:
         self._cost = cost
         self._show_cost()
 

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from app import view_model
 from app.actions.declaration import action
-from app.actions.sections import HELP_ALL
+from app.actions.sections import ANALYSIS, HELP_ALL
 from app.features import lessons
 from app.session import Beginning
 from app.storage.files import load
@@ -29,15 +29,12 @@ if TYPE_CHECKING:
     from app.features.lessons.panel import LessonPanel
 
 _GALLERY = -1
-_DESK = ("plotErrors", "toggleLaboratory", "playMotion", "motionCompare", "toggleScrub")
-"""What can be switched on and is no setting of the analysis."""
-
 _ERRORS = {"epsilon": POINT_ERROR, "delta": PARAMETER_ERROR}
 
 
 @dataclass
 class _Visit:
-    """How far somebody is in a lesson: the step, and the steps whose goals were reached."""
+    """Progress in a lesson: the step, and the steps whose goals were reached."""
 
     step: int = 0
     reached: set[int] = field(default_factory=set)
@@ -68,7 +65,6 @@ class LessonCommands:
         goal = self._lesson.steps[visit.step].goal
         if goal is None or self._given is None:
             return
-
         given = next(curve for curve in self._given.curves if curve.name == goal.curve)
         standing = view_model.goals.standing_of(goal, view, given)
         if standing.is_met:
@@ -100,7 +96,6 @@ class LessonCommands:
 
     @cached_property
     def _lessons(self) -> list[Lesson]:
-
         return [lessons.lesson.load_lesson(name) for name in lessons.lesson.lesson_names()]
 
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
@@ -120,11 +115,12 @@ class LessonCommands:
         else:
             self._go(0)
 
-    def _clear_the_desk(self) -> None:
+    def _switch_all_off(self) -> None:
         """Put away what another lesson, or somebody before it, has switched on."""
-        for name in _DESK:
-            if self._context.actions.is_on(name):
-                self._trigger(name)
+        for switch, _action in self._context.actions.of_menu(ANALYSIS):
+            if not switch.group and self._context.actions.is_on(switch.name):
+                self._trigger(switch.name)
+        self._context.session.set_scrub(None)
         self._context.analysis.reset()
         self._switched_on.clear()
 
@@ -136,7 +132,7 @@ class LessonCommands:
             if self._lesson is not None:
                 self._go(_GALLERY)
             return
-        self._clear_the_desk()
+        self._switch_all_off()
         self._lesson, self._given = lesson, load(lesson.document)
         step = self._visit.step
         if self._context.session.document == self._given:

@@ -72,7 +72,7 @@ class MotionCommands:
 
     @property
     def stage(self) -> motion.stage.MotionStage:
-        """What the motion needs in the window; made when it is first asked for."""
+        """The motion's parts in the window; made when they are first asked for."""
         if self._stage is None:
             self._stage = motion.stage.MotionStage(self._context)
             self._stage.settle(self._context.session.active_view)

@@ -79,9 +79,7 @@ class MotionDialog(FittedDialog):
         self.seconds_box.setValue(seconds)
         self._enable_formats()
         self._count()
-        self.show()
-        self.raise_()
-        self.activateWindow()
+        self.bring_up()
         self.format_box.setFocus()
 
     def _enable_formats(self) -> None:

@@ -59,7 +59,7 @@ class Player(QObject):
 
     @property
     def settings(self) -> MotionSettings:
-        """How the dot runs."""
+        """Speed, pace, and what happens at the end."""
         return self._store.state.motion
 
     @property

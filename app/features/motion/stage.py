@@ -1,4 +1,4 @@
-"""What a motion needs in the window: a player, a bar, and what is drawn on the canvas."""
+"""Parts of a motion in the window: a player, a bar, and the dots on the canvas."""
 
 from __future__ import annotations
 

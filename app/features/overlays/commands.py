@@ -1,4 +1,4 @@
-"""What is drawn over the curve to show why it goes where it goes."""
+"""Overlays and ghosts: figures over the curve that show why it goes where it goes."""
 
 from __future__ import annotations
 

@@ -39,14 +39,13 @@ class WiggleCommands(QObject):
         self._panel: WigglePanel | None = None
         self._cures: Cures | None = None
         self._asked: tuple[Document, int, int] | None = None
-        self._looked_at = ""
         self._task = DebouncedTask(self)
-        self._task.ready.connect(self._take)
+        self._task.ready.connect(self._show_result)
         self._task.busy_changed.connect(lambda _busy: self._show_cures())
         self._dock = context.docks["wiggleDock"]
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
-        self._dock.visibilityChanged.connect(self._look)
+        self._dock.visibilityChanged.connect(self._follow_visibility)
         self._session.scrub_changed.connect(self._follow_scrub)
 
     def _follow_scrub(self) -> None:
@@ -109,7 +108,7 @@ class WiggleCommands(QObject):
         self.follow(self._session.active_view)
         make_room_once(self._context.window, self._dock, _HEIGHT)
 
-    def _look(self, visible: bool) -> None:
+    def _follow_visibility(self, visible: bool) -> None:
         self._is_seen = visible
         if visible:
             self.follow(self._session.active_view)
@@ -139,7 +138,7 @@ class WiggleCommands(QObject):
             self._task.ask(lambda report: analysis.cures.cures_of(document, curve, view, knot, report))
             self._show_cures()
 
-    def _take(self, cures: Cures | None) -> None:
+    def _show_result(self, cures: Cures | None) -> None:
         self._cures = cures
         self._show_cures()
 
@@ -167,9 +166,9 @@ class WiggleCommands(QObject):
             knot = self._cures.knot if self._cures is not None else 0
             self._preview("")
             if self._session.change(cure.step, lambda _: document):
-                self._stay_in(knot)
+                self._explain_segment(knot)
 
-    def _stay_in(self, knot: int) -> None:
+    def _explain_segment(self, knot: int) -> None:
         """Go on explaining the same segment, now that its parameters are other ones."""
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
