@@ -79,9 +79,11 @@ class FittedDialog(Guarded, QDialog):
         What scrolls where there is not room for it.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
         # A tool window would let the keys of the window behind it through.
         super().__init__(parent, Qt.WindowType.Dialog)
+        self.setObjectName(name)
+        self.setWindowTitle(title)
         self._area = Scrolled(QWidget, _IN_DIALOG, self)
         self.body = self._area.content
         self._wished = QSize()

@@ -38,9 +38,7 @@ class PreferencesDialog(FittedDialog):
     changed = Signal()
 
     def __init__(self, preferences: Preferences, keymap: Keymap, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("preferencesDialog")
-        self.setWindowTitle("Preferences")
+        super().__init__("preferencesDialog", "Preferences", parent)
         self._preferences = preferences
         modes = (each.label for each in ThemeMode)
         self.theme_box = choice_box("themeBox", "Theme", "Light or dark colours", modes)

@@ -343,7 +343,7 @@ def test_a_number_that_is_out_of_range_is_told(editor, dialog):
     box = dialog.form.fields["width"].widget
     box.setFocus()
     box.selectAll()
-    dialog._look()  # a preview is under way
+    dialog._render_preview()  # a preview is under way
     QTest.keyClicks(box, "99999")
     QTest.keyClick(box, Qt.Key.Key_Tab)
     assert box.value() == 99999

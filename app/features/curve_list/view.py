@@ -40,6 +40,7 @@ from app.appearance.colours import curve_colour
 from app.appearance.icons import icon
 from app.appearance.theme import mix, theme_of
 from app.features.curve_list.model import CurveListModel, Row
+from app.qt.keys import ClaimsKeys
 from app.qt.labels import tip_of
 from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
@@ -153,7 +154,7 @@ class _RowDelegate(Guarded, QStyledItemDelegate):
         editor.setGeometry(spot_rect(rect, Spot.NAME).adjusted(-4, 1, 0, -1))
 
 
-class CurveListView(Guarded, QListView):
+class CurveListView(ClaimsKeys, QListView):
     """Reports what the person did; which row is the active one comes from the session.
 
     A row is named by the place of its curve in the document, wherever it stands in the list.
@@ -329,19 +330,13 @@ class CurveListView(Guarded, QListView):
         if event.type() == QEvent.Type.WindowBlocked and self.is_dragging:
             # A dialog takes the mouse, and the release with it.
             self._end_drag()
-        # Escape takes back a drag, F2 renames and Del deletes curves, before they are the window's.
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.ShortcutOverride
-            and (
-                self.is_dragging
-                if event.key() == Qt.Key.Key_Escape
-                else event.key() in _RENAME or _deletes(event) or event.matches(_ALL)
-            )
-        ):
-            event.accept()
-            return True
         return super().event(event)
+
+    def claims(self, event: QKeyEvent) -> bool:
+        # Escape takes back a drag, F2 renames and Del deletes curves, before they are the window's.
+        if event.key() == Qt.Key.Key_Escape:
+            return self.is_dragging
+        return event.key() in _RENAME or _deletes(event) or event.matches(_ALL)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         step = _STEPS.get(Qt.Key(event.key()))

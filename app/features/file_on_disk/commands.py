@@ -248,8 +248,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         full_name="Keep Mine, not the File",
         needs=Need(
-            _CHANGED_OUTSIDE,
-            lambda now: now.state.file.change in (FileChange.CHANGED, FileChange.UNREADABLE),
+            _CHANGED_OUTSIDE, lambda now: now.state.file.change in (FileChange.CHANGED, FileChange.UNREADABLE)
         ),
     )
     def _keep_mine(self) -> None:
@@ -266,10 +265,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="eye",
         full_name="Compare with File as Ghost",
-        needs=Need(
-            _CHANGED_OUTSIDE,
-            lambda now: now.state.file.change is FileChange.CHANGED,
-        ),
+        needs=Need(_CHANGED_OUTSIDE, lambda now: now.state.file.change is FileChange.CHANGED),
         checked=lambda now: now.state.compares_with_file,
     )
     def _compare(self) -> None:

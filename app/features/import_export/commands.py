@@ -20,15 +20,7 @@ from app.document.import_edits import add_imported
 from app.document.model import Document
 from app.document.words import count_of, listed, number
 from app.exchange import table
-from app.exchange.formats import (
-    FORMATS,
-    ContentKind,
-    Written,
-    ending_in,
-    format_of,
-    is_document,
-    with_ending,
-)
+from app.exchange.formats import FORMATS, ContentKind, Written, ending_in, format_of, is_document, with_ending
 from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.writing import export
@@ -57,8 +49,7 @@ _COPY_WIDTH = 1600
 _MOST_REMARKS = 3
 
 _ANY_CURVE = Need(
-    "a curve through two points or more",
-    lambda now: now.view.curve is not None or len(now.session.views) > 1,
+    "a curve through two points or more", lambda now: now.view.curve is not None or len(now.session.views) > 1
 )
 
 

@@ -96,7 +96,7 @@ class MotionCommands:
     @also(TOOLBAR(64))
     def _play(self) -> None:
         """Let a dot run along the curve, with its velocity and acceleration; again to pause."""
-        self.stage.play_or_pause()
+        self.stage.player.toggle()
 
     @action(
         "stopMotion",
@@ -141,7 +141,7 @@ class MotionCommands:
     )
     def _compare(self) -> None:
         """Let the cubic and the quintic Hermite curve through these points run side by side."""
-        self.stage.compare()
+        self.stage.player.compare()
 
     @action("exportMotion", "Export Motion…", MOTION_MORE, icon="film", needs=CURVE_THROUGH_TWO)
     def _export(self) -> None:

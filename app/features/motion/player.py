@@ -99,6 +99,20 @@ class Player(QObject):
         self._show()
         self.changed.emit()
 
+    def toggle(self) -> None:
+        """Play, or pause."""
+        if self.is_playing:
+            self.pause()
+        else:
+            self.play()
+
+    def compare(self) -> None:
+        """Let cubic and quintic run side by side, or the curve alone again."""
+        compares = not self.settings.compares
+        self.change(compares=compares)
+        if compares:
+            self.play()
+
     def pause(self) -> None:
         """Let the dot rest where it is."""
         if self.is_playing:

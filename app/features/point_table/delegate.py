@@ -153,10 +153,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
     # Drawing
 
     def paint(
-        self,
-        painter: QPainter,
-        option: QStyleOptionViewItem,
-        index: QModelIndex | QPersistentModelIndex,
+        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         # Drawn here rather than by the style, which asks the model for a dozen roles of every cell.
         rect, theme, row, column = option.rect, self._theme, index.row(), index.column()
