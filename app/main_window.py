@@ -130,7 +130,7 @@ class MainWindow(Guarded, QMainWindow):
         self._render_theme()
         self._render_document()
         self._render_file()
-        if self.session.path is None and not self.session.files.beginning.title:
+        if self.session.files.path is None and not self.session.files.beginning.title:
             # Who opens a document came to work on it.
             self._commands.messages.greet()
         if self.preferences.complaint:
@@ -233,7 +233,7 @@ class MainWindow(Guarded, QMainWindow):
     def _render_document(self) -> None:
         view = self._rendered = self.session.active_view
         self.canvas.render_view(view)
-        self.canvas.render_others(self.session.views, self.session.active_index, self.session.selected_curves)
+        self.canvas.render_others(self.session.views, self.session.active_index, self.session.selected.curves)
         self.basis_pane.render_view(view)
         self._commands.follow(view)
         if not self.session.is_previewing:
@@ -280,22 +280,22 @@ class MainWindow(Guarded, QMainWindow):
         self._commands.follow_scrub(t)
 
     def _render_file(self) -> None:
-        path = self.session.path
+        path = self.session.files.path
         name = title_of(self.session).replace("[*]", "[*][*]")
         self.setWindowFilePath(str(path) if path is not None else "")
         read_only = " (read-only)" if self.session.files.is_read_only else ""
         self.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
-        if self.isWindowModified() != self.session.is_modified:
+        if self.isWindowModified() != self.session.files.is_modified:
             # Qt writes the title anew, whatever is there.
-            self.setWindowModified(self.session.is_modified)
+            self.setWindowModified(self.session.files.is_modified)
 
     def _tell(self, message: Message) -> None:
         match message.kind:
-            case MessageKind.SAID:
+            case MessageKind.INFORMATION:
                 self.status_line.say(message.text)
-            case MessageKind.REFUSED:
+            case MessageKind.REFUSAL:
                 self.status_line.refuse(message.text)
-            case MessageKind.OFFERED:
+            case MessageKind.OFFER:
                 self._offer(message.text, message.action)
 
     def _offer(self, text: str, action: str) -> None:

@@ -108,7 +108,7 @@ class PlotCommands:
         count = len(self._context.analysis.settings.plots) + len(panel.added)
         self._make_room(max(pane.wanted_height(count), kept))
         pane.canvas.camera.show_t(*self._context.central.basis_panel.camera.t_range)
-        pane.canvas.set_scrub(self._context.session.scrub)
+        pane.canvas.set_scrub(self._context.session.selected.scrub)
         self._plot(self._context.session.active_view, calm=self._context.session.is_previewing)
 
     def _follow_added(self) -> None:
@@ -205,12 +205,16 @@ class PlotCommands:
         if session.active_view.curve is None or pane is None:
             return
         start, end = session.active_view.curve.domain
-        t = sum(pane.canvas.camera.t_range) / 2 if session.scrub is None else session.scrub + by
-        session.set_scrub(min(max(t, start), end))
+        t = (
+            sum(pane.canvas.camera.t_range) / 2
+            if session.selected.scrub is None
+            else session.selected.scrub + by
+        )
+        session.selected.set_scrub(min(max(t, start), end))
 
     def _show_values(self) -> None:
 
-        panel, t = self._context.central.plot_panel, self._context.session.scrub
+        panel, t = self._context.central.plot_panel, self._context.session.selected.scrub
         assert panel.pane is not None
         values: dict[str, float] = {}
         if t is not None:

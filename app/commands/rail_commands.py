@@ -97,6 +97,6 @@ class RailCommands:
     )
     def _type_parameter(self) -> None:
         """Type the parameter of the selected point at its tick."""
-        selected = self._session.selected
+        selected = self._session.selected.point
         if selected is not None:
             self._context.central.basis_panel.edit_tick(selected)

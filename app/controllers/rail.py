@@ -32,4 +32,4 @@ class RailController:
     def _select(self, point: int) -> None:
         """Select a point whose tick the menu is about, unless it is among those selected already."""
         if point not in self._session.selection:
-            self._session.select([point])
+            self._session.selected.set_points([point])

@@ -60,7 +60,7 @@ class AddTool(Tool):
             host.refuse("A curve needs two points before it can be finished.")
             return True
         self._finished.add(_key(host))
-        host.select([])
+        host.selected.set_points([])
         host.say(f"“{context.view.source.name}” is finished; the next press begins another curve.")
         return True
 
@@ -73,7 +73,7 @@ class AddTool(Tool):
         """Go on with the finished curve."""
         self._finished.discard(_key(host))
         count = len(host.active_view.source.points)
-        host.select([count - 1])
+        host.selected.set_points([count - 1])
         host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
 
     # Presses
@@ -129,7 +129,7 @@ class AddTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
-        hit, view, selection = context.hit, context.view, context.host.selection
+        hit, view, selection = context.hit, context.view, context.host.selected.points
         act = self._act(context) if hints.is_no_part(hit) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         if place is not None:

@@ -20,22 +20,37 @@ CANCELLED = "Cancelled."
 """The sentence when Escape has taken a gesture back."""
 
 
+class SelectionHost(Protocol):
+    """Selection of a session, as the tools use it."""
+
+    points: frozenset[int]
+    curves: frozenset[int]
+    scrub: float | None
+
+    def set_points(self, indices: Collection[int]) -> None:
+        """Select points."""
+
+    def set_curves(self, indices: Collection[int]) -> None:
+        """Select curves to work on together."""
+
+    def set_hovered(self, index: int) -> None:
+        """Take note of the point under the pointer."""
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line."""
+
+    def activate(self, index: int) -> None:
+        """Edit another curve."""
+
+
 class EditingHost(Protocol):
     """Document, selection and messages of a session, as the tools use them."""
 
     active_index: int
 
     @property
-    def selection(self) -> frozenset[int]:
-        """Indices of the selected points."""
-
-    @property
-    def selected_curves(self) -> frozenset[int]:
-        """Indices of the curves that are worked on together."""
-
-    @property
-    def scrub(self) -> float | None:
-        """The t of the scrub line, or None."""
+    def selected(self) -> SelectionHost:
+        """The selection."""
 
     @property
     def document(self) -> Document:
@@ -66,21 +81,6 @@ class EditingHost(Protocol):
 
     def cancel(self) -> None:
         """Drop the preview, and select what was selected before it."""
-
-    def select(self, indices: Collection[int]) -> None:
-        """Select points."""
-
-    def set_hovered(self, index: int) -> None:
-        """Say which point the pointer is over."""
-
-    def activate(self, index: int) -> None:
-        """Edit another curve."""
-
-    def select_curves(self, indices: Collection[int], active: int | None = None) -> None:
-        """Choose curves to work on together."""
-
-    def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line."""
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
@@ -187,7 +187,7 @@ class DragMachine:
             return
         press.last, press.refused = document, ""
         if self._host.preview(document, active=press.active) and press.makes is not None:
-            self._host.select([press.makes])
+            self._host.selected.set_points([press.makes])
             press.makes = None
 
     def nudge(self, pointer: Pointer, drag: Drag, run: Hashable) -> None:

@@ -31,7 +31,7 @@ class ScrubTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin to scrub."""
         hit = context.hit
-        self._scrubbing, self._scrubbing_from = True, context.host.scrub
+        self._scrubbing, self._scrubbing_from = True, context.host.selected.scrub
         is_function = hit is not None and hit.part is Part.FUNCTION
         self._function = (context.pointer, hit.index) if hit is not None and is_function else None
         self._scrub_to(context)
@@ -50,7 +50,7 @@ class ScrubTool(Tool):
             return
         self._scrub_to(context)
         if self._function is not None:
-            context.host.select([self._function[1]])
+            context.host.selected.set_points([self._function[1]])
 
     def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
         """Leave arrow keys alone: no point is meant here."""
@@ -59,7 +59,7 @@ class ScrubTool(Tool):
     def cancel(self, context: ToolContext) -> None:
         """Bring the scrub line back."""
         if self._scrubbing:
-            context.host.set_scrub(self._scrubbing_from)
+            context.host.selected.set_scrub(self._scrubbing_from)
             if self._function is None:
                 context.host.say(CANCELLED)
         super().cancel(context)
@@ -77,7 +77,7 @@ class ScrubTool(Tool):
         t = self.t_at(context)
         if curve is not None and t is not None:
             start, end = curve.domain
-            context.host.set_scrub(min(max(t, start), end))
+            context.host.selected.set_scrub(min(max(t, start), end))
 
     def t_at(self, context: ToolContext) -> float | None:
         """Return the parameter at the pointer, None for none."""
@@ -109,20 +109,20 @@ class RailTool(ScrubTool):
 
     @staticmethod
     def _press_on_tick(context: ToolContext, hit: Hit) -> None:
-        host, pointer, before = context.host, context.pointer, context.host.selection
+        host, pointer, before = context.host, context.pointer, context.host.selected.points
         if hit.index not in before:
-            host.select(before | {hit.index} if pointer.shift else [hit.index])
+            host.selected.set_points(before | {hit.index} if pointer.shift else [hit.index])
         drag = _drag(host, pointer.position[0], hit.knot, hit.index)
         context.drags.press(pointer, drag, on_click=lambda: _click(context, hit, before))
 
     def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
         """Move the selected ticks by a pixel; return whether there are any."""
         host = context.host
-        if not direction[0] or not host.selection or not host.active_view.is_current:
+        if not direction[0] or not host.selected.points or not host.active_view.is_current:
             return False
-        first = min(host.selection)
+        first = min(host.selected.points)
         moved = Pointer((direction[0] * pixel * factor, 0.0), (0.0, 0.0))
-        run = ("ticks", host.active_index, host.selection)
+        run = ("ticks", host.active_index, host.selected.points)
         context.drags.nudge(moved, _drag(host, 0.0, first, first), run)
         return True
 
@@ -136,7 +136,7 @@ class RailTool(ScrubTool):
         if hit is None or hit.part is Part.SCRUB:
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
-            return Hint(_tick_hint(hit.index, context.host.selection), cursor=Cursor.WIDER)
+            return Hint(_tick_hint(hit.index, context.host.selected.points), cursor=Cursor.WIDER)
         kind = ("basis function", "velocity function", "acceleration function")[hit.kind]
         return Hint(f"The {kind} of point {hit.index} · Click to select the point")
 
@@ -144,14 +144,14 @@ class RailTool(ScrubTool):
 def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:
     """Select the tick alone; with Shift add it, or take it out."""
     if not context.pointer.shift:
-        context.host.select([hit.index])
+        context.host.selected.set_points([hit.index])
     elif hit.index in before:
-        context.host.select(before - {hit.index})
+        context.host.selected.set_points(before - {hit.index})
 
 
 def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
     parameters = host.active_view.parameters.tolist()
-    knots = {other for other in host.selection if other != point} | {knot}
+    knots = {other for other in host.selected.points if other != point} | {knot}
     # Frozen once: in every step of the drag only the points whose ticks move are other values.
     frozen = freeze_parameters(host.document, host.active_index, parameters)
     return DragTicks(frozen, host.active_index, parameters, knot, frozenset(knots), point, start)

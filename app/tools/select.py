@@ -100,7 +100,9 @@ class SelectTool(Tool):
             return hints.on_grip(grip[1], group, context.target.refusal)
         if hit is None and (idle := self._picker.idle_hint(context)) is not None:
             return idle
-        return hints.to_select(hit, context.view, context.host.selection, snaps=context.settings.snapping.on)
+        return hints.to_select(
+            hit, context.view, context.host.selected.points, snaps=context.settings.snapping.on
+        )
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""

@@ -41,7 +41,7 @@ class TransformTarget:
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
-        views, selection, selected = host.views, host.selection, host.selected_curves
+        views, selection, selected = host.views, host.selected.points, host.selected.curves
         known = self._known
         if known is None or known[0] is not views or known[1:] != (selection, selected):
             self._known = (views, selection, selected)
@@ -51,15 +51,15 @@ class TransformTarget:
 
     def _group(self) -> PointGroup | None:
         host = self._host
-        if host.selection:
-            return points_of(host.active_index, host.selection)
+        if host.selected.points:
+            return points_of(host.active_index, host.selected.points)
         return self.curves
 
     @property
     def curves(self) -> PointGroup | None:
         """The selected curves where there are several, whatever points are selected."""
         host = self._host
-        return whole_curves(host.document, host.selected_curves) if len(host.selected_curves) > 1 else None
+        return whole_curves(host.document, host.selected.curves) if len(host.selected.curves) > 1 else None
 
     @property
     def for_keys(self) -> PointGroup:

@@ -147,13 +147,13 @@ class Toolbox:
         if self.is_transforming:
             return tool.hover(context)
         context = context.with_hit()
-        self._host.set_hovered(tool.lit(context.hit))
+        self._host.selected.set_hovered(tool.lit(context.hit))
         self._snappers.reset()
         return tool.hover(context)
 
     def leave(self) -> None:
         """Show nothing of what a press would do: the pointer has left."""
-        self._host.set_hovered(-1)
+        self._host.selected.set_hovered(-1)
         self._snappers.reset()
         self.tool.hover(self._at(Pointer((math.inf, math.inf), (math.inf, math.inf))))
 
@@ -171,11 +171,15 @@ class Toolbox:
         """Select the next (1) or previous (−1) point; return whether there is one."""
         host = self._host
         count = len(host.active_view.source.points)
-        here = max(host.selection) if host.selection and step > 0 else min(host.selection, default=count)
-        index = here + step if host.selection or step < 0 else 0
+        here = (
+            max(host.selected.points)
+            if host.selected.points and step > 0
+            else min(host.selected.points, default=count)
+        )
+        index = here + step if host.selected.points or step < 0 else 0
         if not 0 <= index < count:
             return False
-        host.select([index])
+        host.selected.set_points([index])
         return True
 
     def cancel(self) -> bool:

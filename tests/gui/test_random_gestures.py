@@ -79,7 +79,7 @@ class Gestures(RuleBasedStateMachine):
         assert self.session.document == self.values[self.at]
         assert not self.tool.is_pressed
         assert all(index < len(self.session.active_curve.points) for index in self.session.selection)
-        assert {self.session.active_index} <= self.session.selected_curves <= {0, 1}
+        assert {self.session.active_index} <= self.session.selected.curves <= {0, 1}
 
     @invariant()
     def the_document_can_be_saved(self):
@@ -268,15 +268,17 @@ class Gestures(RuleBasedStateMachine):
     @rule(data=st.data())
     def select(self, data):
         count = len(self.session.active_curve.points)
-        self.session.select(data.draw(st.sets(st.integers(0, max(count - 1, 0)), max_size=count)))
+        self.session.selected.set_points(
+            data.draw(st.sets(st.integers(0, max(count - 1, 0)), max_size=count))
+        )
 
     @rule(curve=st.integers(0, 1))
     def activate(self, curve):
-        self.session.activate(curve)
+        self.session.selected.activate(curve)
 
     @rule(curves=st.sets(st.integers(0, 1)))
     def select_curves(self, curves):
-        self.session.select_curves(curves)
+        self.session.selected.set_curves(curves)
 
     @rule(edge=st.sampled_from(list(Edge)))
     def align(self, edge):
@@ -302,7 +304,7 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(corner=st.booleans())
     def corner(self, corner):
-        index = self.session.selected
+        index = self.session.selected.point
         if index is None:
             return
         if corner:
@@ -314,7 +316,7 @@ class Gestures(RuleBasedStateMachine):
     def delete(self):
         session, chosen = self.session, self.session.selection
         document = edits.delete_points(session.document, session.active_index, chosen)
-        session.select([])
+        session.selected.set_points([])
         session.commit(document, "Delete")
         self.note()
 

@@ -53,7 +53,7 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session = self._session
-        self.panel.render_document(session.document, session.active_index, session.selected_curves)
+        self.panel.render_document(session.document, session.active_index, session.selected.curves)
 
     # Number
 
@@ -67,7 +67,7 @@ class CurveListCommands:
     )
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
-        session, selected = self._session, self._session.selected_curves
+        session, selected = self._session, self._session.selected.curves
         document, order = session.document, sorted(selected)
         colours = self._next_colours([document.curves[place].colour for place in order])
         first, active = order[-1] + 1, order.index(session.active_index)
@@ -79,12 +79,12 @@ class CurveListCommands:
             return
         if len(order) == 1:
             copy = session.active_curve
-            session.select(range(len(copy.points)))
+            session.selected.set_points(range(len(copy.points)))
             session.say(
                 f"“{copy.name}” lies on the original; all its points are selected, drag one to move it."
             )
             return
-        session.select_curves(range(first, first + len(order)))
+        session.selected.set_curves(range(first, first + len(order)))
         session.say(f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them.")
 
     @action(
@@ -97,7 +97,7 @@ class CurveListCommands:
     )
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
-        session, selected = self._session, self._session.selected_curves
+        session, selected = self._session, self._session.selected.curves
         document = session.document
         session.change(
             f"Delete {named(document, selected)}",
@@ -172,8 +172,8 @@ class CurveListCommands:
     def _choose_all(self) -> None:
         """Choose all curves, to move, scale, hide, colour or delete them together."""
         session = self._session
-        session.select_curves(range(len(session.document.curves)))
-        session.say(f"{named(session.document, session.selected_curves)} chosen.")
+        session.selected.set_curves(range(len(session.document.curves)))
+        session.say(f"{named(session.document, session.selected.curves)} chosen.")
 
     @action(
         "onlyThisCurve",
@@ -183,7 +183,7 @@ class CurveListCommands:
     )
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
-        self._session.select_curves((self._session.active_index,))
+        self._session.selected.set_curves((self._session.active_index,))
 
 
 def _curves(now: Situation) -> str:
