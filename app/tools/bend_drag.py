@@ -6,6 +6,7 @@ import msgspec
 
 from app.document import words
 from app.document.model import Document, Vector
+from app.tools.drag import CurveDrag, plus
 from app.tools.pointer import Hit, Pointer
 from app.view_model.bend import Bend, BendWith
 from app.view_model.curve_view import CurveView
@@ -14,12 +15,9 @@ _TOLERANCE = 0.05
 """Pixels that the grabbed point may be off, where the parameters answer to the points."""
 
 
-class BendCurve(msgspec.Struct, frozen=True):
+class BendCurve(CurveDrag, frozen=True):
     """Change the data as little as makes the grabbed point follow: Ctrl points only, Alt derivatives only."""
 
-    document: Document
-    curve: int
-    view: CurveView
     hit: Hit
     start: Vector
     _bends: dict[BendWith, Bend] = msgspec.field(default_factory=dict)
@@ -34,14 +32,13 @@ class BendCurve(msgspec.Struct, frozen=True):
         """Effects of the modifier keys."""
         return bend_keys(self.view)
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell where, and what changes."""
+    def readout(self, pointer: Pointer) -> str:
+        """Return where it is held, and what changes."""
         return f"Bend at t = {words.number(self.hit.t)}: {self._using(pointer).value}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Let the grabbed point keep its distance to the pointer."""
-        at, to = self.start, pointer.position
-        target = (self.hit.position[0] + to[0] - at[0], self.hit.position[1] + to[1] - at[1])
+        target = plus(self.hit.position, pointer.way_from(self.start))
         curve = self._grabbed(self._using(pointer)).bent(target, _TOLERANCE / pointer.scale)
         return self.document.with_curve(self.curve, curve)
 

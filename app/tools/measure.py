@@ -29,7 +29,7 @@ class Measurement:
 
     def __init__(self, pointer: Pointer, snapper: Snapper, unit: str) -> None:
         self.snapper, self._unit = snapper, unit
-        self._start = snapper.snap(pointer.position, pointer)
+        self._start = snapper.at(pointer)
         self.ruler = Ruler(self._start, self._start, "")
 
     def move(self, pointer: Pointer) -> None:
@@ -44,7 +44,7 @@ class Measurement:
 
     def _end(self, pointer: Pointer) -> Vector:
         if not pointer.shift:
-            return self.snapper.snap(pointer.position, pointer)
+            return self.snapper.at(pointer)
         # An angle that is held leaves nothing to be drawn elsewhere.
         self.snapper.reset()
         x, y = self._start

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from app.document.several_curves import points_of
 from app.tools import hints
-from app.tools.drag_machine import Drag
+from app.tools.drag import Drag
 from app.tools.drags import DragHandle, MovePoints, PullVelocity, Refuse
 from app.tools.pointer import Hit, Part
 from app.tools.tool import ToolContext
@@ -34,7 +34,7 @@ def click_on(context: ToolContext, index: int) -> Callable[[], None]:
 def unless_locked(context: ToolContext, drag: Drag) -> Drag:
     """Return the drag, or one that is refused because the curve is locked."""
     source = context.view.source
-    return Refuse(hints.LOCKED.format(source.name)) if source.locked else drag
+    return Refuse(context.host.document, hints.LOCKED.format(source.name)) if source.locked else drag
 
 
 def _press_on_handle(context: ToolContext, hit: Hit) -> None:

@@ -121,9 +121,8 @@ class RailTool(ScrubTool):
         if not direction[0] or not host.selected.points or not host.active_view.is_current:
             return False
         first = min(host.selected.points)
-        moved = Pointer((direction[0] * pixel * factor, 0.0), (0.0, 0.0))
-        run = ("ticks", host.active_index, host.selected.points)
-        context.drags.nudge(moved, _drag(host, 0.0, first, first), run)
+        drag = _drag(host, -direction[0] * pixel * factor, first, first)
+        context.drags.nudge(drag, ("ticks", host.active_index, host.selected.points))
         return True
 
     def lit(self, hit: Hit | None) -> int:

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import msgspec
-
 from app.document import words
 from app.document.model import Document
 from app.document.parameter_edits import set_parameters
+from app.tools.drag import Drag
 from app.tools.pointer import Pointer
 
 _LEAST_GAP = 1e-3
 """Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
 
 
-class DragTicks(msgspec.Struct, frozen=True):
+class DragTicks(Drag, frozen=True):
     """Drag parameters along the t-rail, all by the same way; their order is kept.
 
     Attributes
@@ -32,13 +31,14 @@ class DragTicks(msgspec.Struct, frozen=True):
         The t of the pointer at the press.
     """
 
-    document: Document
     curve: int
     parameters: Sequence[float]
     grabbed: int
     knots: frozenset[int]
     point: int
     start: float
+
+    keys = "E: all ticks on that side"
 
     @property
     def name(self) -> str:
@@ -47,12 +47,7 @@ class DragTicks(msgspec.Struct, frozen=True):
             return f"Change t of point {self.point}"
         return f"Change t of {len(self.knots)} points"
 
-    @property
-    def keys(self) -> str:
-        """Effects of the keys."""
-        return "E: all ticks on that side"
-
-    def readout_at(self, pointer: Pointer) -> str:
+    def readout(self, pointer: Pointer) -> str:
         """Return where the grabbed tick is, and how many go along."""
         by, moving = self._displacement(pointer)
         text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by)}"

@@ -94,7 +94,7 @@ class Snappers:
         if self._hovered is None or self._hovered[0] != made_for:
             self._hovered = (made_for, self.for_points((), place))
         self.now = self._hovered[1]
-        self.now.snap(pointer.position, pointer)
+        self.now.at(pointer)
 
     @property
     def caught(self) -> Snap | None:

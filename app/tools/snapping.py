@@ -224,6 +224,10 @@ class Snapper:
             self.caught = self._find(position, REACH / pointer.scale, axis) if question[3] else None
         return self.caught.position if self.caught is not None else position
 
+    def at(self, pointer: Pointer) -> Vector:
+        """Return where the pointer is, or what it snaps to."""
+        return self.snap(pointer.position, pointer)
+
     def reset(self) -> None:
         """Forget what was caught."""
         self.caught = self._asked = None

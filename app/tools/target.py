@@ -9,7 +9,7 @@ from app.document.edits import EditError
 from app.document.model import Vector
 from app.document.several_curves import PointGroup, points_of, whole_curves
 from app.tools.drag_machine import EditingHost
-from app.tools.drags import MovePoints, NudgePoints, StepPoints
+from app.tools.drags import MovePoints
 from app.tools.pointer import Pointer
 from app.tools.snappers import Snappers
 from app.tools.transform import Transform, TransformKind
@@ -116,8 +116,8 @@ class TransformTarget:
         grip = self._nearest(group, pointer)
         snapper = self._snappers.for_group(group, grip[1])
         return Transform(
-            kind,
             self._host.document,
+            kind,
             group,
             self.centre,
             pointer.position,
@@ -130,11 +130,7 @@ class TransformTarget:
         """Return the curve and the index of the point that is nearest to the pointer: it snaps."""
         curves = self._host.document.curves
         places = [(curve, index) for curve, indices in group.parts for index in indices]
-        return min(
-            places,
-            key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position),
-            default=(-1, -1),
-        )
+        return min(places, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
 
     def grip_at(self, pointer: Pointer) -> tuple[TransformBox, Grip] | None:
         """Return the box and its grip under the pointer."""
@@ -158,11 +154,3 @@ class TransformTarget:
         return MovePoints(
             self._host.document, group, pointer.position, self._snappers.for_group(group, grip[1]), grip
         )
-
-    def by_key(self, direction: Vector, step: Vector | None, factor: float) -> NudgePoints | StepPoints:
-        """Return the move by a key: by `factor` steps of the grid, or without a `step` to the pointer."""
-        document, group = self._host.document, self.group
-        assert group is not None
-        if step is None:
-            return NudgePoints(document, group, (0.0, 0.0))
-        return StepPoints(document, group, direction, step, factor)

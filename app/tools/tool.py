@@ -9,7 +9,9 @@ import msgspec
 from msgspec.structs import replace
 
 from app.document.model import Vector
+from app.document.transforms import decimal_product
 from app.tools.drag_machine import DragMachine, EditingHost
+from app.tools.drags import NudgePoints
 from app.tools.marks import GestureMarks, Note
 from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
 from app.tools.snappers import Snappers
@@ -147,10 +149,10 @@ class Tool:
         group, snapping = context.target.group, context.settings.snapping
         if group is None:
             return True
-        by: Vector = (direction[0] * pixel * factor, direction[1] * pixel * factor)
         snaps = snapping.on and SnapKind.GRID in snapping.kinds
-        drag = context.target.by_key(direction, context.grid() if snaps else None, factor)
-        context.drags.nudge(Pointer(by, (0.0, 0.0)), drag, ("points", group))
+        x, y = (decimal_product(unit, factor) for unit in (context.grid() if snaps else (pixel, pixel)))
+        drag = NudgePoints(context.host.document, group, (direction[0] * x, direction[1] * y), snaps)
+        context.drags.nudge(drag, ("points", group))
         return True
 
     def cancel(self, context: ToolContext) -> None:
