@@ -4,5 +4,6 @@
 - ``sections``: the menus, and the sections in which actions stand.
 - ``needs``: what must be there before an action can be used, in words and as a predicate.
 - ``situation``: what actions are enabled, checked and named by.
+- ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.  ``clipboard_watch``: the clipboard.
 - ``qactions``: the QActions of a window, made from the declarations.
 """

@@ -9,11 +9,11 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import Action, all_declared
+from app.actions.keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
 from app.actions.sections import Menu
 from app.actions.situation import Situation
-from app.icons import icon
-from app.keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
-from app.theme import Theme
+from app.appearance.icons import icon
+from app.appearance.theme import Theme
 
 
 class Actions:

@@ -22,8 +22,8 @@ from app.diagnostics.crash_report import versions
 from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document
 from app.features.recovery.autosave import Autosave, snapshot_folder, state_folder
-from app.main_window import MainWindow
 from app.session import Session
+from app.window.main_window import MainWindow
 
 _log = logging.getLogger("curvebench.lifecycle")
 

@@ -13,10 +13,10 @@ from app import cli
 from app.cli.display import has_display, missing_library
 from app.cli.documents import load_document
 from app.cli.refusals import RefusalError
-from app.commands.given import given
 from app.families import FAMILIES
 from app.storage.files import StorageError
 from app.storage.open_file import is_large
+from app.window.given import given
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication

@@ -9,10 +9,10 @@ from pathlib import Path
 from PySide6.QtWidgets import QApplication
 
 from app.cli.lifecycle import Lifecycle
-from app.commands.given import given
-from app.main_window import MainWindow
 from app.session import Session
 from app.storage.open_file import is_large
+from app.window.given import given
+from app.window.main_window import MainWindow
 
 
 def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[MainWindow]:

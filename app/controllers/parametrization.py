@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from app.controllers.slider_gesture import SliderGesture
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, ParametrizationKind
 from app.panels.parametrization_bar import STEPS, ParametrizationBar
 from app.session import Change, Session
+from app.workbench.slider_gesture import SliderGesture
 
 
 def use_parametrization(session: Session, kind: ParametrizationKind) -> Change:

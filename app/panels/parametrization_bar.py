@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
 from app.document.model import ParametrizationKind
-from app.labels import Label
-from app.panels.live_slider import LiveSlider
+from app.qt.labels import Label
 from app.view_model.curve_view import CurveView
+from app.widgets.live_slider import LiveSlider
 
 STEPS = 100
 """Positions of the slider from α 0 to 1."""

@@ -18,13 +18,13 @@ from app.document.model import Curve, ParametrizationKind, Vector
 from app.families import FAMILIES, Family
 from app.features.curve_list.view import Spot, spot_rect
 from app.features.file_on_disk.bar import FileBar
-from app.main_window import MainWindow
-from app.panels.command_palette import CommandPalette
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing.input_driver import InputDriver, spin
 from app.testing.reach import require_enabled, require_reachable, require_under_mouse
 from app.view_model.handles import Handle
+from app.window.command_palette import CommandPalette
+from app.window.main_window import MainWindow
 
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton

@@ -10,6 +10,7 @@
 - ``bend``, ``bend_together``: the curve pulled somewhere.  ``nearest``: its point nearest to a place.
 - ``reshape``, ``split_join``, ``smoothness``: other points for the same curve, two of one, corners;
   ``measure``: how far it moved all the same.
+- ``point_columns``: the columns of the point table.
 - ``refusals``: why there is no curve, in the program's words.
 - ``arc_lengths``: how long it is, to a relative accuracy.
 - ``straight``: segments made straight, the rest of the curve kept.

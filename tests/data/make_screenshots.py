@@ -15,10 +15,10 @@ from time import monotonic
 from msgspec.structs import replace
 from PySide6.QtWidgets import QApplication
 
+from app.appearance.theme import ThemeMode
 from app.families import HERMITE
 from app.settings.preferences import Preferences
 from app.testing import Editor
-from app.theme import ThemeMode
 
 FOLDER = Path(__file__).parents[2] / "resources" / "screenshots"
 

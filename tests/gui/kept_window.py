@@ -26,11 +26,11 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.features.motion.commands import MotionCommands
 from app.features.recovery.commands import RecoveryCommands
-from app.panels.command_palette import CommandPalette
-from app.panels.late_dock import LateDock
 from app.panels.plot_panel import USUAL_HEIGHT
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings
+from app.window.command_palette import CommandPalette
+from app.workbench.late_dock import LateDock
 
 
 class KeptEditor:

@@ -21,6 +21,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QStatusTipEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
+from app.appearance.icons import _IconEngine, icon
 from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
 from app.features.curve_list.model import CurveListModel
@@ -30,18 +31,17 @@ from app.features.point_table.model import PointTableModel
 from app.features.point_table.view import PointTableView
 from app.features.recovery.autosave import snapshot_folder
 from app.features.wiggle.weight_bars import WeightBars
-from app.icons import _IconEngine, icon
-from app.main_window import MainWindow
-from app.panels.command_palette import CommandPalette, _CommandDelegate
-from app.panels.elided_label import ElidedLabel, SteadyLabel
-from app.panels.preferences_dialog import PreferencesDialog
 from app.plotting.layers import Layer
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.tool_plot import ToolPlot
 from app.session.history import UndoStep
 from app.tasks.debounced_task import DebouncedTask, Task
 from app.testing import Editor
-from app.toolbar import Toolbar
+from app.widgets.elided_label import ElidedLabel, SteadyLabel
+from app.window import MainWindow
+from app.window.command_palette import CommandPalette, _CommandDelegate
+from app.window.preferences_dialog import PreferencesDialog
+from app.window.toolbar import Toolbar
 
 FAULTS: tuple[Callable[[], object], ...] = (
     lambda: 1 / 0,

@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
 
+from app.appearance.theme import ThemeMode
 from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
 from app.families import HERMITE
@@ -25,7 +26,6 @@ from app.storage.files import load, save
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
-from app.theme import ThemeMode
 
 SKETCH = Document((make_curve([(0, 0), (1, 2), (3, 1 / 3)], name="Left over"),))
 WAIT_MS = 20_000

@@ -10,9 +10,9 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from app.commands.curve_clipboard import CURVES
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import QUINTIC_HERMITE
+from app.features.clipboard.curve_clipboard import CURVES
 from app.features.curve_list.view import Spot, spot_rect
 from app.tools.snapping import SnapKind, Snapping
 

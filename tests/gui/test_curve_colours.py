@@ -11,7 +11,8 @@ from pixels import is_colour
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
-from app.colours import CURVE_COLOURS, curve_colour
+from app.appearance.colours import CURVE_COLOURS, curve_colour
+from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice
 from app.exchange.drawing.animation import Film
@@ -23,8 +24,7 @@ from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.features.curve_list.view import Spot, spot_rect
-from app.panels.export_dialog import ExportDialog
-from app.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
+from app.features.import_export.export_dialog import ExportDialog
 from app.view_model.palette import adjustment_of, colour_on
 from tests.gui.test_theme import contrast, oklab
 

@@ -8,17 +8,17 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QLabel
 
 from app.actions.declaration import Action, PlaceAction, action, action_for_each, all_declared
+from app.actions.mnemonics import plain
 from app.actions.needs import Need
 from app.actions.sections import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
-from app.commands.connect import COMMAND_SETS, all_actions
-from app.docks import LatePanel
 from app.document.edits import EditError
 from app.features.help.shortcut_sheet import ShortcutSheet
-from app.main_window import MainWindow
-from app.mnemonics import plain
-from app.panels.shortcut_editor import ShortcutEditor
 from app.session import Session
 from app.testing import Editor
+from app.window import MainWindow
+from app.window.connect import COMMAND_SETS, all_actions
+from app.window.shortcut_editor import ShortcutEditor
+from app.workbench.docks import LatePanel
 
 TIP = "Count the selected points aloud"
 

@@ -29,7 +29,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 @pytest.fixture(autouse=True)
 def _no_pause_to_type_on(monkeypatch):
     """The preview waits until nothing is typed for a while; here nobody types on."""
-    monkeypatch.setattr("app.panels.export_dialog._SOON_MS", 10)
+    monkeypatch.setattr("app.features.import_export.export_dialog._SOON_MS", 10)
 
 
 @pytest.fixture

@@ -17,6 +17,7 @@ from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
 
+from app.appearance.theme import ThemeMode
 from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
 from app.features.file_on_disk.bar import FileBar
@@ -31,7 +32,6 @@ from app.storage.lock import OLD, Owner, lock_place
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import LockedError
 from app.testing import Editor
-from app.theme import ThemeMode
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
 WAIT_MS = 20_000

@@ -23,15 +23,15 @@ from PySide6.QtWidgets import (
     QSpinBox,
 )
 
-from app.commands.exchange_commands import ExchangeCommands
 from app.document.model import Document, make_curve
 from app.exchange.options import Options
 from app.exchange.writing import export
 from app.families import HERMITE
-from app.panels.field_edit import FieldEdit
+from app.features.import_export.commands import ExchangeCommands
 from app.storage.files import save
 from app.testing import spin
 from app.view_model.curve_view import view_of
+from app.widgets.field_edit import FieldEdit
 
 SVG = (
     '<svg xmlns="http://www.w3.org/2000/svg"><text>hi</text>'
@@ -42,7 +42,7 @@ SVG = (
 @pytest.fixture(autouse=True)
 def _no_pause_to_type_on(monkeypatch):
     """The preview waits until nothing is typed for a while; here nobody types on."""
-    monkeypatch.setattr("app.panels.import_table_dialog._SOON_MS", 10)
+    monkeypatch.setattr("app.features.import_export.import_table_dialog._SOON_MS", 10)
 
 
 def write(path, text):

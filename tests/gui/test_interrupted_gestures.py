@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.panels.command_palette import CommandPalette
+from app.window.command_palette import CommandPalette
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 Key = Qt.Key
@@ -70,7 +70,7 @@ def test_a_dialog_takes_the_gesture_back(arch, what):
     assert (arch.session.document, arch.session.undo_stack.count()) == (document, steps)
     assert (canvas.marks.band, canvas.marks.ruler, canvas.marks.note) == (None, None, None)
     arch.trigger("selectTool")
-    arch.window.status_line.forget_said()
+    arch.window.status_line.clear_message()
     arch.hover(arch.point(2))
     assert arch.status.startswith("Drag to move")
     arch.drag_point(2, to=(3.5, 3))

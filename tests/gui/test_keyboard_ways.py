@@ -9,10 +9,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QGraphicsView, QMenu, QWidget
 from shiboken6 import Shiboken
 
-from app.commands.focus_commands import first_in
+from app.actions.mnemonics import plain, with_mnemonics
+from app.appearance.theme import theme_of
 from app.features.lessons.panel import LessonPanel
-from app.mnemonics import plain, with_mnemonics
-from app.theme import theme_of
+from app.window.focus_commands import first_in
 
 
 def letter_of(text):

@@ -16,9 +16,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.commands.connect import all_actions
-from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
-from app.main_window import MainWindow
+from app.features.lessons.lesson import LessonError, lesson_names, load_lesson, parse_lesson
 from app.panels.basis_layers import rail_height
 from app.session import Session
 from app.storage.files import load
@@ -28,6 +26,8 @@ from app.view_model.analysis.overlays.ensemble import COUNT
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
 from app.view_model.goals import standing_of
+from app.window import MainWindow
+from app.window.connect import all_actions
 
 NAMES = lesson_names()
 NAMED = {each.name for each in all_actions()}

@@ -8,10 +8,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlider, QToolButton
 
+from app.appearance.theme import ThemeMode
 from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
-from app.theme import ThemeMode
 from app.view_model.analysis.errors import POINT_ERROR
 from app.view_model.analysis.overlay import OVERLAYS
 from app.view_model.analysis.overlays import (

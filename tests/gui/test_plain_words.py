@@ -22,12 +22,12 @@ from PySide6.QtWidgets import (
     QToolTip,
 )
 
+from app.actions.mnemonics import plain
 from app.document.edits import rename_curve
 from app.document.model import Document, ReferenceImage, make_curve
 from app.families import HERMITE
 from app.features.recovery.bar import RecoveryBar
 from app.features.recovery.offers import Offer
-from app.mnemonics import plain
 from app.storage.files import save
 
 NAME = "<b>x</b> & \"y\" 'z'"
@@ -120,7 +120,7 @@ def planted(editor, tmp_path):
 
 
 def test_every_label_of_the_sources_says_what_its_text_is():
-    """`app.labels.Label` does; whoever takes Qt's own lets it guess."""
+    """`app.qt.labels.Label` does; whoever takes Qt's own lets it guess."""
     imported = re.compile(r"^from PySide6\.QtWidgets import (?:[^(\n]*|\([^)]*)\bQLabel\b", re.MULTILINE)
     takers = [path.name for path in APP.rglob("*.py") if imported.search(path.read_text(encoding="utf-8"))]
     assert takers == ["labels.py"]

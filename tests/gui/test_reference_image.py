@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLabel, QToolButton
 
+from app.appearance.theme import ThemeMode, theme_of
 from app.canvas import image_file
 from app.canvas.image_file import ImageFileError, read_image
 from app.canvas.page_image import inverted_lightness
@@ -19,7 +20,6 @@ from app.document.image_edits import set_image
 from app.document.model import Document, make_curve
 from app.storage.files import load
 from app.testing import Editor
-from app.theme import ThemeMode, theme_of
 
 
 def picture(path, width=60, height=80, colour="#ff0000"):

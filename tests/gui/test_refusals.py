@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
+from app.appearance.theme import DARK, LIGHT, ThemeMode
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.theme import DARK, LIGHT, ThemeMode
 
 CTRL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 KEYPAD = Qt.KeyboardModifier.KeypadModifier

@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.main_window import MainWindow
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing import wait_for_rest
+from app.window import MainWindow
 
 
 @pytest.fixture

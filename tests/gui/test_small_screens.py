@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 
 import app.features
 import app.panels
+from app.diagnostics.crash_dialog import CrashDialog
 from app.document.edits import set_position
 from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice
@@ -18,16 +19,15 @@ from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS
 from app.exchange.table.prepared import TableSource
 from app.exchange.table.text import preview_table
+from app.features.import_export.export_dialog import ExportDialog
+from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
+from app.features.import_export.import_table_dialog import ImportTableDialog
 from app.features.motion.dialog import MotionDialog
-from app.panels.crash_dialog import CrashDialog
-from app.panels.export_dialog import ExportDialog
-from app.panels.fitting import FRAME, FittedDialog
-from app.panels.import_drawing_dialog import ImportDrawingDialog
-from app.panels.import_table_dialog import ImportTableDialog
-from app.panels.preferences_dialog import PreferencesDialog
 from app.session import Session
 from app.storage.files import save
 from app.testing import Editor
+from app.widgets.fitting import FRAME, FittedDialog
+from app.window.preferences_dialog import PreferencesDialog
 
 ROOM = QSize(960, 540) - FRAME
 LINE = Document((make_curve(((0.0, 0.0), (4.0, 1.0))),))
@@ -82,7 +82,7 @@ def dialogs(window):
 
 def test_every_dialog_fits_and_its_buttons_stay_in_sight(qtbot, type_size, monkeypatch):
     editor = Editor(qtbot)
-    monkeypatch.setattr("app.panels.fitting.room_on", lambda _screen: ROOM)
+    monkeypatch.setattr("app.widgets.fitting.room_on", lambda _screen: ROOM)
     shown = set()
     for dialog in dialogs(editor.window):
         dialog.show()

@@ -9,7 +9,7 @@ from PySide6.QtCore import QLocale, QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from app.clipboard_watch import DERIVATIVES
+from app.actions.clipboard_watch import DERIVATIVES
 from app.document import edits
 from app.document.model import (
     AccelerationRule,

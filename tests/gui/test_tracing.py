@@ -9,8 +9,8 @@ import pytest
 from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
+from app.appearance.theme import theme_of
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.theme import theme_of
 
 ALT = Qt.KeyboardModifier.AltModifier
 SIZE, EDGE = 400, 150.0

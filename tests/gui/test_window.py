@@ -32,20 +32,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.actions.mnemonics import plain
+from app.appearance.theme import DARK, ThemeMode
 from app.cli.windows import open_windows
 from app.document.edits import rename_curve, set_velocity
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.file_commands import file_stem
-from app.main_window import MainWindow
-from app.mnemonics import plain
-from app.resources import resource
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.storage.files import load
 from app.storage.format import encode
+from app.storage.resources import resource
 from app.testing import Editor
-from app.theme import DARK, ThemeMode
+from app.window import MainWindow
+from app.workbench.document_files import file_stem
 
 
 def test_the_first_start_shows_a_curve_and_a_hint(editor):

@@ -8,13 +8,13 @@ from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
 from app.actions.situation import Situation
-from app.colours import CURVE_COLOURS
-from app.commands.context import WindowContext
-from app.docks import UPPER, Panel
+from app.appearance.colours import CURVE_COLOURS
 from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
 from app.features.curve_list.controller import CurveListController
 from app.features.curve_list.panel import CurveList
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import UPPER, Panel
 
 _BUTTONS = (
     "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",

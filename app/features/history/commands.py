@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.commands.context import WindowContext
-from app.docks import UPPER, Panel
 from app.features.history.controller import HistoryController
 from app.features.history.panel import HistoryPanel
+from app.workbench.context import WindowContext
+from app.workbench.docks import UPPER, Panel
 
 
 class HistoryCommands:

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from app.actions.declaration import action
 from app.actions.sections import FILE_RECOVERY
-from app.commands.context import WindowContext
 from app.document.model import Document
 from app.features import recovery
 from app.features.recovery.autosave import Autosave, snapshot_folder
 from app.features.recovery.set_aside import SetAside
 from app.storage.recovery import Found, Snapshot, list_snapshots
+from app.workbench.context import WindowContext
 
 OpenBeside = Callable[[Document, Path | None], Autosave]
 """Opens another window on a document with changes that are not in its file."""

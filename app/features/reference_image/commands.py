@@ -12,15 +12,15 @@ from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import FILE_IMAGE
 from app.canvas.image_file import ImageFileError, read_image
-from app.commands.context import WindowContext
-from app.docks import Panel
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
 from app.features.reference_image.controller import ImageController
 from app.features.reference_image.panel import ImagePanel
+from app.state.window_state import WindowState
 from app.tools.move_image import MOVE_IMAGE
 from app.view_model.curve_view import CurveView
-from app.window_state import WindowState
+from app.workbench.context import WindowContext
+from app.workbench.docks import Panel
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
 _MISSING = "The reference image is not shown. {}"

@@ -1,0 +1,4 @@
+"""Editing of points, families and parameters.
+
+- ``commands``: the actions.
+"""
