@@ -6,66 +6,25 @@ import math
 
 from app.document import words
 from app.document.model import Vector
+from app.tools.drag import minus, plus
 from app.tools.drags import in_steps
 from app.tools.marks import GestureMarks, Ruler
-from app.tools.pointer import Hint, Pointer
-from app.tools.snapping import Snapper, with_snap
+from app.tools.pointer import Hint
+from app.tools.snapping import with_snap
 from app.tools.tool import Tool, ToolContext, ToolRecord
 
 _KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
 """Effects of the modifier keys while something is measured."""
 
 
-class Measurement:
-    """A line from the press to the pointer, both snapping; with Shift its angle goes in steps of 15°.
+class MeasureTool(Tool):
+    """Measures from the press to the pointer, both snapping; the ruler stays until it is dismissed.
 
-    Attributes
-    ----------
-    ruler
-        What is measured.
-    snapper
-        Snaps its ends.
+    With Shift its angle goes in steps of 15°.
     """
 
-    def __init__(self, pointer: Pointer, snapper: Snapper, unit: str) -> None:
-        self.snapper, self._unit = snapper, unit
-        self._start = snapper.at(pointer)
-        self.ruler = Ruler(self._start, self._start, "")
-
-    def move(self, pointer: Pointer) -> None:
-        """Follow the pointer."""
-        end = self._end(pointer)
-        dx, dy = end[0] - self._start[0], end[1] - self._start[1]
-        unit = f" {self._unit}" if self._unit else ""
-        direction = words.angle(math.degrees(math.atan2(dy, dx)))
-        length = f"{words.number(math.hypot(dx, dy))}{unit}"
-        text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
-        self.ruler = Ruler(self._start, end, text)
-
-    def _end(self, pointer: Pointer) -> Vector:
-        if not pointer.shift:
-            return self.snapper.at(pointer)
-        # An angle that is held leaves nothing to be drawn elsewhere.
-        self.snapper.reset()
-        x, y = self._start
-        dx, dy = in_steps((pointer.position[0] - x, pointer.position[1] - y))
-        return (x + dx, y + dy)
-
-    def progress(self) -> str:
-        """Return what is measured, and what the keys would change."""
-        return f"{self.ruler.text} · {_KEYS}" if self.ruler.text else ""
-
-    @property
-    def is_something(self) -> bool:
-        """Whether there is a distance to show."""
-        return self.ruler.start != self.ruler.end
-
-
-class MeasureTool(Tool):
-    """Measures from the press to the pointer; the ruler stays until it is dismissed."""
-
     def __init__(self) -> None:
-        self._measured: Measurement | None = None
+        self._ruler: Ruler | None = None
         self._measuring = False
 
     @property
@@ -75,14 +34,21 @@ class MeasureTool(Tool):
 
     def press(self, context: ToolContext) -> None:
         """Begin to measure here."""
-        snapper = context.snappers.for_points((), -1)
-        self._measured = Measurement(context.pointer, snapper, context.settings.unit)
-        self._measuring = True
+        start = context.snappers.for_points((), -1).at(context.pointer)
+        self._ruler, self._measuring = Ruler(start, start, ""), True
 
     def move(self, context: ToolContext) -> None:
         """Measure up to the pointer."""
-        if self._measuring and self._measured is not None:
-            self._measured.move(context.pointer)
+        if not self._measuring or self._ruler is None:
+            return
+        start = self._ruler.start
+        end = _end(context, start)
+        dx, dy = minus(end, start)
+        unit = f" {context.settings.unit}" if context.settings.unit else ""
+        direction = words.angle(math.degrees(math.atan2(dy, dx)))
+        length = f"{words.number(math.hypot(dx, dy))}{unit}"
+        text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
+        self._ruler = Ruler(start, end, text)
 
     def release(self, context: ToolContext) -> None:
         """Measure up to the pointer, and leave the ruler there."""
@@ -96,7 +62,7 @@ class MeasureTool(Tool):
     def cancel(self, context: ToolContext) -> None:
         """Remove the ruler that is drawn."""
         if self._measuring:
-            self._measured = None
+            self._ruler = None
         super().cancel(context)
 
     def end(self) -> None:
@@ -105,23 +71,32 @@ class MeasureTool(Tool):
 
     def dismiss(self) -> bool:
         """Remove the ruler; return whether there was one."""
-        measured, self._measured = self._measured, None
-        return measured is not None
+        ruler, self._ruler = self._ruler, None
+        return ruler is not None
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the ruler, and what its end, or a press, has snapped to."""
-        measured, caught = self._measured, context.snappers.caught
-        if measured is None:
-            return GestureMarks(snap=caught)
+        ruler = self._ruler
         return GestureMarks(
-            ruler=measured.ruler if measured.is_something else None, snap=caught if self._measuring else None
+            ruler=ruler if ruler is not None and ruler.start != ruler.end else None,
+            snap=context.snappers.caught if ruler is None or self._measuring else None,
         )
 
     def progress(self, context: ToolContext) -> str:
-        """Return what is measured."""
-        if not self._measuring or self._measured is None:
+        """Return what is measured, and what the keys would change."""
+        if not self._measuring or self._ruler is None or not self._ruler.text:
             return ""
-        return with_snap(self._measured.progress(), context.snappers.caught)
+        return with_snap(f"{self._ruler.text} · {_KEYS}", context.snappers.caught)
+
+
+def _end(context: ToolContext, start: Vector) -> Vector:
+    snapper, pointer = context.snappers.now, context.pointer
+    assert snapper is not None
+    if not pointer.shift:
+        return snapper.at(pointer)
+    # An angle that is held leaves nothing to be drawn elsewhere.
+    snapper.reset()
+    return plus(start, in_steps(pointer.way_from(start)))
 
 
 MEASURE = ToolRecord(
