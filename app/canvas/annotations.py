@@ -30,6 +30,8 @@ class Annotations(QObject):
     ----------
     legend
         None until there is something to explain.
+    file_version
+        The name of a file's curves in the legend; empty while none are shown.
 
     Signals
     -------
@@ -47,6 +49,7 @@ class Annotations(QObject):
         self._file_layer = FileLayer(plot)
         self._traces = TraceLayer(plot)
         self.legend: Legend | None = None
+        self.file_version = ""
 
     # Figures and ghosts
 
@@ -68,13 +71,9 @@ class Annotations(QObject):
 
     def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
         """Show the curves that a file holds, dashed and with this name; none: put them away."""
-        self._file_layer.render(views, name)
+        self._file_layer.render(views, range(len(views)))
+        self.file_version = name if self._file_layer.is_visible else ""
         self._explain_lines("file", [(FILE_STYLE, self.file_version)] if self.file_version else ())
-
-    @property
-    def file_version(self) -> str:
-        """The name of a file's curves in the legend; empty while none are shown."""
-        return self._file_layer.name
 
     def render_traces(
         self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False

@@ -7,13 +7,13 @@ from PySide6.QtGui import QPainter, QPen
 
 from app.appearance.colours import point_colours
 from app.canvas.point_layer import opacity_of
+from app.plotting.drawing import is_near
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.curve_view import CurveView
 
 _HALF = 5.0
-_FAR = 1e5
 
 
 class CornerLayer(Layer):
@@ -38,12 +38,11 @@ class CornerLayer(Layer):
         """Draw the squares."""
         if self._view is None or not self._corners:
             return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
         colours = point_colours(len(self._view.points), self.theme)
         half = _HALF * self.scale
         for index in self._corners:
             x, y = shown.point(*self._view.points[index].tolist())
-            if max(abs(x), abs(y)) < _FAR:
+            if is_near(x, y):
                 painter.setBrush(colours[index])
                 painter.drawRect(QRectF(x - half, y - half, 2 * half, 2 * half))

@@ -47,8 +47,6 @@ class CurveLayer(Layer):
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._made_for: tuple[object, ...] = ()
         self._pen_now = QPen()
-        self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
-        self._ghost_drawn: tuple[FloatArray | None, PixelMap | None] = (None, None)
         self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
@@ -93,15 +91,17 @@ class CurveLayer(Layer):
         """Return the curve as it is drawn, None without one."""
         if self._view is None or self._view.curve is None:
             return None
-        return self._view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+        return line_of(self._view, shown)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw ghost and curve."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if self._ghost is not None and self.ghost_opacity > 0:
             self._paint_ghost(painter, shown, self._ghost)
-        if self._view is not self._drawn[0] or shown is not self._drawn[1]:
-            self._fill(shown)
+        polyline = self.polyline(shown)
+        self.error = 0.0 if polyline is None else polyline.deviation * max(shown.sx, shown.sy)
+        if polyline is None:
+            return
+        self._stroke.show(polyline.points, shown)
         if self._is_cased:
             painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
             self._stroke.draw(painter)
@@ -126,15 +126,6 @@ class CurveLayer(Layer):
         self._is_cased = cased
         self.update()
 
-    def _fill(self, shown: PixelMap) -> None:
-        polyline = self.polyline(shown)
-        if polyline is None:
-            self._stroke, self.error = Stroke(), 0.0
-        else:
-            self.error = polyline.deviation * max(shown.sx, shown.sy)
-            self._stroke.fill(shown.points(polyline.points), shown.width, shown.height)
-        self._drawn = (self._view, shown)
-
     def _pen(self) -> QPen:
         view = self._view
         colour = view.source.colour if view is not None else None
@@ -151,15 +142,16 @@ class CurveLayer(Layer):
         return self._pen_now
 
     def _line(self, colour: QColor, width: float) -> QPen:
-        pen = QPen(colour, width * self.scale)
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        return pen
+        return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap)
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: FloatArray) -> None:
-        if self._ghost_drawn[0] is not points or self._ghost_drawn[1] is not shown:
-            self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
-            self._ghost_drawn = (points, shown)
+        self._ghost_stroke.show(points, shown)
         colour = QColor(self.theme.ghost)
         colour.setAlphaF(self.ghost_opacity)
         painter.setPen(QPen(colour, self.scale))
         self._ghost_stroke.draw(painter)
+
+
+def line_of(view: CurveView, shown: PixelMap) -> Polyline:
+    """Return a curve as a polyline of the plane, exact enough to be drawn."""
+    return view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)

@@ -67,21 +67,20 @@ class FigureLayer(Layer):
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
-        self._paint_figures(painter, shown, [each for each in self.figures if each.shape not in _ABOVE])
+        for figure in self.figures:
+            if figure.shape not in _ABOVE:
+                self._paint_figure(painter, shown, figure)
         for ghost in self.ghosts:
             self._paint_ghost(painter, shown, ghost)
 
     def _paint_above(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw what the curve would hide, and the words."""
-        self._paint_figures(painter, shown, [each for each in self.figures if each.shape in _ABOVE])
+        for figure in self.figures:
+            if figure.shape in _ABOVE:
+                self._paint_figure(painter, shown, figure)
         for figure in self.figures:
             if figure.label:
                 self._paint_label(painter, shown, figure)
-
-    def _paint_figures(self, painter: QPainter, shown: PixelMap, figures: Sequence[Figure]) -> None:
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        for figure in figures:
-            self._paint_figure(painter, shown, figure)
 
     def _paint_figure(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
         painter.setPen(pen_of(figure.style, self.theme, self.scale))

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.appearance.colours import curve_colour
 from app.appearance.theme import mix
-from app.plotting.drawing import Segments, cut_segments
+from app.plotting.drawing import Segments, cut_segments, is_near
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line
 from app.plotting.pixel_map import PixelMap
@@ -47,7 +47,6 @@ class MotionLayer(Layer):
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines, then the trails, then the dots with their arrows."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         for role, line in self.lines:
             self._paint_line(painter, shown, role, line)
         for dot in self.dots:
@@ -72,14 +71,14 @@ class MotionLayer(Layer):
         with np.errstate(all="ignore"):
             places = shown.points(dot.trail)
         for age, (x, y) in enumerate(places.tolist()):
-            if _is_near(x, y):
+            if is_near(x, y):
                 colour.setAlphaF(0.65 * (1.0 - age / TRAIL))
                 painter.setBrush(colour)
                 painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_dot(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
         x, y = shown.point(*dot.place)
-        if not _is_near(x, y):
+        if not is_near(x, y):
             return
         for arrow in dot.arrows:
             colour = curve_colour(colour_of(dot, arrow), self.theme)
@@ -128,7 +127,3 @@ class MotionLayer(Layer):
                 )
         self._written.append(plate)
         write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())
-
-
-def _is_near(x: float, y: float) -> bool:
-    return abs(x) < _FAR and abs(y) < _FAR

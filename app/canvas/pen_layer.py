@@ -5,15 +5,13 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen
 
-from app.canvas.curve_layer import TOLERANCE
+from app.canvas.curve_layer import line_of
 from app.document.model import Vector
-from app.plotting.drawing import Stroke
+from app.plotting.drawing import Stroke, is_near
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.curve_view import CurveView
-
-_FAR = 1e5
 
 
 class PenLayer(Layer):
@@ -26,7 +24,6 @@ class PenLayer(Layer):
         self._preview: CurveView | None = None
         self._spot: Vector | None = None
         self._stroke = Stroke()
-        self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._ring = Layer(plot, self._paint_ring, z=9.5)
 
     def render(self, preview: CurveView | None, spot: Vector | None) -> None:
@@ -43,11 +40,7 @@ class PenLayer(Layer):
         view = self._preview
         if view is None:
             return
-        if self._drawn[0] is not view or self._drawn[1] is not shown:
-            polyline = view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)
-            self._stroke.fill(shown.points(polyline.points), shown.width, shown.height)
-            self._drawn = (view, shown)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        self._stroke.show(line_of(view, shown).points, shown)
         painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
         self._stroke.draw(painter)
 
@@ -55,9 +48,8 @@ class PenLayer(Layer):
         if self._spot is None:
             return
         x, y = shown.point(*self._spot)
-        if max(abs(x), abs(y)) > _FAR:
+        if not is_near(x, y):
             return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setBrush(self.theme.paper)
         painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
         painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)

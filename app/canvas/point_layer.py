@@ -97,7 +97,6 @@ class PointLayer(Layer):
         view = self._view
         if view is None or not len(view.points):
             return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         colours = colours_of(len(view.points), self.theme)
         self._locate(view.points, shown)
         pixels, visible = self._pixels, self._visible

@@ -27,7 +27,7 @@ class HasLayers(Protocol):
 
 
 class Layer:
-    """One layer of a plot, in its theme and scale; it paints in pixels of the plot area.
+    """One layer of a plot, in its theme and scale; it paints smoothly, in pixels of the plot area.
 
     A subclass has a `paint` of its own, or a function is given.
 
@@ -89,6 +89,7 @@ class Layer:
         painter.save()
         try:
             painter.setOpacity(self._opacity)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
             self.paint(painter, shown)
         except Exception as problem:
             # The layers above are painted all the same.

@@ -9,6 +9,7 @@ from app.appearance.colours import line_colour
 from app.appearance.theme import Theme, mix
 from app.plotting.dashes import dashed
 from app.plotting.drawing import Segments, Stroke, visible_segments
+from app.plotting.pictures import transparent
 from app.plotting.pixel_map import PixelMap
 from app.view_model.line_styles import Dashes, LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
@@ -87,9 +88,7 @@ def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) ->
 
 def sign_pixmap(style: LineStyle, theme: Theme, ratio: float = 1.0) -> QPixmap:
     """Return a small picture of a line, a mark or an area as it is drawn."""
-    picture = QPixmap(SIGN * ratio)
-    picture.setDevicePixelRatio(ratio)
-    picture.fill(Qt.GlobalColor.transparent)
+    picture = transparent(SIGN.width(), SIGN.height(), ratio)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
     centre = QPointF(SIGN.width() / 2, SIGN.height() / 2)

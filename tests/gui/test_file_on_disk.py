@@ -215,7 +215,7 @@ def test_compare_shows_the_file_dashed_and_named(saved, path, until):
     assert [row.text for row in canvas.drawing.annotations.legend.rows] == ["drawing.curve.json on the disk"]
     assert saved.screenshot() != before
     save(path, OTHERS)  # another one: the ghost goes with it
-    until(lambda: saved.window.canvas.drawing.annotations._file_layer._views[0].points[-1, 0] == 5.0)
+    until(lambda: saved.window.canvas.drawing.annotations._file_layer._views[0][1].points[-1, 0] == 5.0)
     saved.answer_file_message("compareWithFile")
     assert canvas.drawing.annotations.file_version == ""
     assert canvas.drawing.annotations.legend.isHidden()
