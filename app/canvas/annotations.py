@@ -13,13 +13,11 @@ from app.canvas.file_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
 from app.plotting.plot_widget import PlotWidget
 from app.view_model import analysis
-from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import FILE_STYLE, LineStyle
 
 if TYPE_CHECKING:
     from app.canvas.legend import Legend
-    from app.view_model.analysis.ghosts import GhostView
     from app.view_model.analysis.legend import LegendRow
 
 
@@ -28,6 +26,8 @@ class Annotations(QObject):
 
     Attributes
     ----------
+    figure_layer
+        Combs, vectors, bands and the like, and variants of the curve.
     legend
         None until there is something to explain.
     file_version
@@ -45,27 +45,11 @@ class Annotations(QObject):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._plot = plot
-        self._figures = FigureLayer(plot)
+        self.figure_layer = FigureLayer(plot)
         self._file_layer = FileLayer(plot)
         self._traces = TraceLayer(plot)
         self.legend: Legend | None = None
         self.file_version = ""
-
-    # Figures and ghosts
-
-    def render_figures(self, figures: Sequence[Figure], ghosts: Sequence[GhostView] = ()) -> None:
-        """Show combs, vectors, bands and the like, and variants of the curve."""
-        self._figures.render(figures, ghosts)
-
-    @property
-    def figures(self) -> Sequence[Figure]:
-        """The figures beside the curve."""
-        return self._figures.figures
-
-    @property
-    def ghosts(self) -> Sequence[GhostView]:
-        """The variants of the curve that are shown."""
-        return self._figures.ghosts
 
     # Other versions
 

@@ -6,13 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.document.words import with_decimals
 from app.plotting.colours import colours_of
+from app.plotting.drawing import is_near
 from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
+from app.plotting.pens import diamond
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import write_on_plate
 from app.plotting.plot_widget import PlotWidget
@@ -31,7 +33,6 @@ _HALF_NUMBER = 6.0
 
 _WEIGHED_UP_TO = 24
 _LEAST_WEIGHT = 5e-3
-_FAR = 1e5
 _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
 
@@ -66,9 +67,6 @@ class PointLayer(Layer):
         self._pixels_of: tuple[FloatArray | None, PixelMap | None] = (None, None)
         self._pixels: FloatArray = np.empty((0, 2))
         self._visible: IntArray = np.empty(0, dtype=np.intp)
-        self._made_for: tuple[object, ...] = ()
-        self._apart_of = self._visible
-        self._apart: tuple[IntArray, list[int], list[int]] = (self._visible, [], [])
 
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
@@ -126,9 +124,12 @@ class PointLayer(Layer):
         discs = self._discs_of(pixels, visible)
         calm, hovered, selected = self._told_apart(len(pixels), visible, crowded=discs.crowded)
         self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
-        self._paint_discs(
-            painter, pixels, hovered, colours, (RADIUS + _GROWTH) * self.scale, 1.5 * self.scale
-        )
+        if hovered:
+            painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        for index in hovered:
+            painter.setBrush(colours[index])
+            radius = (RADIUS + _GROWTH) * self.scale
+            painter.drawEllipse(QPointF(*pixels[index]), radius, radius)
         for index in selected:
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
         if discs.crowded:
@@ -138,18 +139,14 @@ class PointLayer(Layer):
         self, count: int, visible: IntArray, *, crowded: bool
     ) -> tuple[IntArray, list[int], list[int]]:
         """Return which visible points are drawn like any other, which as hovered, and which as selected."""
-        asked = (count, crowded, self.selection, self.hovered)
-        if asked != self._made_for or visible is not self._apart_of:
-            selected = [index for index in self.selection if index < count]
-            is_calm = np.ones(count, dtype=bool)
-            is_calm[selected] = False
-            calm = visible[is_calm[visible]]
-            hovered = calm[calm == self.hovered].tolist()
-            if crowded:
-                calm = with_neighbours([*selected, *hovered], calm)
-            self._made_for, self._apart_of = asked, visible
-            self._apart = (calm, hovered, visible[~is_calm[visible]].tolist())
-        return self._apart
+        selected = [index for index in self.selection if index < count]
+        is_calm = np.ones(count, dtype=bool)
+        is_calm[selected] = False
+        calm = visible[is_calm[visible]]
+        hovered = calm[calm == self.hovered].tolist()
+        if crowded:
+            calm = with_neighbours([*selected, *hovered], calm)
+        return calm, hovered, visible[~is_calm[visible]].tolist()
 
     def _discs_of(self, pixels: FloatArray, visible: IntArray) -> Discs:
         """Return how discs are drawn; under a drag that hardly changes, and is not asked every frame."""
@@ -175,22 +172,6 @@ class PointLayer(Layer):
         plate = QRectF(0, 0, size.width() + 10, size.height() + 4)
         plate.moveBottomLeft(shown.bottomLeft() + QPointF(6, -6))
         write_on_plate(painter, plate, self.note, self.theme.paper, self.theme.muted)
-
-    def _paint_discs(
-        self,
-        painter: QPainter,
-        pixels: FloatArray,
-        indices: Sequence[int],
-        colours: Sequence[QColor],
-        radius: float,
-        rim: float,
-    ) -> None:
-        if not indices:
-            return
-        painter.setPen(QPen(self.theme.paper, rim) if rim else Qt.PenStyle.NoPen)
-        for index in indices:
-            painter.setBrush(colours[index])
-            painter.drawEllipse(QPointF(*pixels[index]), radius, radius)
 
     def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor) -> None:
         radius = _SELECTED_RADIUS * self.scale
@@ -260,7 +241,7 @@ class PointLayer(Layer):
             (handle, QPointF(*tip), QPointF(*anchor))
             for handle in self._handles
             for tip, anchor in [(shown.point(*handle.position), shown.point(*handle.anchor))]
-            if max(map(abs, (*tip, *anchor))) <= _FAR
+            if is_near(*tip) and is_near(*anchor)
         ]
         colour = self.theme.handle
         if self.over_picture:
@@ -330,9 +311,8 @@ class PointLayer(Layer):
 
     def _paint_scrub_dot(self, painter: QPainter, shown: PixelMap) -> None:
         assert self.scrub is not None
-        _, x, y = self.scrub
-        pixel = shown.point(x, y)
-        if max(map(abs, pixel)) > _FAR:
+        pixel = shown.point(*self.scrub[1:])
+        if not is_near(*pixel):
             return
         painter.setPen(QPen(self.theme.paper, 2 * self.scale))
         painter.setBrush(self.theme.accent)
@@ -388,10 +368,4 @@ def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) ->
     if handle.kind == 1:
         painter.drawRect(QRectF(tip.x() - size, tip.y() - size, 2 * size, 2 * size))
     else:
-        painter.drawPolygon(_diamond(tip, size))
-
-
-def _diamond(centre: QPointF, size: float) -> QPolygonF:
-    x, y = centre.x(), centre.y()
-    corners = ((x, y - size), (x + size, y), (x, y + size), (x - size, y))
-    return QPolygonF([QPointF(*corner) for corner in corners])
+        painter.drawPolygon(diamond(tip, size))

@@ -87,6 +87,7 @@ class CanvasScene:
         self._show_weights()
         self.points.render(view)
         self.corners.render(view)
+        self._plot.show_marks()
 
     def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
         """Show the other curves of the document behind the one that is edited; some are selected with it."""
@@ -94,11 +95,13 @@ class CanvasScene:
         others = [place for place in range(len(views)) if place != active]
         self.others.render(views, [place for place in others if place not in selected])
         self.selected.render(views, [place for place in others if place in selected])
+        self._plot.show_marks()
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Show which points are selected."""
         self.points.selection = selection
         self.points.refresh()
+        self._plot.show_marks()
 
     def set_hovered(self, index: int) -> None:
         """Light up a point (−1 for none)."""

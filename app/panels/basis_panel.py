@@ -117,9 +117,6 @@ class BasisPanel(ToolPlot):
         self._select_for_menu(event)
         self.menu_requested.emit(event.globalPos())
 
-    def _hit_at(self, place: QPointF) -> Hit | None:
-        return self.hit(self.pointer_at(place), self.tools.tool)
-
     def _select_for_menu(self, event: QContextMenuEvent) -> None:
         """Let a right click on a tick that is not selected select it: the menu is about it."""
         if event.reason() != QContextMenuEvent.Reason.Mouse:
@@ -148,7 +145,7 @@ class BasisPanel(ToolPlot):
     def _set_ripple(self, *, down: bool) -> None:
         """Note whether E is down, and show at once what it changes of a drag in flight."""
         was_down, self._ripple_down = self._ripple_down, down
-        if down != was_down and self.is_dragging and self._hand is not None:
-            self._hand = replace(self._hand, ripple=down)
+        if down != was_down and self.is_dragging and self._pointer is not None:
+            self._pointer = replace(self._pointer, ripple=down)
             self._move_again()
             self._tell()

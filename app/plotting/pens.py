@@ -77,13 +77,18 @@ def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) ->
         painter.drawRect(QRectF(x - 0.8 * size, y - 0.8 * size, 1.6 * size, 1.6 * size))
     elif mark is Mark.DIAMOND:
         painter.setBrush(pen.color())
-        corners = ((0, -size), (size, 0), (0, size), (-size, 0))
-        painter.drawPolygon(QPolygonF([QPointF(x + dx, y + dy) for dx, dy in corners]))
+        painter.drawPolygon(diamond(QPointF(x, y), size))
     else:
         painter.setBrush(Qt.BrushStyle.NoBrush if mark is Mark.RING else pen.color())
         radius = size if mark is Mark.RING else 0.6 * size
         painter.drawEllipse(QPointF(x, y), radius, radius)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def diamond(centre: QPointF, size: float) -> QPolygonF:
+    """Return a square that stands on a corner, `size` from its centre."""
+    corners = ((0, -size), (size, 0), (0, size), (-size, 0))
+    return QPolygonF([centre + QPointF(*corner) for corner in corners])
 
 
 def sign_pixmap(style: LineStyle, theme: Theme, ratio: float = 1.0) -> QPixmap:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
@@ -51,6 +51,10 @@ class ToolPlot(PlotWidget):
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         """Return what of the plot a tool hits at the pointer."""
         return None
+
+    def _hit_at(self, place: QPointF) -> Hit | None:
+        """Return what lies at a place of the viewport."""
+        return self.hit(self.pointer_at(place), self.tools.tool)
 
     def place_of(self, pointer: Pointer) -> object:
         """Return what is told of the place under the pointer: t."""
@@ -120,12 +124,12 @@ class ToolPlot(PlotWidget):
 
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves, or the document."""
-        if self._hand is not None and not self.is_dragging and not self._panning.is_active:
+        if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
             self.hovered_at(self._pointer_now())
 
     def left(self) -> None:
         if not self.is_dragging:
-            self._hand = None
+            self._pointer = None
             self.tools.leave()
             self.show_marks()
             self.hint_changed.emit("")
@@ -134,7 +138,7 @@ class ToolPlot(PlotWidget):
     def _pointer_now(self) -> Pointer:
         """Return where the pointer is in the plane as it is shown now; in the middle if it is elsewhere."""
         shown = self.pixel_map
-        pixel = self._hand.pixel if self._hand is not None else (shown.width / 2, shown.height / 2)
+        pixel = self._pointer.pixel if self._pointer is not None else (shown.width / 2, shown.height / 2)
         return Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
 
     def _end_gesture(self) -> None:
@@ -149,8 +153,8 @@ class ToolPlot(PlotWidget):
     def _tell(self) -> None:
         """Say how far the gesture has come, and where the pointer is."""
         self.progress_changed.emit(self.tools.progress())
-        if self._hand is not None:
-            self.pointed_at.emit(self.place_of(self._hand))
+        if self._pointer is not None:
+            self.pointed_at.emit(self.place_of(self._pointer))
 
     def _show_cursor(self, hint: Hint) -> None:
         if not self._panning.owns_cursor:

@@ -232,8 +232,10 @@ class MainWindow(Guarded, QMainWindow):
 
     def _render_document(self) -> None:
         view = self._rendered = self.session.active_view
-        self.canvas.render_view(view)
-        self.canvas.render_others(self.session.views, self.session.active_index, self.session.selected.curves)
+        self.canvas.drawing.render_view(view)
+        self.canvas.drawing.render_others(
+            self.session.views, self.session.active_index, self.session.selected.curves
+        )
         self.basis_pane.render_view(view)
         self._commands.follow(view)
         if not self.session.is_previewing:
@@ -257,13 +259,13 @@ class MainWindow(Guarded, QMainWindow):
             self.status_line.show_lebesgue(growth_of_points(view, self.basis_panel.drawing.basis))
 
     def _render_selection(self, selection: frozenset[int]) -> None:
-        self.canvas.set_selection(selection)
+        self.canvas.drawing.set_selection(selection)
         self.basis_panel.drawing.set_selection(selection)
         self._render_commands()
 
     def _render_selected_curves(self, chosen: frozenset[int]) -> None:
         session = self.session
-        self.canvas.render_others(session.views, session.active_index, chosen)
+        self.canvas.drawing.render_others(session.views, session.active_index, chosen)
         self.canvas.hover_again()
         self._render_commands()
 

@@ -68,7 +68,7 @@ class OverlayCommands:
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
-        self._context.central.canvas.drawing.annotations.render_figures(figures, ghosts)
+        self._context.central.canvas.drawing.annotations.figure_layer.render(figures, ghosts)
         rows = analysis.legend.legend_rows(
             view, settings, ghosts, figures if settled is not None else (), busy
         )
@@ -90,7 +90,7 @@ class OverlayCommands:
         self._is_drawn = False
         self._ghosts, self._asked, self._settled = {}, None, None
         self._task.give_up()
-        self._context.central.canvas.drawing.annotations.render_figures(())
+        self._context.central.canvas.drawing.annotations.figure_layer.render((), ())
         self._context.central.canvas.drawing.annotations.render_legend(_GROUP, ())
         self._context.analysis.note({})
 
