@@ -75,6 +75,8 @@ class MarksLayer(Layer):
             self._paint_ruler(painter, shown, marks.ruler)
         if marks.snap is not None:
             self._paint_snap(painter, shown, marks.snap)
+        if marks.spot is not None:
+            self._paint_spot(painter, *shown.point(*marks.spot))
         if marks.note is not None:
             self._paint_note(painter, shown, marks.note)
 
@@ -180,6 +182,14 @@ class MarksLayer(Layer):
         way = QPointF(abs(dy) * (-1 if dx >= 0 else 1), abs(dx) * (-1 if dy <= 0 else 1))
         middle = QPointF((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
         self._write_beyond(painter, shown, middle, (way, -way), ruler.text)
+
+    def _paint_spot(self, painter: QPainter, x: float, y: float) -> None:
+        """Draw a ring on the curve, where the pen would insert a point."""
+        if _is_drawable(x, y):
+            painter.setBrush(self.theme.paper)
+            painter.setPen(self._pen(1.5))
+            painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
 
     # Words
 

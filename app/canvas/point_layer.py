@@ -8,9 +8,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from app.appearance.colours import point_colours
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.document.words import with_decimals
-from app.plotting.colours import colours_of
 from app.plotting.drawing import is_near
 from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
@@ -25,6 +25,9 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
+_CORNER = 5.0
+"""Half the side of the square of a corner, in pixels."""
+
 _DISCS_MS = 200
 """Milliseconds for which discs keep their size while points move."""
 
@@ -38,7 +41,7 @@ _HIDDEN = 0.35
 
 
 class PointLayer(Layer):
-    """Draws the points of the active curve; all in one item."""
+    """Draws the points of the active curve; corners are squares, over the discs."""
 
     z = 10.0
 
@@ -64,6 +67,7 @@ class PointLayer(Layer):
         # Paints once more when a drag has ended, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
         self._soon.timeout.connect(self.refresh)
+        self._corners = Layer(plot, self._paint_corners, z=11.0)
         self._pixels_of: tuple[FloatArray | None, PixelMap | None] = (None, None)
         self._pixels: FloatArray = np.empty((0, 2))
         self._visible: IntArray = np.empty(0, dtype=np.intp)
@@ -71,9 +75,11 @@ class PointLayer(Layer):
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
         self._view = view
-        self.set_opacity(opacity_of(view))
-        self._handles = self._handles_now()
-        self.update()
+        for layer in (self, self._corners):
+            layer.set_opacity(opacity_of(view))
+        # A layer that draws nothing would cost every frame its share.
+        self._corners.set_visible(bool(view.corners))
+        self.refresh()
 
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""
@@ -95,7 +101,7 @@ class PointLayer(Layer):
         view = self._view
         if view is None or not len(view.points):
             return
-        colours = colours_of(len(view.points), self.theme)
+        colours = point_colours(len(view.points), self.theme)
         self._locate(view.points, shown)
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
@@ -181,6 +187,18 @@ class PointLayer(Layer):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(self.theme.accent, 2 * self.scale))
         painter.drawEllipse(place, radius + 3 * self.scale, radius + 3 * self.scale)
+
+    def _paint_corners(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw a square in place of the disc where the curve may turn sharply."""
+        view = self._view
+        assert view is not None
+        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        colours, half = point_colours(len(view.points), self.theme), _CORNER * self.scale
+        for index in view.corners:
+            x, y = shown.point(*view.points[index].tolist())
+            if is_near(x, y):
+                painter.setBrush(colours[index])
+                painter.drawRect(QRectF(x - half, y - half, 2 * half, 2 * half))
 
     # Numbers
 

@@ -8,7 +8,7 @@ from functools import partial
 from app.document.curve_edits import add_curve, fresh_curve
 from app.document.model import Vector
 from app.tools import hints
-from app.tools.closing import can_end_at, closer
+from app.tools.closing import can_end_at, close_curve
 from app.tools.drag_machine import EditingHost
 from app.tools.marks import GestureMarks
 from app.tools.parts import press_on_part
@@ -96,7 +96,7 @@ class AddTool(Tool):
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
         if can_end_at(hit, context.view):
-            press_on_part(context, hit, closer(context.host))
+            press_on_part(context, hit, partial(close_curve, context.host))
         elif self._goes_on_at(hit, context.host):
             press_on_part(context, hit, partial(self._go_on, context.host))
         else:

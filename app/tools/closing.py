@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from app.document.edits import LEAST_TO_CLOSE
 from app.tools.drag_machine import EditingHost
 from app.tools.pointer import Hit, Part
@@ -18,13 +16,7 @@ def can_end_at(hit: Hit | None, view: CurveView) -> bool:
     return is_first and not curve.is_closed and len(curve.points) >= LEAST_TO_CLOSE
 
 
-def closer(host: EditingHost) -> Callable[[], None]:
-    """Return what closes the curve that is edited, or says why it cannot be closed."""
-
-    def close() -> None:
-        view = host.active_view
-        host.change(
-            f"Close {view.source.name}", lambda document: closed_by_pen(document, host.active_index, view)
-        )
-
-    return close
+def close_curve(host: EditingHost) -> None:
+    """Close the curve that is edited, or say why it cannot be closed."""
+    active, view = host.active_index, host.active_view
+    host.change(f"Close {view.source.name}", lambda document: closed_by_pen(document, active, view))

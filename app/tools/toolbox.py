@@ -14,18 +14,10 @@ from app.tools.target import TransformTarget
 from app.tools.tool import Tool, ToolContext, ToolRecord
 from app.tools.tool_settings import ToolSettings
 from app.tools.transform import TransformKind
-from app.tools.transform_tool import begin_transform
+from app.tools.transform_tool import TransformTool
 
 HitTest = Callable[[Pointer, Tool], Hit | None]
 """Finds what of the plot lies under the pointer, as far as a tool can hit it."""
-
-
-def _no_grid() -> Vector:
-    return (1.0, 1.0)
-
-
-def _hit_nothing(_pointer: Pointer, _tool: Tool) -> Hit | None:
-    return None
 
 
 class Toolbox:
@@ -48,9 +40,9 @@ class Toolbox:
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
         self.record = record
-        self.hit_test: HitTest = _hit_nothing
+        self.hit_test: HitTest = lambda _pointer, _tool: None
         self.settings = ToolSettings()
-        self.grid: Callable[[], Vector] = _no_grid
+        self.grid: Callable[[], Vector] = lambda: (1.0, 1.0)
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
@@ -119,8 +111,12 @@ class Toolbox:
             return self.key(kind.key)
         if self.is_pressed:
             return False
-        self._above = begin_transform(kind, self._at(pointer))
-        return self._above is not None
+        context = self._at(pointer)
+        if refusal := context.target.refusal_of_keys:
+            self._host.refuse(refusal)
+            return False
+        self._above = TransformTool(kind, context)
+        return True
 
     # Events
 

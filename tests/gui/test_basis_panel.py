@@ -9,13 +9,13 @@ import pytest
 from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
+from app.appearance.colours import point_colours
 from app.appearance.theme import LIGHT
 from app.document.edits import set_position
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.panels.basis_layers import rail_height
 from app.panels.crest_names import apart, crests_of
-from app.plotting.colours import colours_of
 
 
 @pytest.fixture
@@ -97,7 +97,7 @@ def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
             height = 2.5 * 4 / 27 * (gaps[owner] / beside.max() if owner < len(gaps) else -1.0)
             # Between two samples the crest is lower by a square of their distance.
             assert value == pytest.approx(height, rel=2e-3)
-    picture, colours = panel.viewport().grab().toImage(), colours_of(basis.count, LIGHT)
+    picture, colours = panel.viewport().grab().toImage(), point_colours(basis.count, LIGHT)
     origin = panel.rail_pixel(0.0) - QPointF(shown.x(0.0), shown.height - rail_height(1.0) + 8)
     for owner, kind, t, _ in found:
         if kind == 0:

@@ -7,10 +7,10 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.appearance.colours import point_colours
 from app.appearance.icons import icon
 from app.appearance.theme import LIGHT, Theme, theme_of
 from app.document.words import number
-from app.plotting.colours import colours_of
 from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
@@ -142,7 +142,7 @@ class HodographPlot(ToolPlot):
     def _paint_knots(self, painter: QPainter, shown: PixelMap, hodograph: Hodograph) -> None:
         if len(hodograph.knots) > 64:
             return
-        colours = colours_of(self.owners, self.theme)
+        colours = point_colours(self.owners, self.theme)
         font = QFont(self.font())
         font.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0))
         painter.setFont(font)
