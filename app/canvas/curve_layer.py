@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QAbstractAnimation, QSizeF, Qt, QVariantAnimation
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.appearance.colours import curve_colour
 from app.document.words import number
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, write_on_plate
+from app.plotting.plates import inside, size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.curve_view import CurveView, Polyline
 from curvecore.arrays import FloatArray
@@ -43,7 +43,6 @@ class CurveLayer(Layer):
         super().__init__(plot)
         self.error = 0.0
         self._view: CurveView | None = None
-        self._font = QFont(plot.font())
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._made_for: tuple[object, ...] = ()
         self._pen_now = QPen()
@@ -58,11 +57,17 @@ class CurveLayer(Layer):
         self._view = view
         self.update()
 
-    def show_ghost(self, points: FloatArray) -> None:
-        """Let a curve, as a polyline of the plane, stand behind the present one and fade."""
-        self._ghost = points
-        self._fade.stop()
-        self._fade.start()
+    def show_ghost(self, shown: PixelMap, *, held: bool = False) -> None:
+        """Let the curve as it is now stand behind the one to come and fade, or stay until it is released.
+
+        A ghost that is held stays the one that it is.
+        """
+        polyline = self.polyline(shown)
+        if polyline is not None and not self._ghost_held:
+            self._ghost, self._ghost_held = polyline.points, held
+            self._fade.stop()
+            if not held:
+                self._fade.start()
 
     @property
     def ghost_opacity(self) -> float:
@@ -71,11 +76,6 @@ class CurveLayer(Layer):
             return 1.0
         fading = self._fade.state() == QAbstractAnimation.State.Running
         return float(self._fade.currentValue()) if fading and self._ghost is not None else 0.0
-
-    def hold_ghost(self, points: FloatArray) -> None:
-        """Let a curve stand behind the present one until the ghost is released."""
-        self._fade.stop()
-        self._ghost, self._ghost_held = points, True
 
     def release_ghost(self) -> None:
         """Let the ghost that was held fade."""
@@ -116,9 +116,7 @@ class CurveLayer(Layer):
         return f"Drawn within {number(self.error, 2)} pixels" if self.error > WORTH_A_WORD else ""
 
     def _paint_word(self, painter: QPainter, shown: PixelMap) -> None:
-        painter.setFont(self._font)
-        size = QFontMetricsF(self._font).size(0, self.said) + QSizeF(12.0, 6.0)
-        plate = inside(0.0, shown.height, size, shown)
+        plate = inside(0.0, shown.height, size_of(painter, self.said, 12.0, 6.0), shown)
         write_on_plate(painter, plate, self.said, self.theme.paper, self.theme.ink)
 
     def set_cased(self, cased: bool) -> None:

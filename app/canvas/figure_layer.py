@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, QSizeF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPainter
 
 from app.canvas.curve_layer import TOLERANCE
 from app.plotting.area import AreaFill
@@ -16,7 +16,7 @@ from app.plotting.drawing import MARGIN, Segments, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line, draw_mark, pen_of
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, write_on_plate
+from app.plotting.plates import inside, size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.line_styles import Mark
@@ -51,7 +51,6 @@ class FigureLayer(Layer):
         self.figures: Sequence[Figure] = ()
         self.ghosts: Sequence[GhostView] = ()
         self._area = AreaFill()
-        self._font = QFont(plot.font())
         self._layers: list[Layer] = [self, Layer(plot, self._paint_above, z=0.5)]
         for layer in self._layers:
             # Even a layer that draws nothing costs every frame its share.
@@ -122,11 +121,8 @@ class FigureLayer(Layer):
         x, y = _pixels(figure.points[-1:], shown)[0].tolist()
         if not (-MARGIN < x < shown.width + MARGIN and -MARGIN < y < shown.height + MARGIN):
             return
-        font = QFont(self._font)
-        font.setPointSizeF(self._font.pointSizeF() * 0.95 * self.scale)
-        painter.setFont(font)
-        metrics = QFontMetricsF(font)
-        size = QSizeF(metrics.horizontalAdvance(figure.label) + 8, metrics.height() + 2)
+        painter.setFont(self.fonts.times(0.95 * self.scale))
+        size = size_of(painter, figure.label, 8, 2)
         plate = inside(x + 8, y - size.height() - 4, size, shown)
         write_on_plate(painter, plate, figure.label, self.theme.paper, self.theme.ink)
 

@@ -12,11 +12,10 @@ from app.appearance.colours import point_colours
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.document.words import with_decimals
 from app.plotting.drawing import is_near
-from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
 from app.plotting.pens import diamond
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import write_on_plate
+from app.plotting.plates import size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.view_model.curve_view import CurveView
@@ -57,7 +56,6 @@ class PointLayer(Layer):
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
         self._handles: list[Handle] = []
-        self._fonts = Sizes(plot.font())
         self._stamps = Stamps(_disc)
         self._discs_now = Discs(RADIUS, 0.0)
         self._discs_asked: tuple[object, ...] = ()
@@ -173,9 +171,8 @@ class PointLayer(Layer):
         return f"{len(self._view.points)} points: selection only · zoom in to see all"
 
     def _paint_note(self, painter: QPainter, shown: QRectF) -> None:
-        painter.setFont(self._fonts.times(0.9 * self.scale))
-        size = painter.fontMetrics().size(0, self.note)
-        plate = QRectF(0, 0, size.width() + 10, size.height() + 4)
+        painter.setFont(self.fonts.times(0.9 * self.scale))
+        plate = QRectF(QPointF(0, 0), size_of(painter, self.note))
         plate.moveBottomLeft(shown.bottomLeft() + QPointF(6, -6))
         write_on_plate(painter, plate, self.note, self.theme.paper, self.theme.muted)
 
@@ -207,7 +204,7 @@ class PointLayer(Layer):
         selected = self._numbered(pixels, visible)
         if not selected:
             return
-        painter.setFont(self._fonts.times(0.95 * self.scale))
+        painter.setFont(self.fonts.times(0.95 * self.scale))
         with_weight = self._has_weight_text(len(pixels))
         for index in selected:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale

@@ -120,18 +120,14 @@ class CanvasScene:
             return
         same_points = old.source.points == view.source.points
         if same_points and _rules(old.source) != _rules(view.source):
-            polyline = self.curve.polyline(self._plot.pixel_map)
-            if polyline is not None:
-                self.curve.show_ghost(polyline.points)
+            self.curve.show_ghost(self._plot.pixel_map)
 
     def hold_ghost(self, held: bool) -> None:
         """Keep a ghost of the curve as it is now while something is dragged elsewhere; then let it fade."""
-        if not held:
+        if held:
+            self.curve.show_ghost(self._plot.pixel_map, held=True)
+        else:
             self.curve.release_ghost()
-            return
-        polyline = self.curve.polyline(self._plot.pixel_map)
-        if polyline is not None:
-            self.curve.hold_ghost(polyline.points)
 
     # Scrub line and motion
 

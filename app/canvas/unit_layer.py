@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QFont, QPainter
+from PySide6.QtGui import QPainter
 
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
@@ -19,8 +19,6 @@ class UnitLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._unit = ""
-        self._font = QFont(plot.font())
-        self._font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0))
         self.set_visible(False)
 
     @property
@@ -38,7 +36,7 @@ class UnitLayer(Layer):
         """Write the name twice."""
         if not self._unit:
             return
-        painter.setFont(self._font)
+        painter.setFont(self.fonts.less(1.5, 1.0))
         painter.setPen(self.theme.muted)
         side = Qt.AlignmentFlag
         below = QRectF(shown.width - 126, shown.height - 22, 120, 18)

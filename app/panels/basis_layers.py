@@ -15,7 +15,6 @@ from app.appearance.theme import mix
 from app.document.words import number
 from app.panels.crest_names import CrestNames
 from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
-from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
 from app.plotting.pens import with_dashes
 from app.plotting.pixel_map import PixelMap
@@ -179,7 +178,6 @@ class RailLayer(Layer):
         self._stamps = Stamps(_tick)
         self._owners: Sequence[int] = ()
         self._count = 0
-        self._fonts = Sizes(plot.font())
 
     def render(self, basis: BasisView | None) -> None:
         """Draw a tick at every knot from the next paint on."""
@@ -208,7 +206,7 @@ class RailLayer(Layer):
         last = self.selection | {self.hovered}
         order = sorted(visible.tolist(), key=lambda knot: self._owners[knot] in last)
         numbers_right_of = -np.inf
-        painter.setFont(self._fonts.less(1.5, self.scale))
+        painter.setFont(self.fonts.less(1.5, self.scale))
         for index in order:
             place, owner = float(x[index]), self._owners[index]
             self._paint_tick(painter, place, top, owner, colours[owner])

@@ -56,12 +56,7 @@ class Files:
     @property
     def is_modified(self) -> bool:
         """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
-        return self.has_changes or self.has_lost_document
-
-    @property
-    def has_lost_document(self) -> bool:
-        """Whether the document that came from the file is in it no longer: changed, damaged or deleted."""
-        return self.file is not None and self.file.has_lost_document
+        return self.has_changes or (self.file is not None and self.file.has_lost_document)
 
     def close(self) -> None:
         """Go on without a file."""

@@ -313,10 +313,13 @@ def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
 
 def test_the_alpha_slider_has_a_ghost_too(editor):
     canvas, slider = editor.window.canvas, editor.window.findChild(QSlider, "alphaSlider")
+    at_press = canvas.drawing.curve.polyline(canvas.pixel_map).points
     slider.setSliderDown(True)
     slider.setSliderPosition(70)
     slider.setSliderPosition(20)
     assert canvas.drawing.curve.ghost_opacity == 1
+    # It was the curve of the step before.
+    assert canvas.drawing.curve._ghost is at_press
     slider.setSliderDown(False)
     assert canvas.drawing.curve.ghost_opacity > 0
 
