@@ -212,7 +212,7 @@ class Snapper:
     """
 
     def __init__(
-        self, settings: Callable[[], Snapping], grid: Callable[[], Vector], collect: Callable[[], Targets]
+        self, settings: Callable[[], Snapping], grid: Callable[[], float], collect: Callable[[], Targets]
     ) -> None:
         self._settings, self._grid, self._collect = settings, grid, collect
         self._targets: Targets | None = None
@@ -267,7 +267,7 @@ class Snapper:
         level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
         if SnapKind.GRID in self._settings().kinds:
-            grid = [_Line(grid_value(value, self._grid()[axis]), f"grid {'xy'[axis]}")]
+            grid = [_Line(grid_value(value, self._grid()), f"grid {'xy'[axis]}")]
         for lines in (level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:

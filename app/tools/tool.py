@@ -33,7 +33,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     settings
         Snapping, the unit, whether there is a box with grips.
     grid
-        Tells the spacing of the grid along x and y.
+        Tells the spacing of the grid.
     drags
         Begins a drag, follows it, makes it a step of the history.
     snappers
@@ -47,7 +47,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     pointer: Pointer
     host: EditingHost
     settings: ToolSettings
-    grid: Callable[[], Vector]
+    grid: Callable[[], float]
     drags: DragMachine
     snappers: Snappers
     target: TransformTarget
@@ -150,8 +150,9 @@ class Tool:
         if group is None:
             return True
         snaps = snapping.on and SnapKind.GRID in snapping.kinds
-        x, y = (decimal_product(unit, factor) for unit in (context.grid() if snaps else (pixel, pixel)))
-        drag = NudgePoints(context.host.document, group, (direction[0] * x, direction[1] * y), snaps)
+        step = decimal_product(context.grid() if snaps else pixel, factor)
+        way = (direction[0] * step, direction[1] * step)
+        drag = NudgePoints(context.host.document, group, way, snaps)
         context.drags.nudge(drag, ("points", group))
         return True
 

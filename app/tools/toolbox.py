@@ -35,14 +35,14 @@ class Toolbox:
     settings
         What the person has chosen.
     grid
-        Tells the spacing of the grid along x and y at the present zoom; whoever shows the plot sets it.
+        Tells the spacing of the grid at the present zoom; whoever shows the plot sets it.
     """
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
         self.record = record
         self.hit_test: HitTest = lambda _pointer, _tool: None
         self.settings = ToolSettings()
-        self.grid: Callable[[], Vector] = lambda: (1.0, 1.0)
+        self.grid: Callable[[], float] = lambda: 1.0
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later

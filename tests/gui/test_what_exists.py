@@ -75,7 +75,7 @@ def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
     new = editor.session.selected.point
     x, y = editor.point(new)
     editor.key(Qt.Key.Key_Right)
-    assert editor.point(new) == pytest.approx((x + editor.window.canvas.tools.grid()[0], y), abs=1e-15)
+    assert editor.point(new) == pytest.approx((x + editor.window.canvas.tools.grid(), y), abs=1e-15)
 
 
 def test_what_a_program_commits_becomes_plain(odd_values):
