@@ -47,6 +47,8 @@ class PointLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self.selection: frozenset[int] = frozenset()
+        # Those on screen, of the selected point.
+        self.handles: Sequence[Handle] = ()
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
         self.shows_new_handle = False
@@ -55,8 +57,7 @@ class PointLayer(Layer):
         self.weights: FloatArray | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
-        self._handles: list[Handle] = []
-        self._stamps = Stamps(_disc)
+        self._stamps = Stamps(lambda painter, radius: painter.drawEllipse(QPointF(0, 0), radius, radius))
         self._discs_now = Discs(RADIUS, 0.0)
         self._discs_asked: tuple[object, ...] = ()
         # Where numbers were written last, in pixels, and how many characters they have.
@@ -81,18 +82,10 @@ class PointLayer(Layer):
 
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""
-        self._handles = self._handles_now()
+        self.handles = ()
+        if self._view is not None and len(self.selection) == 1:
+            self.handles = handles_of(self._view, next(iter(self.selection)), free=self.shows_new_handle)
         self.update()
-
-    @property
-    def handles(self) -> Sequence[Handle]:
-        """The handles on screen, those of the selected point."""
-        return self._handles
-
-    def _handles_now(self) -> list[Handle]:
-        if self._view is None or len(self.selection) != 1:
-            return []
-        return handles_of(self._view, next(iter(self.selection)), free=self.shows_new_handle)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw weights, handles, points and numbers."""
@@ -254,7 +247,7 @@ class PointLayer(Layer):
     def _paint_handles(self, painter: QPainter, shown: PixelMap) -> None:
         placed = [
             (handle, QPointF(*tip), QPointF(*anchor))
-            for handle in self._handles
+            for handle in self.handles
             for tip, anchor in [(shown.point(*handle.position), shown.point(*handle.anchor))]
             if is_near(*tip) and is_near(*anchor)
         ]
@@ -337,10 +330,6 @@ class PointLayer(Layer):
 def opacity_of(view: CurveView) -> float:
     """Return how strongly what belongs to a curve is drawn: faintly where it is hidden and only edited."""
     return 1.0 if view.source.visible else _HIDDEN
-
-
-def _disc(painter: QPainter, radius: float) -> None:
-    painter.drawEllipse(QPointF(0, 0), radius, radius)
 
 
 def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:

@@ -21,13 +21,8 @@ class UnitLayer(Layer):
         self._unit = ""
         self.set_visible(False)
 
-    @property
-    def unit(self) -> str:
-        """The name; empty for none."""
-        return self._unit
-
-    @unit.setter
-    def unit(self, unit: str) -> None:
+    def render(self, unit: str) -> None:
+        """Write this name from the next paint on; empty for none."""
         self._unit = unit
         self.set_visible(bool(unit))
         self.update()

@@ -172,16 +172,15 @@ class ToolPlot(PlotWidget):
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        is_escape = event.key() == Qt.Key.Key_Escape
-        if (is_escape and (self.cancel_gesture() or self.dismiss())) or self._takes(event):
+        is_escape, key = event.key() == Qt.Key.Key_Escape, key_name(event)
+        if (
+            (is_escape and (self.cancel_gesture() or self.dismiss()))
+            or (key is not None and self.give_key(key))
+            or self._nudge(event)
+        ):
             event.accept()
         else:
             super().keyPressEvent(event)
-
-    def _takes(self, event: QKeyEvent) -> bool:
-        """Give the tool a key; return whether it is the tool's."""
-        key = key_name(event)
-        return (key is not None and self.give_key(key)) or self._nudge(event)
 
     def give_key(self, key: str) -> bool:
         """Give the tool a key by name; return whether it is the tool's, also where it means nothing now."""

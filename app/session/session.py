@@ -98,7 +98,7 @@ class Session(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.history = History(self, self._restore_step)
-        self.undo_stack.cleanChanged.connect(self._report_clean)
+        self.undo_stack.cleanChanged.connect(self.file_changed)
         self.undo_stack.indexChanged.connect(self._report_index)
         self.files = Files(self)
         self.active_index = 0
@@ -110,9 +110,6 @@ class Session(QObject):
 
     def __del__(self) -> None:
         self.history.drop()
-
-    def _report_clean(self, _clean: bool) -> None:
-        self.file_changed.emit()
 
     def _report_index(self, _index: int) -> None:
         self.offered_at = None

@@ -35,7 +35,6 @@ class AddTool(Tool):
         self._seen: CurveView | None = None
         self._preview: CurveView | None = None
         self._spot: Vector | None = None
-        self._place: Vector | None = None
 
     def reset(self) -> None:
         """Forget which curves are finished; another document is open."""
@@ -43,7 +42,7 @@ class AddTool(Tool):
 
     def end(self) -> None:
         """Show nothing of what a press would do."""
-        self._seen = self._preview = self._spot = self._place = None
+        self._seen = self._preview = self._spot = None
 
     # Finished curves
 
@@ -147,13 +146,12 @@ class AddTool(Tool):
         host, view, hit, caught = context.host, context.view, context.hit, context.snappers.caught
         is_here = math.isfinite(context.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
+        self._seen = view
         if not is_here or act is not PenAct.APPEND:
-            self._seen, self._preview, self._place = view, None, None
+            self._preview = None
             return
         place = caught.position if caught is not None else context.pointer.position
-        if place != self._place or view is not self._seen:
-            self._preview = view_with_point(host.document, host.active_index, view, place, self._preview)
-        self._seen, self._place = view, place
+        self._preview = view_with_point(host.document, host.active_index, view, place, self._preview)
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the curve with one point more, or the spot to insert one at."""

@@ -42,7 +42,7 @@ class SelectTool(Tool):
         elif hit is not None and hit.part is not Part.CURVE:
             press_on_part(context, hit)
         elif grip is not None:
-            self._press_on_grip(context, *grip)
+            self._press_on_grip(context, grip)
         elif hit is not None:
             self._press_on_curve(context, hit)
         elif self._picker.entered:
@@ -51,13 +51,13 @@ class SelectTool(Tool):
         else:
             self._marquee = Marquee(context, self._picker.unpick_others)
 
-    def _press_on_grip(self, context: ToolContext, box: TransformBox, grip: Grip) -> None:
+    def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
         self._drags_grip = True
         if grip.rotates:
             turning = context.target.transform(TransformKind.ROTATE, context.pointer)
             context.drags.press(context.pointer, replace(turning, by_grip=True))
             return
-        context.drags.press(context.pointer, context.target.scaling(box, grip, context.pointer))
+        context.drags.press(context.pointer, context.target.scaling(grip, context.pointer))
 
     def _press_on_curve(self, context: ToolContext, hit: Hit) -> None:
         host, pointer = context.host, context.pointer
@@ -97,7 +97,7 @@ class SelectTool(Tool):
         if hit is not None and hit.part is Part.OTHER_CURVE:
             return self._picker.hint(context, hit)
         if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
-            return hints.on_grip(grip[1], group, context.target.refusal)
+            return hints.on_grip(grip, group, context.target.refusal)
         if hit is None and (idle := self._picker.idle_hint(context)) is not None:
             return idle
         return hints.to_select(
@@ -123,8 +123,9 @@ class SelectTool(Tool):
         is_shown = context.settings.shows_box and not context.target.refusal
         return context.target.box if is_shown else None
 
-    def _grip_at(self, context: ToolContext) -> tuple[TransformBox, Grip] | None:
-        return context.target.grip_at(context.pointer) if self._box(context) is not None else None
+    def _grip_at(self, context: ToolContext) -> Grip | None:
+        box = self._box(context)
+        return box.grip_at(context.pointer) if box is not None else None
 
 
 SELECT = ToolRecord(

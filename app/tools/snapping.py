@@ -88,16 +88,11 @@ class _SnapPoints(msgspec.Struct, frozen=True, eq=False):
 
 
 class _Line(msgspec.Struct, frozen=True):
-    """A coordinate to snap to."""
+    """A coordinate to snap to; a line of the grid has no `guide`."""
 
     value: float
     label: str
     guide: Vector | None = None
-
-    @property
-    def is_grid(self) -> bool:
-        """Whether it is a line of the grid."""
-        return self.guide is None
 
 
 class Targets(msgspec.Struct, frozen=True):
@@ -253,7 +248,7 @@ class Snapper:
             return None
         x = caught[0].value if 0 in caught else position[0]
         y = caught[1].value if 1 in caught else position[1]
-        by_grid = [axis for axis, line in caught.items() if line.is_grid]
+        by_grid = [axis for axis, line in caught.items() if line.guide is None]
         labels = [line.label for line in caught.values()]
         if len(by_grid) == 2:
             labels = ["grid"]

@@ -132,16 +132,11 @@ class TransformTarget:
         places = [(curve, index) for curve, indices in group.parts for index in indices]
         return min(places, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
 
-    def grip_at(self, pointer: Pointer) -> tuple[TransformBox, Grip] | None:
-        """Return the box and its grip under the pointer."""
-        box = self.box
-        grip = box.grip_at(pointer) if box is not None else None
-        return (box, grip) if box is not None and grip is not None else None
-
-    def scaling(self, box: TransformBox, grip: Grip, pointer: Pointer) -> ScaleBox:
-        """Return the drag of a grip that scales."""
-        group = self.group
+    def scaling(self, grip: Grip, pointer: Pointer) -> ScaleBox:
+        """Return the drag of a grip of the box that scales."""
+        group, box = self._now()
         assert group is not None
+        assert box is not None
         snapper = self._snappers.for_grip(grip, group)
         return ScaleBox(self._host.document, group, box, grip, pointer.position, snapper)
 
