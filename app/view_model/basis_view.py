@@ -11,6 +11,7 @@ import numpy as np
 
 from app.families import Family
 from app.view_model.curve_view import CoreCurve, CurveView
+from app.view_model.sampling import OneSided, one_sided
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
@@ -246,23 +247,9 @@ def _samples_over(curve: CoreCurve) -> FloatArray:
     return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t
 
 
-def segment_samples(knots: FloatArray) -> tuple[FloatArray, FloatArray, IntArray]:
-    """Sample every segment, ends included, so that joints are drawn as sharp as they are.
-
-    Returns
-    -------
-    The samples (m,), their shares of their segments, and the index of the first one of each and the end.
-    """
-    spacing = np.diff(knots)
-    counts = _sample_counts(spacing)
-    first = np.concatenate([[0], np.cumsum(counts)])
-    segment = np.repeat(np.arange(len(spacing)), counts)
-    s = (np.arange(first[-1]) - first[segment]) / (counts[segment] - 1)
-    t = knots[segment] + s * spacing[segment]
-    # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.
-    t[first[1:] - 1] = np.nextafter(knots[1:], knots[:-1])
-    t[-1] = knots[-1]
-    return t, s, first
+def segment_samples(knots: FloatArray) -> OneSided:
+    """Sample every segment, ends included, so that joints are drawn as sharp as they are."""
+    return one_sided(knots, _sample_counts(np.diff(knots)))
 
 
 def _piecewise_view(curve: CoreCurve, owners: tuple[int, ...], scales: FloatArray) -> BasisView:
@@ -326,7 +313,9 @@ def basis_formulas(family: Family) -> tuple[str, ...]:
 def weights_at(view: CurveView, t: float) -> FloatArray:
     """Return what every point counts at `t`, with the derivatives that are estimated from it, (n,)."""
     if view.cardinal is not None:
-        weights: FloatArray = view.cardinal.basis(t)[0]
-        return weights
+        return np.asarray(view.cardinal.basis(t)[0])
     assert view.basis_curve is not None
-    return view.by_point(view.basis_curve.basis(np.array([t]))[0, :, 0])
+    count = len(view.source.points)
+    weights = view.basis_curve.basis(np.array([t]))[0, :, 0]
+    weights[0] += weights[count:].sum()
+    return weights[:count]

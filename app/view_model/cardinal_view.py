@@ -57,7 +57,7 @@ def cardinal_view(view: CurveView) -> CardinalView | None:
     curve, cardinal = view.basis_curve, view.cardinal
     if curve is None or cardinal is None:
         return None
-    t, _, _ = segment_samples(curve.parameters)
+    t = segment_samples(curve.parameters).t
     owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
     return CardinalView(
         curve,

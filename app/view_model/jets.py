@@ -14,6 +14,7 @@ import msgspec
 import numpy as np
 
 from app.document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
+from app.view_model.plane import at_knots
 from app.view_model.point_arrays import PointArrays, arrays_of
 from curvecore import (
     bessel_velocities,
@@ -64,9 +65,8 @@ def moved_with_points(
     corners = corner_knots(arrays, len(points))
 
     def moved(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
-        at_knots = np.vstack([moves, moves[:1]]) if curve.is_closed else moves
         # Whatever cuts and unrolls the points does so with their moves, too.
-        both = np.hstack([points, at_knots])
+        both = np.hstack([points, at_knots(moves, closed=curve.is_closed)])
         before = np.zeros((len(points), curve.family.derivatives, moves.shape[1]))
         after = before.copy()
         for order, change in enumerate(_changes(curve)):

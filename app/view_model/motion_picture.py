@@ -14,6 +14,7 @@ from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.motion import STATIONS, Course, Moments, folded, round_of, runs_back
 from app.view_model.motion_settings import Repeat
+from app.view_model.plane import size_of
 from curvecore.analysis.continuity import joint_report
 from curvecore.arrays import FloatArray
 
@@ -98,7 +99,7 @@ class Scales(msgspec.Struct, frozen=True):
 
 def scales_of(courses: list[Course]) -> Scales:
     """Return scales that suit all dots, so that their arrows can be compared."""
-    size = max(float(np.ptp(course.curve.points, axis=0).max()) for course in courses)
+    size = max(size_of(course.curve.points) for course in courses)
     sampled = [
         course.moments_at(course.parameters_at(np.linspace(0.0, course.duration, _SAMPLES)))
         for course in courses

@@ -17,8 +17,8 @@ from app.document.edits import (
 )
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.words import number
-from app.view_model.appending import with_points_appended
-from app.view_model.curve_view import CurveView, appended_parameter, view_of
+from app.view_model.appending import appended_parameter, with_points_appended
+from app.view_model.curve_view import CurveView, view_of
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:

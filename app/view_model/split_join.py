@@ -15,6 +15,7 @@ from app.document.words import number
 from app.families import HERMITE, titles_with_derivatives
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.measure import dense, is_kept, largest_distance
+from app.view_model.plane import size_of
 from app.view_model.reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
 from curvecore import chebyshev
 
@@ -177,7 +178,7 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     a, b = baked(first), baked(second)
     ending, beginning = _ending(a.points[-1]), _beginning(b.points[0])
     gap = _gap(first, second)
-    size = max(float(np.ptp(np.vstack([first.points, second.points]), axis=0).max()), 1e-300)
+    size = max(size_of(np.vstack([first.points, second.points])), 1e-300)
     if gap <= _COINCIDE * size:
         wait = 0.0
         seam, after = (_merged(ending, beginning),), b.points[1:]

@@ -31,12 +31,13 @@ from app.view_model.analysis.plotted import plots_of, values_at
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.analysis.teaching import warnings_of
 from app.view_model.analysis.wiggle import explain
+from app.view_model.appending import with_closed
 from app.view_model.basis_view import basis_view, weights_at
-from app.view_model.bend import Bend, BendWith
-from app.view_model.closing import with_closed
+from app.view_model.bend import Bend
 from app.view_model.curve_view import view_of
 from app.view_model.goals import MEASURES, parse_goal, standing_of
 from app.view_model.growth import growth_of_points
+from app.view_model.hold import BendWith
 from app.view_model.motion import STATIONS, Course, Pace
 from app.view_model.motion_picture import jumps_in_words, rivals_of
 from app.view_model.nearest import NearestPoint

@@ -10,8 +10,8 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Point
 from app.features.point_table.columns import PARAMETER, POSITION, Column, knot_parameters
-from app.view_model.appending import with_points_appended
-from app.view_model.curve_view import CurveView, appended_parameter, view_of
+from app.view_model.appending import appended_parameter, with_points_appended
+from app.view_model.curve_view import CurveView, view_of
 from app.view_model.jets import explicit_sides
 from curvecore.arrays import FloatArray
 

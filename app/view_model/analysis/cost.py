@@ -81,8 +81,7 @@ def cost_of(view: CurveView, report: Report = silent) -> SolvingCost | None:
     if not view.is_current:
         return None
     t = view.parameters
-    points = view.points[[view.owner(knot) for knot in range(len(t))]]
-    middle = 0.5 * (t[0] + t[1])
+    points, middle = view.at_knots, 0.5 * (t[0] + t[1])
     solving, basis = _counts(len(t))
     seconds = (
         _median(lambda: _solve(t, points, middle), report),

@@ -11,6 +11,7 @@ from enum import Enum
 import numpy as np
 
 from app.view_model.curve_view import CurveView
+from app.view_model.plane import size_of
 from curvecore import Joint, joint_report
 
 _MOST_NAMED = 3
@@ -169,7 +170,7 @@ def _reaches(view: CurveView) -> list[float]:
         steps[0] = steps[-1] = np.inf
     steps[steps == 0] = np.inf
     nearer = np.minimum(steps[:-1], steps[1:])
-    size = float(np.ptp(points, axis=0).max()) or 1.0
+    size = size_of(points) or 1.0
     reaches: list[float] = np.where(np.isfinite(nearer), nearer, size).tolist()
     return reaches
 

@@ -16,6 +16,7 @@ from app.tasks.progress import Report, silent
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 from app.view_model.curve_view import CoreCurve, CurveView
 from app.view_model.refusals import in_words
+from app.view_model.sampling import all_along
 from curvecore import (
     CurveError,
     Method,
@@ -172,7 +173,7 @@ def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Tri
     chosen, note = _affordable(view, settings)
     trials = [_Experiment(piece, settings) for piece in view.pieces]
     per_segment = max(3, SAMPLES // (count - 1))
-    where = [_samples(piece.parameters, per_segment) for piece in view.pieces]
+    where = [all_along(piece.parameters, per_segment) for piece in view.pieces]
     truths = [trial.truth(t) for trial, t in zip(trials, where, strict=True)]
     outcomes, computed = list[Outcome](), list[FloatArray]()
     for calculation in chosen:
@@ -302,12 +303,6 @@ def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
     if settings.decimals is not None:
         return f"To {settings.decimals} decimals, neighbouring t are the same number; keep more of them."
     return f"The shift is too large: neighbouring t become the same number ({in_words(str(problem))})."
-
-
-def _samples(knots: FloatArray, per_segment: int) -> FloatArray:
-    """Return so many t for each segment, and the knots."""
-    shares = np.arange(per_segment) / per_segment
-    return np.append((knots[:-1, None] + np.diff(knots)[:, None] * shares).ravel(), knots[-1])
 
 
 def _outcome(

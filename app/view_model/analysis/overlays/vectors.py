@@ -8,9 +8,10 @@ import numpy as np
 
 from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene, usual_length
+from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Factor
 from app.view_model.line_styles import GREEN, VERMILLION, LineStyle
+from app.view_model.plane import usual_length
 from curvecore.arrays import FloatArray
 
 VELOCITY = LineStyle(GREEN, width=1.6)
