@@ -161,12 +161,10 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @cached_property
     def _whole(self) -> tuple[Polyline, float]:
         """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
-        if self.curve is None:
-            return Polyline(np.empty(0), np.empty((0, 2))), 0.0
         size = size_of(self.points) if len(self.points) else 1.0
         tolerance = max(size, 1e-300) * 1e-3
         polyline = self.flattened(tolerance)
-        return polyline, tolerance if polyline.deviation <= tolerance else 0.0
+        return polyline, tolerance if polyline.reached <= tolerance else 0.0
 
     def flattened(self, tolerance: float, box: Box | None = None) -> Polyline:
         """Return the curve as a polyline within `tolerance` of it inside `box`.

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.document.model import Curve
+from app.document.words import number
 from app.view_model.curve_view import CurveView
 from app.view_model.plane import size_of
 from app.view_model.sampling import all_along
@@ -23,6 +24,12 @@ def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
     """Tell whether the shape of these curves is the same but for roundings, `residual` being what changed."""
     points = np.array([point.position for curve in curves for point in curve.points])
     return residual <= _KEPT * size_of(points)
+
+
+def outcome(residual: float, curves: Sequence[Curve]) -> str:
+    """Return in words whether the shape of these curves was kept, and how much changed."""
+    kept = "shape kept" if is_kept(residual, curves) else "the shape is another"
+    return f"{kept}, largest change {number(residual, 2)}."
 
 
 def dense(knots: FloatArray) -> FloatArray:

@@ -18,7 +18,7 @@ from app.document.model import Curve, Document, Point, Vector
 from app.document.words import number
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.jets import Sides
-from app.view_model.measure import dense, is_kept, largest_distance
+from app.view_model.measure import dense, largest_distance, outcome
 from curvecore.arrays import FloatArray, IntArray
 
 _ROUNDING = 64 * 2.0**-53
@@ -44,13 +44,11 @@ class Reshaped(msgspec.Struct, frozen=True):
 
     @property
     def sentence(self) -> str:
-        """What became of the shape."""
-        change = f"largest change {number(self.residual, 2)}"
+        """The outcome for the shape."""
         if self.parameters_moved:
-            return f"The parameters moved: {change}."
-        if not is_kept(self.residual, (self.curve,)):
-            return f"The shape is another, {change}."
-        return f"Shape kept, {change}."
+            return f"The parameters moved: largest change {number(self.residual, 2)}."
+        words = outcome(self.residual, (self.curve,))
+        return words[0].upper() + words[1:]
 
 
 def baked(view: CurveView) -> Curve:

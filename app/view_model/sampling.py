@@ -21,6 +21,15 @@ def all_along(knots: FloatArray, per_segment: int) -> FloatArray:
     return np.append(within_segments(knots, shares).ravel(), knots[-1])
 
 
+class Samples(NamedTuple):
+    """A curve at some parameters (m,): its points and its first and second derivatives there, (m, 2) each."""
+
+    parameters: FloatArray
+    points: FloatArray
+    velocities: FloatArray
+    accelerations: FloatArray
+
+
 class OneSided(NamedTuple):
     """Parameters of which the last in every segment lies a hair before the knot: it counts to that segment.
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 
 from app.view_model.curve_view import CurveView
-from app.view_model.sampling import one_sided
-from curvecore.arrays import FloatArray
+from app.view_model.sampling import Samples, one_sided
 
 MOST = 600
 """Samples of a whole curve; more are not told apart on a screen."""
@@ -18,16 +16,7 @@ _FEW, _LONG = 3, 200
 """Samples a segment of a polynomial through more than `_LONG` points, whose derivatives cost most."""
 
 
-class PieceSamples(msgspec.Struct, frozen=True, eq=False):
-    """A piece of a curve without corners: parameters (m,), and c, c', c'' there, (m, 2) each."""
-
-    parameters: FloatArray
-    points: FloatArray
-    velocities: FloatArray
-    accelerations: FloatArray
-
-
-def samples_of(view: CurveView) -> list[PieceSamples]:
+def samples_of(view: CurveView) -> list[Samples]:
     """Return samples of every piece, the joints among them, one-sided at both ends of each segment.
 
     A joint of a Hermite curve stands there twice: its second derivative is another one on either side.
@@ -40,5 +29,5 @@ def samples_of(view: CurveView) -> list[PieceSamples]:
     samples = []
     for piece in view.pieces:
         t = one_sided(piece.parameters, np.full(len(piece.parameters) - 1, count)).t
-        samples.append(PieceSamples(t, *piece.derivatives_at(t, (0, 1, 2))))
+        samples.append(Samples(t, *piece.derivatives_at(t, (0, 1, 2))))
     return samples

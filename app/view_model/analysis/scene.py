@@ -8,10 +8,11 @@ import msgspec
 import numpy as np
 
 from app.tasks.progress import Report, silent
-from app.view_model.analysis.samples import PieceSamples, samples_of
+from app.view_model.analysis.samples import samples_of
 from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 from app.view_model.curve_view import CurveView
 from app.view_model.plane import size_of
+from app.view_model.sampling import Samples
 from curvecore.arrays import FloatArray
 
 _QUICK = 64
@@ -39,7 +40,7 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self.settings.value(setting)
 
     @cached_property
-    def samples(self) -> list[PieceSamples]:
+    def samples(self) -> list[Samples]:
         """Samples of every piece; computed once for all overlays."""
         return samples_of(self.view)
 

@@ -16,12 +16,12 @@ import curvecore
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
 from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
-from app.view_model.analysis.samples import PieceSamples
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.line_styles import LineStyle, Sign
 from app.view_model.parameter_slopes import parameter_moves
 from app.view_model.plane import to_the_left, unit_tangents
+from app.view_model.sampling import Samples
 from curvecore.arrays import BoolArray, FloatArray
 
 AREA = LineStyle("accent", 0.16, sign=Sign.AREA)
@@ -73,16 +73,16 @@ def _band(scene: Scene) -> Drawn:
     return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
 
 
-def _thinned(piece: PieceSamples, most: int) -> PieceSamples:
+def _thinned(piece: Samples, most: int) -> Samples:
     """Leave out samples that repeat the one before, and more than a drawing needs."""
     t = piece.parameters
     kept = np.flatnonzero(np.append(np.diff(t) > 1e-9 * (t[-1] - t[0]), True))
     step = -(-len(kept) // most)
     kept = np.unique(np.append(kept[::step], kept[-1]))
-    return PieceSamples(t[kept], piece.points[kept], piece.velocities[kept], piece.accelerations[kept])
+    return Samples(*(column[kept] for column in piece))
 
 
-def _strip(piece: PieceSamples, radii: FloatArray) -> list[FloatArray]:
+def _strip(piece: Samples, radii: FloatArray) -> list[FloatArray]:
     """Return polygons that cover the discs around the samples and what lies between them."""
     tangents = unit_tangents(piece.velocities)
     speed = np.hypot(piece.velocities[:, 0], piece.velocities[:, 1])

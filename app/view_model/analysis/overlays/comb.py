@@ -11,11 +11,11 @@ import numpy as np
 import curvecore
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.samples import PieceSamples
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Factor
 from app.view_model.line_styles import LineStyle
 from app.view_model.plane import to_the_left, unit_tangents, usual_length
+from app.view_model.sampling import Samples
 from curvecore.arrays import FloatArray
 
 TEETH = LineStyle("accent", 0.35)
@@ -47,7 +47,7 @@ def _comb(scene: Scene) -> Drawn:
     return figures, ""
 
 
-def _tooth(piece: PieceSamples) -> FloatArray:
+def _tooth(piece: Samples) -> FloatArray:
     """Return the curvature as vectors to the outer side of the bend, zero where the curve stands still."""
     curvature = np.nan_to_num(curvecore.curvature_of(piece.velocities, piece.accelerations))
     return to_the_left(unit_tangents(piece.velocities)) * -curvature[:, None]
