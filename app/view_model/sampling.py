@@ -35,14 +35,13 @@ class OneSided(NamedTuple):
 
     Attributes
     ----------
-    t, shares
-        The parameters (m,), and their shares of their segments.
+    t
+        The parameters (m,).
     first
         The index of the first one of each segment, and the end, (k,).
     """
 
     t: FloatArray
-    shares: FloatArray
     first: IntArray
 
 
@@ -55,7 +54,7 @@ def one_sided(knots: FloatArray, counts: IntArray) -> OneSided:
     t = knots[segment] + shares * spacing[segment]
     t[first[1:] - 1] = np.nextafter(knots[1:], knots[:-1])
     t[-1] = knots[-1]
-    return OneSided(t, shares, first)
+    return OneSided(t, first)
 
 
 def segment_at(knots: FloatArray, t: float) -> int:

@@ -207,7 +207,8 @@ def _refuse_to_join(first: CurveView, second: CurveView) -> None:
     if one.is_one_polynomial or other.is_one_polynomial:
         raise EditError(f"Two polynomials make no third; choose {titles_with_derivatives()} for both curves.")
     if one != other:
-        raise EditError(f"One curve is {one.kind}, the other {other.kind}; choose one family for both.")
+        first_kind, second_kind = (each.full_title.partition(" ")[0] for each in (one, other))
+        raise EditError(f"One curve is {first_kind}, the other {second_kind}; choose one family for both.")
 
 
 def _speed_at_seam(first: CurveView, second: CurveView) -> float:

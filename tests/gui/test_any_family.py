@@ -92,7 +92,7 @@ def test_it_is_offered_wherever_families_are(editor):
         assert action.text() == family.label
         assert not action.icon().isNull()
         assert action.shortcut().toString() == str(place)
-        assert editor.action(f"ghost{family.camel_case}").isCheckable()
+        assert editor.action(family.action_name.replace("family", "ghost")).isCheckable()
         assert family.label in editor.find_command(family.label)
         editor.key(Qt.Key.Key_Escape)
 

@@ -82,7 +82,7 @@ def _of_segments(cuts: FloatArray, pixels: float, knots: FloatArray) -> PlotSamp
     """Sample every segment between cuts in proportion to the pixels it takes, both of its ends included."""
     spacing = np.diff(cuts)
     counts = np.clip(np.ceil(spacing * pixels / _PIXELS_A_SAMPLE), _LEAST, _MOST_A_SEGMENT).astype(np.intp)
-    t, _, first = one_sided(cuts, counts)
+    t, first = one_sided(cuts, counts)
     if cuts[-1] < knots[-1]:
         t[-1] = np.nextafter(cuts[-1], cuts[-2])
     return PlotSamples(t, first[1:-1].astype(np.intp))
