@@ -9,26 +9,22 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``tools``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
-- ``overrides``: exceptions end in the method that Qt called.
-- ``resources``, ``examples``, ``lessons``: what comes with the program.
+- ``qt``: exceptions end in the method that Qt called; words of others as they are written.
 - ``session``: the one mutable owner of the current document, its history and the selection.
-- ``theme``, ``colours``, ``icons``: how it looks.  ``labels``: words of others as they are written.
+- ``appearance``: themes, colours, icons.
 - ``settings``: what is remembered between starts, and the ini file that holds it.
-- ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
-- ``window_state``: the window's state as a value.  ``analysis``: what is shown over the curve, a part of it.
+- ``state``: the window's state as a value.
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
+- ``widgets``: such as know nothing of curves.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``controllers``: what the person did in a panel becomes a change of the document.
-- ``central_area``: the plots and what lies over them.  ``clipboard_watch``: what is on the clipboard.
-- ``actions``, ``docks``, ``file_commands``, ``commands``, ``features``: what can be done, and what it does.
-- ``toolbar``, ``menus``, ``window_layout``, ``main_window``: build, dock, connect.
+- ``actions``: how they are declared, and their keys.
+- ``workbench``: the parts of a window that features act on.
+- ``features``: what can be done, one package for each capability.
+- ``window``: builds, docks and connects; palette, preferences and shortcuts.
 - ``diagnostics``: the log, slow frames, reports of crashes.
 - ``cli``: the command line, the editor's start, and what surrounds its windows until the end.
 - ``testing``: a driver for pytest-qt.
 """
 
-import lazy_loader as lazy
-
 __version__ = "0.1.0"
-
-__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

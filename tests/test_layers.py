@@ -79,7 +79,8 @@ def test_the_window_starts_without_what_is_rarely_used():
         "app.features.overlays.panel",
         "app.features.wiggle.panel",
         "app.features.motion.bar",
-        "app.panels.preferences_dialog",
+        "app.window.command_palette",
+        "app.window.preferences_dialog",
         "app.features.help.shortcut_sheet",
         "app.features.motion.player",
         "defusedxml",
@@ -88,7 +89,7 @@ def test_the_window_starts_without_what_is_rarely_used():
         "simpleeval",
         "svgelements",
     }
-    code = "import sys; import app.cli, app.main_window; print(*sys.modules)"
+    code = "import sys; import app.cli, app.window.main_window; print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
     names = set(done.stdout.split())
     assert not late & names
@@ -97,8 +98,10 @@ def test_the_window_starts_without_what_is_rarely_used():
     light |= {"table", "table.clipboard", "writing"}
     of_exchange = (name for name in names if name.startswith("app.exchange."))
     assert {name.removeprefix("app.exchange.") for name in of_exchange} == light
-    of_panels = (name for name in names if name.startswith("app.panels."))
-    assert [name for name in of_panels if "import_" in name or "export_" in name] == []
+    of_dialogs = {
+        name.removeprefix("app.features.import_export.") for name in names if "import_export." in name
+    }
+    assert of_dialogs == {"commands", "import_series", "turn"}
 
 
 def test_one_module_starts_threads():

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 import app
-from app.commands.connect import all_actions
-from app.resources import resource
+from app.storage.resources import resource
+from app.window.connect import all_actions
 
 ROOT = Path(__file__).resolve().parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))

@@ -8,29 +8,31 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-FEATURES = (ROOT / "app/features").glob("*/*.py")
+ROOMS = [ROOT / "app/workbench", ROOT / "app/window", *(ROOT / "app/features").iterdir()]
+BUILDS = ROOT / "app/window/main_window.py"
 
 
 def shows_something(path: Path) -> bool:
     """Whether a module makes widgets, or a model for one."""
     bases = [
         base.id
-        for point in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(point, ast.ClassDef)
-        for base in point.bases
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef)
+        for base in node.bases
         if isinstance(base, ast.Name)
     ]
     return any(base.startswith("Q") and base != "QObject" for base in bases)
 
 
-PANELS = sorted([*(ROOT / "app/panels").rglob("*.py"), *filter(shows_something, FEATURES)])
+FOUND = filter(shows_something, (path for room in ROOMS for path in room.glob("*.py") if path != BUILDS))
+PANELS = sorted([*(ROOT / "app/panels").glob("*.py"), *(ROOT / "app/widgets").glob("*.py"), *FOUND])
 
 
 def names_in(tree: ast.AST) -> set[str]:
     """Every name, attribute, argument, keyword and imported module or name in some code."""
     found = set()
-    for point in ast.walk(tree):
-        match point:
+    for node in ast.walk(tree):
+        match node:
             case ast.Name(id=name) | ast.Attribute(attr=name) | ast.arg(arg=name) | ast.alias(name=name):
                 found.add(name)
             case ast.keyword(arg=str(name)) | ast.ImportFrom(module=str(name)):
@@ -75,18 +77,18 @@ def test_the_panels_of_features_are_read_too():
 def commits_in(source: str) -> list[int]:
     """The lines in which a step of the history is made without an edit: the end of a gesture."""
     return [
-        point.lineno
-        for point in ast.walk(ast.parse(source))
-        if isinstance(point, ast.Call)
-        and isinstance(point.func, ast.Attribute)
-        and (point.func.attr, bool(point.args)) in {("commit", True), ("push", True)}
-        and "stack" not in ast.unparse(point.func)
+        node.lineno
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and (node.func.attr, bool(node.args)) in {("commit", True), ("push", True)}
+        and "stack" not in ast.unparse(node.func)
     ]
 
 
 def test_only_gestures_commit():
     """All else changes the document by `Session.change`."""
-    gestures = {"app/controllers/slider_gesture.py"}
+    gestures = {"app/workbench/slider_gesture.py"}
     allowed = ("app/tools/drag_machine.py", "app/session/")
     found = {
         path.relative_to(ROOT).as_posix()

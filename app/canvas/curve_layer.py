@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QAbstractAnimation, QSizeF, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from app.colours import curve_colour
+from app.appearance.colours import curve_colour
 from app.document.words import number
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer

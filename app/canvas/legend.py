@@ -8,12 +8,12 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
 
-from app.icons import icon
-from app.labels import Label, tip_of
-from app.overrides import Guarded
+from app.appearance.icons import icon
+from app.appearance.theme import mix
 from app.plotting.layers import LayerStack
 from app.plotting.pens import sign_pixmap
-from app.theme import mix
+from app.qt.labels import Label, tip_of
+from app.qt.overrides import Guarded
 from app.view_model.analysis.ghost import Ghost
 from app.view_model.analysis.legend import LegendRow
 

@@ -8,14 +8,14 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from app.colours import curve_colour
+from app.appearance.colours import curve_colour
+from app.appearance.theme import mix
 from app.plotting.drawing import Segments, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
-from app.theme import mix
 from app.view_model.arrow import arrow_segments
 from app.view_model.line_styles import DASHED
 from app.view_model.motion_picture import TRAIL, Dot, Role, colour_of

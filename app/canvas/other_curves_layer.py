@@ -10,15 +10,15 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
+from app.appearance.colours import curve_colour
+from app.appearance.theme import Theme
 from app.canvas.curve_layer import CASING, FAINT_WIDTH, TOLERANCE
 from app.canvas.hit_test import CURVE_REACH, PixelOutline
-from app.colours import curve_colour
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CurveView
 from curvecore.arrays import FloatArray

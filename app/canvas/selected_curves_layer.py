@@ -8,12 +8,12 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from app.appearance.theme import mix
 from app.canvas.curve_layer import FAINT_WIDTH
 from app.canvas.other_curves_layer import OtherCurvesLayer, pixels_of
 from app.canvas.point_layer import opacity_of
 from app.plotting.drawing import Stroke
 from app.plotting.pixel_map import PixelMap
-from app.theme import mix
 from app.view_model.curve_view import CurveView
 
 _WIDTH, _HALO = 2.0, 7.0

@@ -36,7 +36,7 @@ from app.exchange.formats import FORMATS, can_import, endings_of
 from app.exchange.reading import ImportOptions, import_file
 from app.exchange.writing import export
 from app.families import FAMILIES
-from app.lessons import LessonError, find_lesson, lesson_names, load_lesson
+from app.features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from app.tasks.progress import Report, part
 from app.view_model.motion_settings import Pace, Repeat
 

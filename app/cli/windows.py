@@ -9,10 +9,10 @@ from pathlib import Path
 from PySide6.QtWidgets import QApplication
 
 from app.cli.lifecycle import Lifecycle
-from app.commands.given import given
-from app.main_window import MainWindow
 from app.session import Session
 from app.storage.open_file import is_large
+from app.window.given import given
+from app.window.main_window import MainWindow
 
 
 def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[MainWindow]:
@@ -34,7 +34,7 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[Mai
     for window, path in zip(windows, documents, strict=False):
         if path in large:
             window.open_file(path)
-    windows[0].take_files(replace(others, documents=()), problems)
+    windows[0].commands.drops.take(replace(others, documents=()), problems)
     return windows
 
 

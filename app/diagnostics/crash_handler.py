@@ -13,7 +13,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QDialog
 
-from app import panels
+from app import diagnostics
 from app.diagnostics.crash_report import place_of, report_of, signature_of
 
 _log = logging.getLogger("curvebench.crash")
@@ -118,7 +118,7 @@ class CrashHandler(QObject):
         if self._dialog is not None or not self._waiting:
             return
         is_safe = self._secure()
-        dialog = panels.crash_dialog.CrashDialog(
+        dialog = diagnostics.crash_dialog.CrashDialog(
             QApplication.activeWindow(), self._waiting.pop(0), is_safe=is_safe
         )
         self._dialog = dialog

@@ -1,5 +1,10 @@
 """Features: one package for each capability, with its commands and its panel. None imports another.
 
+- ``files``: new, open, save.  ``import_export``: other formats.  ``clipboard``: copy, cut and paste.
+- ``view``: tools, zoom, panels, theme.  ``snapping``: snapping, grid and unit.
+- ``rules``: family and parameters.
+- ``points``, ``curves``, ``tangents``, ``transform``: what is done to points and curves.
+- ``basis``: the functions over t.  ``plots``: other plots over t.  ``teaching``: warnings that teach.
 - ``point_table``: the points as numbers.  ``curve_list``: the curves.  ``curve_settings``: the active one in
   numbers and rules.  ``history``: undo, as a list.  ``reference_image``: the picture to trace.
 - ``overlays``: what is drawn over the curve, and its ghosts.  ``hodograph``: its velocity, as a curve.
@@ -17,6 +22,19 @@ from collections.abc import Iterator
 from importlib import import_module
 
 FEATURES = (
+    "files",
+    "view",
+    "snapping",
+    "import_export",
+    "curves",
+    "tangents",
+    "plots",
+    "rules",
+    "points",
+    "transform",
+    "clipboard",
+    "basis",
+    "teaching",
     "point_table",
     "curve_list",
     "history",

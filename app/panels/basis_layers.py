@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
+from app.appearance.theme import mix
 from app.document.words import number
 from app.panels.crest_names import CrestNames
 from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
@@ -20,7 +21,6 @@ from app.plotting.pens import with_dashes
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
-from app.theme import mix
 from app.view_model.basis_view import BasisView
 from app.view_model.line_styles import KIND_DASHES
 from curvecore.arrays import FloatArray, IntArray

@@ -6,20 +6,20 @@ from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.appearance.theme import LIGHT, Theme
 from app.document.words import number
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.action_switch import mirror
 from app.panels.basis_panel import BasisPanel
-from app.panels.choice_style import choice_style
-from app.panels.elided_label import ElidedLabel
-from app.panels.fitting import Scrolled
 from app.panels.function_lines import note_on_drawing
 from app.plotting.pens import SIGN, sign_pixmap
-from app.theme import LIGHT, Theme
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import KIND_DASHES, LineStyle
+from app.widgets.action_switch import mirror
+from app.widgets.choice_style import choice_style
+from app.widgets.elided_label import ElidedLabel
+from app.widgets.fitting import Scrolled
 
 _NOTHING = "none while the rule gives no parameters"
 _NAMES = ("position", "velocity", "acceleration")

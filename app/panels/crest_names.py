@@ -11,11 +11,11 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
+from app.appearance.theme import Theme
 from app.plotting.colours import colours_of
 from app.plotting.halo import Halo
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.basis_view import BasisView
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 

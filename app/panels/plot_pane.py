@@ -8,16 +8,16 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.appearance.icons import icon
+from app.appearance.theme import theme_of
 from app.document.words import number
-from app.icons import icon
-from app.overrides import Guarded
-from app.panels.action_switch import mirror
-from app.panels.choice_style import choice_style
-from app.panels.elided_label import ElidedLabel
-from app.panels.number_text import decimal_mark
 from app.panels.plot_canvas import PlotCanvas
-from app.panels.tool_buttons import tool_button
-from app.theme import theme_of
+from app.qt.overrides import Guarded
+from app.widgets.action_switch import mirror
+from app.widgets.choice_style import choice_style
+from app.widgets.elided_label import ElidedLabel
+from app.widgets.number_text import decimal_mark
+from app.widgets.tool_buttons import tool_button
 
 _HEIGHT_A_PLOT = 64
 """Pixels that a plot should have at least where there is room."""

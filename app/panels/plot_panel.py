@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.overrides import Guarded
+from app.qt.overrides import Guarded
 from app.view_model.analysis.plot_lines import PlotData, PlotLine, Scale, plot_of
 
 if TYPE_CHECKING:

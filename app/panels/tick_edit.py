@@ -6,11 +6,11 @@ from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QVBoxLayout, QWidget
 
+from app.appearance.theme import mix, theme_of
 from app.document.expression import ExpressionError, parse_number
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.number_text import decimal_mark, exact_text
-from app.theme import mix, theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
+from app.widgets.number_text import decimal_mark, exact_text
 
 _WIDTH, _WIDEST_REASON = 150, 320
 

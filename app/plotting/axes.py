@@ -8,8 +8,8 @@ import pyqtgraph as pg
 from PySide6.QtGui import QColor, QFont
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
 
+from app.appearance.theme import Theme
 from app.document.words import with_minus
-from app.theme import Theme
 
 _WIDTH = 46
 

@@ -6,8 +6,8 @@ from functools import lru_cache
 
 from PySide6.QtGui import QColor
 
-from app.colours import point_colours
-from app.theme import Theme
+from app.appearance.colours import point_colours
+from app.appearance.theme import Theme
 
 
 @lru_cache(maxsize=8)

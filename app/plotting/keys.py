@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCursor, QKeyEvent
 
-from app.icons import icon
-from app.theme import Theme
+from app.appearance.icons import icon
+from app.appearance.theme import Theme
 from app.tools.pointer import Cursor
 
 ARROWS = {

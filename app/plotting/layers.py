@@ -13,9 +13,9 @@ from PySide6.QtCore import QPointF, QRect, QSizeF
 from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
-from app.overrides import report
+from app.appearance.theme import LIGHT, Theme
 from app.plotting.pixel_map import PixelMap
-from app.theme import LIGHT, Theme
+from app.qt.overrides import report
 
 Painting = Callable[[QPainter, PixelMap], None]
 

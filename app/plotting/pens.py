@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
 
-from app.colours import line_colour
+from app.appearance.colours import line_colour
+from app.appearance.theme import Theme, mix
 from app.plotting.dashes import dashed
 from app.plotting.drawing import Segments, Stroke, visible_segments
 from app.plotting.pixel_map import PixelMap
-from app.theme import Theme, mix
 from app.view_model.line_styles import Dashes, LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
 

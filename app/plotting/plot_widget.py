@@ -27,14 +27,14 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QGraphicsView, QSizePolicy, QWidget
 
-from app.overrides import Guarded, guard_library
+from app.appearance.theme import Theme, theme_of
 from app.plotting.axes import Axes
 from app.plotting.camera import Camera
 from app.plotting.layers import LayerStack
 from app.plotting.panning import Panning
 from app.plotting.pixel_map import PixelMap
 from app.plotting.scrolling import Scrolling
-from app.theme import Theme, theme_of
+from app.qt.overrides import Guarded, guard_library
 from app.tools.pointer import Pointer
 
 _FOCUS_WIDTH = 2

@@ -10,8 +10,8 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen, QPixmap
 
-from app.colours import point_colours
-from app.theme import Theme
+from app.appearance.colours import point_colours
+from app.appearance.theme import Theme
 from curvecore.arrays import FloatArray, IntArray
 
 _COLOURS = 256

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 from app.document.edits import EditError
 from app.document.model import Document, empty_document
 from app.document.plain import plain
-from app.examples import template_title
-from app.resources import is_resource
 from app.session.history import Beginning, State
+from app.storage.examples import template_title
 from app.storage.files import load
 from app.storage.open_file import FileChange, OpenFile, Reading
+from app.storage.resources import is_resource
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:

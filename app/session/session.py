@@ -14,13 +14,13 @@ from app.document.edits import EditError
 from app.document.model import Curve, Document
 from app.document.plain import plain
 from app.document.selection import returned_curves, returned_points
-from app.examples import first_sketch
 from app.session.change import Change, raiser_of, why_locked, why_not_kept
 from app.session.files import Files
 from app.session.history import Beginning, History, State
 from app.session.messages import Message, MessageKind
 from app.session.selection import Selection
 from app.session.views import Views
+from app.storage.examples import first_sketch
 from app.storage.open_file import Reading
 from app.view_model.curve_view import CurveView
 

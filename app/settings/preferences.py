@@ -7,9 +7,9 @@ from typing import Final
 
 from PySide6.QtCore import QSettings
 
+from app.appearance.theme import ThemeMode
 from app.settings.file import SettingsFile
 from app.settings.kinds import Choice, Distance, Folder, Height, Keys, SavedLayout, Several, Switch, Text
-from app.theme import ThemeMode
 from app.tools.snapping import SnapKind
 
 _MAX_RECENT: Final = 10

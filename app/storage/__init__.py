@@ -10,6 +10,7 @@
   folders; ``processes``, ``ps``: whether a process still runs.  ``digests``: SHA-256.
 - ``open_file``: the file behind an open document: what was seen of it, and the lock.
 - ``recovery``: snapshots of what is not saved.
+- ``resources``: what ships with the program.  ``examples``: the documents among that.
 """
 
 import lazy_loader as lazy

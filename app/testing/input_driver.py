@@ -10,9 +10,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from app.document.model import Vector
-from app.main_window import MainWindow
 from app.plotting.plot_widget import PlotWidget
 from app.testing.reach import require_enabled, require_reachable, require_under_mouse
+from app.window.main_window import MainWindow
 
 _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier

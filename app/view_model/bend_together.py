@@ -1,4 +1,4 @@
-"""Which part of a pull bends the curve, and which takes it along as a whole.
+"""A pull divided: one part bends the curve, the other takes it along as a whole.
 
 Where a rule gives the parameters, c(t*) answers to a bend u = (ux, uy) with some F(u), not with u, and far
 away there may be no u at all with the answer that is wanted. Every rule lets a shift m of all points pass

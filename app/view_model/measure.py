@@ -1,4 +1,4 @@
-"""How far apart two curves are: measured on dense samples, to tell what a change of the points did."""
+"""The distance of two curves, on dense samples: the effect of a change of the points on the shape."""
 
 from __future__ import annotations
 

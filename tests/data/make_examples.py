@@ -27,13 +27,13 @@ def examples():
 
 def letter_s():
     """A letter as sketched by hand; the ends have velocities of their own, so that they curl."""
-    points = [
+    places = [
         (5.6, 8.2), (3.6, 9.9), (1.0, 8.9), (0.85, 6.7), (3.3, 5.1),
         (5.85, 3.3), (5.5, 0.95), (2.9, -0.05), (0.35, 2.0),
     ]  # fmt: skip
-    points = [Point(x, y) for x, y in points]
-    points[0] = Point(*points[0], velocity=(-7.0, 20.0))
-    points[-1] = Point(*points[-1], velocity=(-6.0, 22.0))
+    points = [Point(x, y) for x, y in places]
+    points[0] = Point(*places[0], velocity=(-7.0, 20.0))
+    points[-1] = Point(*places[-1], velocity=(-6.0, 22.0))
     return Curve("Letter S", HERMITE, Parametrization(), tuple(points))
 
 
@@ -74,7 +74,7 @@ def robot_move():
     return Curve("Robot move", QUINTIC_HERMITE, rule, points)
 
 
-def airfoil_naca(camber=0.02, position=0.4, thickness=0.12, points=41):
+def airfoil_naca(camber=0.02, position=0.4, thickness=0.12, count=41):
     """NACA 2412 from the trailing edge over the top to the nose and back below, chord 1.
 
     Formulas: Jacobs, Ward, Pinkerton, NACA Report 460 (1933), with the last coefficient of the thickness
@@ -84,10 +84,10 @@ def airfoil_naca(camber=0.02, position=0.4, thickness=0.12, points=41):
         Point(
             *(
                 _rounded(value)
-                for value in _naca_point(2 * math.pi * i / (points - 1), camber, position, thickness)
+                for value in _naca_point(2 * math.pi * i / (count - 1), camber, position, thickness)
             )
         )
-        for i in range(points)
+        for i in range(count)
     )
     return Curve("NACA 2412", HERMITE, Parametrization(), points)
 

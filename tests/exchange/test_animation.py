@@ -11,12 +11,12 @@ import pytest
 from PIL import Image, ImageSequence
 
 from app.document.model import Document, make_curve
-from app.examples import first_sketch
 from app.exchange import drawing
 from app.exchange.drawing.animation import FILMS, Film, write_film
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.families import FAMILIES
+from app.storage.examples import first_sketch
 from app.storage.files import StorageError
 from app.tasks.progress import FINAL, Cancelled
 from app.view_model.motion_settings import Pace, Repeat

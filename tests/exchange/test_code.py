@@ -105,9 +105,7 @@ def test_hostile_names_stay_in_comments(name):
     for write in (python_code, scipy_code):
         tree = ast.parse(write(document).text)
         called = {
-            point.func.id
-            for point in ast.walk(tree)
-            if isinstance(point, ast.Call) and hasattr(point.func, "id")
+            node.func.id for node in ast.walk(tree) if isinstance(node, ast.Call) and hasattr(node.func, "id")
         }
         assert called <= {"evaluate", "lagrange", "hermite", "len", "enumerate"}
 

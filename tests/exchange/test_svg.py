@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from app import theme
+from app.appearance import theme
 from app.document.model import (
     Curve,
     Document,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton
 
-from app.commands.connect import all_actions
+from app.window.connect import all_actions
 
 
 def in_menu(menu: QMenu):

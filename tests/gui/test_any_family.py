@@ -15,10 +15,10 @@ from PySide6.QtGui import QAction, QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QToolBar
 
+from app.appearance.theme import theme_of
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
-from app.theme import theme_of
 from app.view_model.nearest import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 

@@ -9,13 +9,13 @@ import pytest
 from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
+from app.appearance.theme import LIGHT
 from app.document.edits import set_position
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.panels.basis_layers import rail_height
 from app.panels.crest_names import apart, crests_of
 from app.plotting.colours import colours_of
-from app.theme import LIGHT
 
 
 @pytest.fixture

@@ -7,12 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 
-from app.commands.connect import all_actions
+from app.actions.keymap import full_name_of
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.keymap import full_name_of
-from app.panels.command_palette import CommandPalette
-from app.panels.fuzzy import fitness
+from app.window.command_palette import CommandPalette
+from app.window.connect import all_actions
+from app.window.fuzzy import fitness
 
 
 @pytest.fixture

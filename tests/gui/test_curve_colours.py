@@ -11,7 +11,8 @@ from pixels import is_colour
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
-from app.colours import CURVE_COLOURS, curve_colour
+from app.appearance.colours import CURVE_COLOURS, curve_colour
+from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice
 from app.exchange.drawing.animation import Film
@@ -22,9 +23,9 @@ from app.exchange.drawing.styles import INK
 from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
-from app.panels.export_dialog import ExportDialog
-from app.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
+from app.features.import_export.export_dialog import ExportDialog
 from app.view_model.palette import adjustment_of, colour_on
 from tests.gui.test_theme import contrast, oklab
 
@@ -120,7 +121,7 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     # It is told, in the list and before it is written.
     how = "lighter" if theme is DARK else "darker"
     editor.show_dock("curvesDock")
-    view = editor.window.curve_list.view
+    view = editor.window.commands[CurveListCommands].panel.view
     tip = view.tip_at(spot_rect(view.row_rect(1), Spot.SWATCH).center())
     assert f"drawn {how} than its {dim}" in tip
     assert how not in view.tip_at(spot_rect(view.row_rect(0), Spot.SWATCH).center())

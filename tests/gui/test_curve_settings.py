@@ -6,13 +6,13 @@ from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
+from app.appearance.theme import ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import AccelerationRule, ParametrizationKind, VelocityRule, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.curve_settings.controller import CurveSettingsController
 from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session
-from app.theme import ThemeMode, apply_theme
 
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
 

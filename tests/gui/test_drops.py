@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QPu
 
 from app.cli.lifecycle import Lifecycle
 from app.document.model import Document, make_curve
-from app.main_window import MainWindow
 from app.storage.files import save
+from app.window import MainWindow
 
 COPY, MOVE = Qt.DropAction.CopyAction, Qt.DropAction.MoveAction
 LEFT, NO_KEYS = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -157,7 +157,7 @@ def test_what_a_drop_cannot_open_is_said(program, tmp_path):
 
 
 def test_a_drop_opens_no_hundred_windows(program, tmp_path, monkeypatch):
-    monkeypatch.setattr("app.commands.drops.MOST_WINDOWS", 2)
+    monkeypatch.setattr("app.window.drops.MOST_WINDOWS", 2)
     drop(program, *documents(tmp_path, "a", "b", "c", "d"))
     assert len(program.others()) == 1
     assert program.message == "c.curve.json and d.curve.json were not opened: a drop opens 2 documents."

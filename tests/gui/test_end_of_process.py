@@ -11,7 +11,7 @@ APP = Path(__file__).parents[2] / "app"
 _COPIES = """
 from PySide6.QtCore import QMimeData
 from PySide6.QtWidgets import QApplication
-from app.commands.curve_clipboard import put_on_clipboard
+from app.workbench.clipboard import put_on_clipboard
 application = QApplication([])
 data = QMimeData()
 data.setText("1 2")
@@ -27,4 +27,4 @@ def test_what_was_copied_does_not_end_the_process_with_a_fault():
 
 def test_nothing_else_puts_data_on_the_clipboard():
     texts = {path: path.read_text(encoding="utf-8") for path in APP.rglob("*.py")}
-    assert [path.name for path in texts if ".setMimeData(" in texts[path]] == ["curve_clipboard.py"]
+    assert [path.name for path in texts if ".setMimeData(" in texts[path]] == ["clipboard.py"]

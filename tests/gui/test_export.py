@@ -29,7 +29,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 @pytest.fixture(autouse=True)
 def _no_pause_to_type_on(monkeypatch):
     """The preview waits until nothing is typed for a while; here nobody types on."""
-    monkeypatch.setattr("app.panels.export_dialog._SOON_MS", 10)
+    monkeypatch.setattr("app.features.import_export.export_dialog._SOON_MS", 10)
 
 
 @pytest.fixture
@@ -201,7 +201,7 @@ def test_cancelling_writes_and_remembers_nothing(editor, dialog, monkeypatch):
 def test_no_file_is_written_without_a_name(editor, dialog, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
     QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
 
 
 def test_the_look_follows_the_document(editor, dialog):

@@ -17,6 +17,7 @@ from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
 
+from app.appearance.theme import ThemeMode
 from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
 from app.features.file_on_disk.bar import FileBar
@@ -31,7 +32,6 @@ from app.storage.lock import OLD, Owner, lock_place
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import LockedError
 from app.testing import Editor
-from app.theme import ThemeMode
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
 WAIT_MS = 20_000
@@ -790,7 +790,7 @@ def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
 def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
     editor = Editor(qtbot, size=(1024, 700))
     editor.session.save(path)
-    editor.window.set_theme_mode(mode)
+    editor.window.store.change(theme_mode=mode)
     edit(editor)
     save(path, THEIRS)
     editor.trigger("saveDocument")
@@ -809,7 +809,7 @@ def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
     editor.window.message_bar.hide()
     editor.settle()
     assert bar.y() == 10
-    editor.window.set_theme_mode(ThemeMode.SYSTEM)
+    editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
 def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path):

@@ -7,12 +7,12 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
+from app.appearance.theme import theme_of
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.plotting.dashes import dashed
 from app.plotting.pens import colour_of
-from app.theme import theme_of
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 
 

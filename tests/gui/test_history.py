@@ -3,13 +3,13 @@
 import pytest
 from PySide6.QtCore import Qt
 
+from app.appearance.theme import ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import make_curve
 from app.features.history.controller import HistoryController
 from app.features.history.panel import HistoryPanel
 from app.session import Session
 from app.storage import files
-from app.theme import ThemeMode, apply_theme
 
 
 @pytest.fixture

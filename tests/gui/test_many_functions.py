@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QLabel
 
+from app.appearance.theme import LIGHT
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.document.parameter_edits import set_parameters
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
@@ -14,7 +15,6 @@ from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_dra
 from app.plotting.pixel_map import PixelMap
 from app.plotting.stamps import cells_of
 from app.testing import Editor
-from app.theme import LIGHT
 from app.view_model.basis_view import basis_view
 from app.view_model.curve_view import view_of
 from curvecore.bezier.flatten import segment_distance

@@ -7,12 +7,12 @@ from PySide6.QtCore import QByteArray, QEvent, QObject, QPoint, QSize, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMenu
 
+from app.actions.mnemonics import plain
 from app.families import FAMILIES
-from app.main_window import MainWindow
-from app.mnemonics import plain
 from app.session import Session
 from app.settings.preferences import Preferences
-from app.window_layout import first_size
+from app.window import MainWindow
+from app.window.window_layout import first_size
 
 _ROOM = 700 - 30
 """Height of a small window below its menu bar."""

@@ -10,7 +10,7 @@ from PySide6.QtGui import QFontMetrics, QGuiApplication
 
 from app.document.words import number
 from app.features.point_table.delegate import COMPACT_DIGITS, ColumnWidths, width_for
-from app.panels.number_text import (
+from app.widgets.number_text import (
     NEGLIGIBLE,
     column_decimals,
     column_text,

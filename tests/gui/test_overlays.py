@@ -8,10 +8,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlider, QToolButton
 
+from app.appearance.theme import ThemeMode
 from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
-from app.theme import ThemeMode
 from app.view_model.analysis.errors import POINT_ERROR
 from app.view_model.analysis.overlay import OVERLAYS
 from app.view_model.analysis.overlays import (
@@ -296,7 +296,7 @@ def test_legend_and_dock_change_with_the_theme(dock):
     editor = dock
     editor.trigger("overlayBand")
     for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
-        editor.window.set_theme_mode(mode)
+        editor.window.store.change(theme_mode=mode)
         editor.settle()
         shown = editor.window.canvas.drawing.annotations.legend
         image = shown.grab().toImage()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 import app
 from app.document.edits import set_position
-from app.overrides import Guarded, empty_result, is_guarded
+from app.qt.overrides import Guarded, empty_result, is_guarded
 
 ROOT = Path(__file__).resolve().parents[2]
 LEAST_PLACES = 30
@@ -102,7 +102,7 @@ def test_an_override_without_a_guard_is_found():
 def has_inner_class(text):
     """Whether a class of some code is no statement of its module; an example in a docstring is no class."""
     tree = ast.parse(text)
-    return any(isinstance(point, ast.ClassDef) and point not in tree.body for point in ast.walk(tree))
+    return any(isinstance(node, ast.ClassDef) and node not in tree.body for node in ast.walk(tree))
 
 
 def test_no_class_is_made_where_the_walk_does_not_see_it():

@@ -9,9 +9,9 @@ from pixels import is_colour
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtWidgets import QApplication
 
+from app.appearance.theme import LIGHT
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -26,7 +26,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from app.cli import main
 from app.storage.format import encode
-from app.main_window import MainWindow
+from app.window import MainWindow
 from app.features.recovery.bar import RecoveryBar
 from app.testing import Editor
 

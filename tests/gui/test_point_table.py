@@ -7,7 +7,8 @@ from PySide6.QtGui import QAction, QFocusEvent, QGuiApplication, QKeySequence, Q
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToolButton
 
-from app.colours import point_colours
+from app.appearance.colours import point_colours
+from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import ParametrizationKind, VelocityRule, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -16,7 +17,6 @@ from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
 from app.features.point_table.panel import INTERVAL_MS, PointTable
 from app.session import MessageKind, Session
 from app.testing import wait_for_rest
-from app.theme import DARK, LIGHT, ThemeMode, apply_theme
 
 Role = Qt.ItemDataRole
 T, X, Y, VX, VY, AX, AY = range(7)

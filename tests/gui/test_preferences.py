@@ -6,10 +6,10 @@ import pytest
 from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings
 from PySide6.QtWidgets import QWidget
 
+from app.appearance.theme import ThemeMode
 from app.settings.kinds import Choice, Setting, Switch
 from app.settings.preferences import Preferences
 from app.testing import Editor
-from app.theme import ThemeMode
 
 
 @pytest.fixture

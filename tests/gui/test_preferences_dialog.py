@@ -7,11 +7,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 
+from app.appearance.theme import ThemeMode, theme_of
 from app.canvas.grid_layer import grid_steps, tick_labels
-from app.panels.preferences_dialog import PreferencesDialog
 from app.settings.preferences import Preferences
-from app.theme import ThemeMode, theme_of
 from app.tools.snapping import SnapKind
+from app.window.preferences_dialog import PreferencesDialog
 
 
 @pytest.fixture

@@ -23,10 +23,10 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from random_person import RandomPerson
 
-from app.main_window import MainWindow
 from app.session import Session
 from app.storage.format import decode, encode
 from app.testing import Editor
+from app.window import MainWindow
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = int(os.environ.get("CURVEBENCH_RANDOM_SEED", "1"))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from app.panels.fuzzy import SearchEntry, ranked
-from app.panels.shortcut_editor import ShortcutEditor
+from app.window.fuzzy import SearchEntry, ranked
+from app.window.shortcut_editor import ShortcutEditor
 
 NAMES = ["Recover Unsaved Work", "Reverse Curve", "Next Curve", "Curve Colour…", "Rename Curve…"]
 

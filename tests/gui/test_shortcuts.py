@@ -8,12 +8,12 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QWidget
 
+from app.actions.keymap import refusal
 from app.actions.sections import CURVE
 from app.families import HERMITE, LAGRANGE
-from app.keymap import refusal
-from app.panels.preferences_dialog import PreferencesDialog
 from app.settings.preferences import Preferences
 from app.testing import Editor
+from app.window.preferences_dialog import PreferencesDialog
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 NO_KEYS = Qt.KeyboardModifier.NoModifier

@@ -14,9 +14,9 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
-from app.features.point_table import columns
-from app.features.point_table.columns import Column
 from app.features.point_table.delegate import CellEditor
+from app.view_model import point_columns as columns
+from app.view_model.point_columns import Column
 
 Key, Role = Qt.Key, Qt.ItemDataRole
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton
 
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.panels.teaching_badge import TeachingBadge
+from app.features.teaching.teaching_badge import TeachingBadge
 
 LEFT = Qt.MouseButton.LeftButton
 

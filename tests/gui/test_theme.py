@@ -26,10 +26,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.colours import point_colours
-from app.icons import app_icon, icon
-from app.resources import resource
-from app.theme import DARK, LIGHT, ThemeMode, apply_theme, palette_of, rim, style_sheet_of, theme_of
+from app.appearance.colours import point_colours
+from app.appearance.icons import app_icon, icon
+from app.appearance.theme import (
+    DARK,
+    LIGHT,
+    ThemeMode,
+    apply_theme,
+    palette_of,
+    rim,
+    style_sheet_of,
+    theme_of,
+)
+from app.storage.resources import resource
 
 THEMES = [pytest.param(LIGHT, id="light"), pytest.param(DARK, id="dark")]
 ICONS = sorted(path.stem for path in resource("icons").glob("*.svg"))

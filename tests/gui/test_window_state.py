@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from app.appearance.theme import ThemeMode
 from app.settings.kinds import Setting
 from app.settings.preferences import Preferences
-from app.theme import ThemeMode
+from app.state.window_state import WindowState, WindowStore
 from app.tools.add import ADD
 from app.tools.select import SELECT
-from app.window_state import WindowState, WindowStore
 
 APP = Path(__file__).resolve().parent.parent.parent / "app"
 SHOWN = {"action_switch", "command_palette"}
@@ -122,9 +122,9 @@ def test_nobody_asks_an_action_whether_it_is_checked():
     asked = {
         path.stem
         for path in APP.rglob("*.py")
-        for point in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(point, ast.Attribute)
-        and point.attr == "isChecked"
-        and "action" in ast.unparse(point.value)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Attribute)
+        and node.attr == "isChecked"
+        and "action" in ast.unparse(node.value)
     }
     assert asked == SHOWN

@@ -10,12 +10,12 @@ import pytest
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.features.point_table.columns import COLUMNS, POSITION
 from app.features.point_table.edits import paste_block
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import view_of
 from app.view_model.handles import handles_of
 from app.view_model.pasting import appended
+from app.view_model.point_columns import COLUMNS, POSITION
 
 FAR = (9.0, 1.0)
 

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.lessons import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
+from app.features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
 from app.storage.files import load
 from app.storage.format import encode
 from app.view_model.curve_view import view_of

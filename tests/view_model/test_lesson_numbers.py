@@ -15,10 +15,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.commands.connect import all_actions
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
-from app.lessons import lesson_names, load_lesson
+from app.features.lessons.lesson import lesson_names, load_lesson
 from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
 from app.view_model.analysis.laboratory_settings import (
@@ -29,6 +28,7 @@ from app.view_model.analysis.laboratory_settings import (
 )
 from app.view_model.curve_view import view_of
 from app.view_model.growth import growth_of_points
+from app.window.connect import all_actions
 from curvecore import (
     chord_length,
     evaluate_rounded,

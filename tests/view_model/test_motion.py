@@ -9,8 +9,8 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Curve, Parametrization, ParametrizationKind, Point, VelocityRule
-from app.examples import first_sketch
 from app.families import HERMITE, QUINTIC_HERMITE, Family
+from app.storage.examples import first_sketch
 from app.view_model.curve_view import view_of
 from app.view_model.motion import STATIONS, Course, folded, round_of, runs_back
 from app.view_model.motion_picture import (

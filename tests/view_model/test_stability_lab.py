@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import FAMILIES
-from app.lessons import load_lesson
+from app.features.lessons.lesson import load_lesson
 from app.storage.files import load
 from app.tasks.progress import Cancelled
 from app.view_model.analysis.cost import cost_chart, cost_of

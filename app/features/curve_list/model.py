@@ -12,7 +12,7 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 
 from app.document.model import Curve, Document
 from app.document.words import count_of
-from app.overrides import Guarded
+from app.qt.overrides import Guarded
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()

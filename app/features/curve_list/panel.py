@@ -8,14 +8,14 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
-from app.colours import CURVE_COLOURS, curve_colour
+from app.appearance.colours import CURVE_COLOURS, curve_colour
+from app.appearance.theme import Theme, theme_of
 from app.document.model import Document
 from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.view import CurveListView, Spot
-from app.overrides import Guarded
-from app.panels.tool_buttons import action_button
-from app.theme import Theme, theme_of
+from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
+from app.widgets.tool_buttons import action_button
 
 
 class CurveList(Guarded, QWidget):

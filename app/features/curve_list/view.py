@@ -36,12 +36,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.colours import curve_colour
+from app.appearance.colours import curve_colour
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
 from app.features.curve_list.model import CurveListModel, Row
-from app.icons import icon
-from app.labels import tip_of
-from app.overrides import Guarded
-from app.theme import mix, theme_of
+from app.qt.labels import tip_of
+from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
 
 Index = QModelIndex | QPersistentModelIndex

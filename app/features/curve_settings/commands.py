@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.commands.context import WindowContext
-from app.docks import Panel
 from app.features.curve_settings.controller import CurveSettingsController
 from app.features.curve_settings.panel import CurveSettings
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import Panel
 
 
 class CurveSettingsCommands:

@@ -12,17 +12,17 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from app.appearance.icons import icon
+from app.appearance.theme import theme_of
 from app.document import edits
 from app.document.model import AccelerationRule, VelocityRule
 from app.document.words import NamedEnum, count_of, number
-from app.icons import icon
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit, NumberEdit
-from app.panels.number_text import decimal_mark, exact_text
-from app.panels.tool_buttons import ICON, tool_button
-from app.theme import theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
 from app.view_model.curve_view import CoreCurve, CurveView
+from app.widgets.field_edit import FieldEdit, NumberEdit
+from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.tool_buttons import ICON, tool_button
 
 Rule = TypeVar("Rule", bound=StrEnum)
 

@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.icons import icon
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.tool_buttons import action_button, tool_button
-from app.theme import mix, theme_of
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
+from app.widgets.tool_buttons import action_button, tool_button
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
 _GAP = 8

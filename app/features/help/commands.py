@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QMessageBox
 from app import __version__
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL, MENUS
-from app.commands.context import WindowContext
 from app.features import help as help_feature
 from app.tools.add import ADD
+from app.workbench.context import WindowContext
 
 if TYPE_CHECKING:
     from app.features.help.shortcut_sheet import ShortcutSheet

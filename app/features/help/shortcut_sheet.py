@@ -19,12 +19,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
 from app.document.words import count_of
-from app.icons import icon
-from app.labels import Label, html_of
-from app.overrides import Guarded
-from app.panels.tool_buttons import ICON, tool_button
-from app.theme import mix, theme_of
+from app.qt.labels import Label, html_of
+from app.qt.overrides import Guarded
+from app.widgets.tool_buttons import ICON, tool_button
 
 Rows = Sequence[tuple[str, str]]
 _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.overrides import Guarded
-from app.theme import mix, theme_of
+from app.appearance.theme import mix, theme_of
+from app.qt.overrides import Guarded
 
 _MARGIN = 6
 """Pixels between the edge and the text of a row, besides what the style leaves."""

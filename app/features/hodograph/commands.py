@@ -9,14 +9,14 @@ from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import action
 from app.actions.sections import PLOTS_IN_PLANE
-from app.commands.context import WindowContext
-from app.docks import LatePanel
 from app.features import hodograph
 from app.tasks.debounced_task import DebouncedTask
 from app.tools.rail import SCRUB_ALONG
 from app.tools.toolbox import Toolbox
 from app.view_model import analysis
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import LatePanel
 
 if TYPE_CHECKING:
     from app.features.hodograph.panel import HodographPanel

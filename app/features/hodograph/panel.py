@@ -7,23 +7,23 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.appearance.icons import icon
+from app.appearance.theme import LIGHT, Theme, theme_of
 from app.document.words import number
-from app.icons import icon
-from app.overrides import Guarded
-from app.panels.choice_style import choice_style
-from app.panels.elided_label import ElidedLabel
-from app.panels.number_text import decimal_mark
-from app.panels.tool_buttons import tool_button
 from app.plotting.colours import colours_of
 from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.tool_plot import ToolPlot
-from app.theme import LIGHT, Theme, theme_of
+from app.qt.overrides import Guarded
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.tool import Tool
 from app.tools.toolbox import Toolbox
 from app.view_model.analysis.hodograph import Hodograph
+from app.widgets.choice_style import choice_style
+from app.widgets.elided_label import ElidedLabel
+from app.widgets.number_text import decimal_mark
+from app.widgets.tool_buttons import tool_button
 
 _MARGIN = 1.12
 _NUMBERED_UP_TO = 16

@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_JOINTS
-from app.commands.context import WindowContext
-from app.docks import LatePanel
 from app.features import joints
 from app.view_model import analysis
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import LatePanel
 
 if TYPE_CHECKING:
     from app.features.joints.panel import JointsPanel

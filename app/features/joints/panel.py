@@ -15,14 +15,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.theme import theme_of
 from app.document.words import number
 from app.features.joints.model import JointsModel
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.number_text import decimal_mark
-from app.panels.tool_buttons import action_button
-from app.theme import theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
 from app.view_model.analysis.joints import Certificate, JointKind, JointRow
+from app.widgets.number_text import decimal_mark
+from app.widgets.tool_buttons import action_button
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _PADDING = 5

@@ -11,19 +11,19 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from app.canvas.trace_layer import Trace
-from app.commands.context import WindowContext
-from app.commands.dock_room import make_room_once
-from app.docks import LatePanel
 from app.document.words import number
 from app.features import laboratory
 from app.features.laboratory.error_plot import ErrorPlot
-from app.overrides import Guarded
+from app.qt.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.view_model import analysis
 from app.view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
+from app.workbench.context import WindowContext
+from app.workbench.dock_room import make_room_once
+from app.workbench.docks import LatePanel
 
 if TYPE_CHECKING:
     from app.features.laboratory.panel import LaboratoryPanel
@@ -106,12 +106,11 @@ class LaboratoryCommands(Guarded, QObject):
         """Compute the curve with few digits, by several methods, and see which of them fail."""
         # In a presentation it may be on and out of sight: then it is called for.
         if not (self._settings.on and self._dock.isVisible()):
-            self.open()
+            self._open()
         else:
             self._dock.close()
 
-    def open(self) -> None:
-        """Bring the laboratory to the front and switch it on."""
+    def _open(self) -> None:
         self._dock.show()
         self._dock.raise_()
         self._switch(True)
@@ -131,7 +130,7 @@ class LaboratoryCommands(Guarded, QObject):
         store.change(error_plot=not store.state.error_plot)
         if store.state.error_plot:
             # What it plots is computed here.
-            self.open()
+            self._open()
 
     def _look(self, visible: bool) -> None:
         self._is_seen = visible

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from app.document.words import number
 from app.features.laboratory.log_plot import LogLine, LogPlot
-from app.labels import Label
+from app.qt.labels import Label
 from app.view_model.analysis.cost import SolvingCost, cost_chart
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.analysis.wording import short

@@ -7,7 +7,7 @@ from PySide6.QtGui import QFontDatabase, QPalette
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.document.words import number, with_minus
-from app.labels import Label
+from app.qt.labels import Label
 from app.view_model.analysis.laboratory import Digits
 
 _USUAL_DIGITS = 9

@@ -11,12 +11,12 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from app.appearance.theme import theme_of
 from app.plotting.camera import FixedCamera
 from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import theme_of
 from app.view_model.analysis.wording import power
 from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray

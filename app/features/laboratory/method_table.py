@@ -8,11 +8,11 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
+from app.appearance.theme import theme_of
 from app.document.words import number
-from app.labels import Label
-from app.overrides import Guarded
 from app.plotting.pens import SIGN, sign_pixmap
-from app.theme import theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
 from app.view_model.analysis.laboratory import Trial
 from app.view_model.analysis.laboratory_settings import Calculation, RoundedPart
 from app.view_model.analysis.wording import short

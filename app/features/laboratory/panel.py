@@ -18,16 +18,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.analysis import Analysis
 from app.document.expression import ExpressionError
 from app.document.words import count_of
 from app.features.laboratory.cost_panel import CostPanel
 from app.features.laboratory.digits_table import DigitsTable
 from app.features.laboratory.method_table import MethodTable
-from app.labels import Label
-from app.panels.field_edit import NumberEdit, read_number
-from app.panels.fitting import Scrolled
-from app.panels.number_text import decimal_mark, exact_text
+from app.qt.labels import Label
+from app.state.analysis import Analysis
 from app.view_model.analysis.laboratory import Digits, Trial, calculations
 from app.view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,
@@ -40,6 +37,9 @@ from app.view_model.analysis.laboratory_settings import (
 )
 from app.view_model.analysis.laboratory_words import growth_words, trial_words
 from app.view_model.curve_view import CurveView
+from app.widgets.field_edit import NumberEdit, read_number
+from app.widgets.fitting import Scrolled
+from app.widgets.number_text import decimal_mark, exact_text
 
 _LARGEST_SHIFT = 1e9
 _PAGE = QSize(2000, 72)

@@ -1,9 +1,7 @@
 """Lessons: what makes a curve go where it goes, step by step.
 
 - ``commands``: opens their documents, goes from step to step, and sees whether a goal is met.
-- ``panel``: the gallery, and the text of a step.
-
-What is read of the lessons themselves is in `app/lessons.py`.
+- ``lesson``: what is read of them.  ``panel``: the gallery, and the text of a step.
 """
 
 import lazy_loader as lazy

@@ -9,26 +9,25 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-import app
 from app import view_model
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL
-from app.commands.context import WindowContext
-from app.docks import LEFT, LatePanel
 from app.features import lessons
-from app.panels.late_dock import LateDock
 from app.session import Beginning
 from app.storage.files import load
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import LEFT, LatePanel
+from app.workbench.late_dock import LateDock
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
 
     from app.document.model import Document
+    from app.features.lessons.lesson import Lesson, Step
     from app.features.lessons.panel import LessonPanel
-    from app.lessons import Lesson, Step
 
 _GALLERY = -1
 _DESK = ("plotErrors", "toggleLaboratory", "playMotion", "motionCompare", "toggleScrub")
@@ -105,7 +104,7 @@ class LessonCommands:
     @cached_property
     def _lessons(self) -> list[Lesson]:
 
-        return [app.lessons.load_lesson(name) for name in app.lessons.lesson_names()]
+        return [lessons.lesson.load_lesson(name) for name in lessons.lesson.lesson_names()]
 
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
     def _toggle(self) -> None:

@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.labels import Label, html_of
-from app.lessons import Lesson
+from app.features.lessons.lesson import Lesson
+from app.qt.labels import Label, html_of
 from app.view_model.goals import GoalResult
 
 _MARGIN = 10

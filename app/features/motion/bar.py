@@ -15,15 +15,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.actions.keymap import action_name
+from app.actions.mnemonics import plain
+from app.appearance.icons import icon
+from app.appearance.theme import Theme
 from app.document.words import with_decimals
-from app.icons import icon
-from app.keymap import action_name
-from app.mnemonics import plain
-from app.panels.elided_label import ElidedLabel
-from app.panels.tool_buttons import ICON, action_button, tool_button
-from app.theme import Theme
 from app.view_model.motion_picture import Dot, Role, short
 from app.view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
+from app.widgets.elided_label import ElidedLabel
+from app.widgets.tool_buttons import ICON, action_button, tool_button
 
 _READ_MS = 80
 """Numbers that change faster cannot be read."""

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
-from app.labels import Label
-from app.panels.fitting import FittedDialog
-from app.panels.told_spin import ToldDoubleSpinBox, ToldSpinBox
+from app.qt.labels import Label
+from app.widgets.fitting import FittedDialog
+from app.widgets.told_spin import ToldDoubleSpinBox, ToldSpinBox
 
 
 class MotionDialog(FittedDialog):

@@ -7,15 +7,15 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from app.commands.context import WindowContext
+from app.appearance.theme import theme_of
 from app.exchange.drawing.animation import Film, FilmFormat, write_film
 from app.exchange.drawing.styles import DARK, LIGHT
 from app.features.motion.dialog import MotionDialog
-from app.file_commands import file_stem
 from app.tasks.progress import Report
-from app.theme import theme_of
 from app.view_model.motion import round_of
 from app.view_model.motion_settings import MotionSettings
+from app.workbench.context import WindowContext
+from app.workbench.document_files import file_stem
 
 
 class MotionExport:

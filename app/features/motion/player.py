@@ -10,10 +10,10 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.session import Session
+from app.state.window_state import WindowStore
 from app.view_model.curve_view import CoreCurve
 from app.view_model.motion import Course, folded, round_of
 from app.view_model.motion_settings import SPEEDS, MotionSettings, Repeat
-from app.window_state import WindowStore
 
 FRAME_MS = 16
 """Milliseconds from frame to frame; what takes longer drops frames, because the clock is asked each time."""

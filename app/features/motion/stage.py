@@ -5,12 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
 
-from app.commands.context import WindowContext
+from app.appearance.theme import theme_of
 from app.features.motion.bar import MotionBar
 from app.features.motion.export import MotionExport
 from app.features.motion.player import Player
-from app.overrides import Guarded
-from app.theme import theme_of
+from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.motion import Course
 from app.view_model.motion_picture import (
@@ -21,6 +20,7 @@ from app.view_model.motion_picture import (
     rivals_of,
     scales_of,
 )
+from app.workbench.context import WindowContext
 from curvecore.arrays import FloatArray
 
 

@@ -8,8 +8,6 @@ from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import Action, action, action_for_each
 from app.actions.sections import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
-from app.commands.context import WindowContext
-from app.docks import LatePanel
 from app.features import overlays
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -19,6 +17,8 @@ from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
 from app.view_model.analysis.settings import AnalysisSettings, ErrorSize
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import LatePanel
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView

@@ -18,21 +18,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.analysis import Analysis
+from app.appearance.theme import theme_of
 from app.document.expression import ExpressionError
 from app.document.words import number
-from app.labels import Label
-from app.overrides import Guarded
-from app.panels.action_switch import mirror
-from app.panels.field_edit import NumberEdit, read_number
-from app.panels.number_text import decimal_mark, exact_text
-from app.panels.setting_slider import SettingSlider, slider_of
-from app.panels.tool_buttons import action_button, tool_button
 from app.plotting.pens import SIGN, sign_pixmap
-from app.theme import theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
+from app.state.analysis import Analysis
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.overlay import OVERLAYS, Overlay
 from app.view_model.analysis.settings import Count, ErrorSize, Factor
+from app.widgets.action_switch import mirror
+from app.widgets.field_edit import NumberEdit, read_number
+from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.setting_slider import SettingSlider, slider_of
+from app.widgets.tool_buttons import action_button, tool_button
 
 _NOTES_MS = 60
 """Milliseconds that the words may lag behind a drag."""

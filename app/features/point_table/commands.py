@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.commands.context import WindowContext
-from app.docks import UPPER, Panel
+from app.appearance.theme import Theme
 from app.features.point_table.controller import PointTableController
 from app.features.point_table.panel import PointTable
-from app.theme import Theme
 from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+from app.workbench.docks import UPPER, Panel
 
 
 class PointTableCommands:

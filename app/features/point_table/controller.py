@@ -10,10 +10,10 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document
 from app.document.words import count_of
-from app.features.point_table.columns import POSITION, Column
 from app.features.point_table.edits import fill_cells, keepers, paste_block, reset_name
 from app.features.point_table.panel import PointTable
 from app.session import Session
+from app.view_model.point_columns import POSITION, Column
 
 
 class PointTableController:

@@ -26,9 +26,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.theme import LIGHT, Theme, mix
 from app.features.point_table.model import PointTableModel
-from app.overrides import Guarded
-from app.panels.number_text import (
+from app.qt.overrides import Guarded
+from app.widgets.number_text import (
     Extent,
     column_decimals,
     column_text,
@@ -37,7 +38,6 @@ from app.panels.number_text import (
     most_decimals,
     widest_texts,
 )
-from app.theme import LIGHT, Theme, mix
 
 _MARK = 6
 """Pixels along the sides of the mark that a number has a second one, after the corner."""

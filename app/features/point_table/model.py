@@ -18,21 +18,21 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
+from app.appearance.theme import LIGHT, Theme
 from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Point
 from app.document.words import number, with_minus
-from app.features.point_table.columns import Column, columns_of
-from app.overrides import Guarded
-from app.panels.number_text import (
+from app.plotting.colours import colours_of
+from app.qt.overrides import Guarded
+from app.view_model.curve_view import CurveView
+from app.view_model.point_columns import Column, columns_of
+from app.widgets.number_text import (
     ColumnNumbers,
     decimal_mark,
     exact_text,
     numbers_of_columns,
 )
-from app.plotting.colours import colours_of
-from app.theme import LIGHT, Theme
-from app.view_model.curve_view import CurveView
 from curvecore.arrays import FloatArray
 
 Index = QModelIndex | QPersistentModelIndex

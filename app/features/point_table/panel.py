@@ -9,20 +9,20 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QVBoxLayout, QWidget
 
+from app.appearance.icons import icon
+from app.appearance.theme import Theme, theme_of
 from app.document.edits import EditError
 from app.document.words import count_of
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
-from app.features.point_table.columns import POSITION, Column, known_titles
 from app.features.point_table.edits import explicit_orders, keeping_sentence
 from app.features.point_table.model import PointTableModel
 from app.features.point_table.view import PointTableView
-from app.icons import icon
-from app.labels import Label, html_of
-from app.overrides import Guarded
-from app.panels.number_text import decimal_mark, exact_text
-from app.panels.tool_buttons import ICON, tool_button
-from app.theme import Theme, theme_of
+from app.qt.labels import Label, html_of
+from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
+from app.view_model.point_columns import POSITION, Column, known_titles
+from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.tool_buttons import ICON, tool_button
 
 INTERVAL_MS = 100
 """The table follows a drag at this pace; the canvas is what the eye is on."""

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, Q
 
 from app.features.point_table.delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
 from app.features.point_table.model import PointTableModel
-from app.overrides import Guarded
+from app.qt.overrides import Guarded
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)

@@ -2,7 +2,7 @@
 
 - ``autosave``: a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
 - ``commands``: offers snapshots of ended processes, and brings them back.
-- ``bar``, ``offers``: the panel that offers them, and its words.
+- ``bar``, ``offers``, ``thumbnail``: the panel that offers them, its words and pictures.
 """
 
 import lazy_loader as lazy

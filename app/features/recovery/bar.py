@@ -16,15 +16,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.icons import icon
+from app.appearance.theme import mix, theme_of
 from app.document.words import count_of
 from app.features.recovery.offers import Offer
-from app.icons import icon
-from app.labels import Label, tip_of
-from app.overrides import Guarded
-from app.panels.elided_label import ElidedLabel
-from app.panels.thumbnail import thumbnail
-from app.panels.tool_buttons import tool_button
-from app.theme import mix, theme_of
+from app.features.recovery.thumbnail import thumbnail
+from app.qt.labels import Label, tip_of
+from app.qt.overrides import Guarded
+from app.widgets.elided_label import ElidedLabel
+from app.widgets.tool_buttons import tool_button
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44
 _PICTURE = (88, 56)

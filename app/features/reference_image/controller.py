@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.controllers.slider_gesture import SliderGesture
 from app.document.image_edits import place_image, set_image_locked, set_image_opacity
 from app.document.model import Document
 from app.features.reference_image.panel import STEPS, ImagePanel
 from app.session import Session
+from app.workbench.slider_gesture import SliderGesture
 
 
 class ImageController:

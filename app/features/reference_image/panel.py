@@ -17,15 +17,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.theme import theme_of
 from app.document.model import ReferenceImage
 from app.document.words import number
-from app.labels import Label, tip_of
-from app.overrides import Guarded
-from app.panels.field_edit import NumberEdit
-from app.panels.live_slider import LiveSlider
-from app.panels.number_text import decimal_mark
-from app.panels.tool_buttons import action_button
-from app.theme import theme_of
+from app.qt.labels import Label, tip_of
+from app.qt.overrides import Guarded
+from app.widgets.field_edit import NumberEdit
+from app.widgets.live_slider import LiveSlider
+from app.widgets.number_text import decimal_mark
+from app.widgets.tool_buttons import action_button
 
 STEPS = 100
 """Positions of the slider from nothing to all of the image."""

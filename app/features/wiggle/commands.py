@@ -11,9 +11,6 @@ from app.actions.declaration import PlaceAction, action
 from app.actions.needs import CURVE_THROUGH_TWO
 from app.actions.sections import ANALYSIS_EXPLAIN
 from app.canvas.trace_layer import Trace
-from app.commands.context import WindowContext
-from app.commands.dock_room import make_room_once
-from app.docks import LatePanel
 from app.document.model import Document
 from app.features import wiggle
 from app.tasks.debounced_task import DebouncedTask
@@ -22,6 +19,9 @@ from app.tools.explain import EXPLAIN
 from app.view_model import analysis
 from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import CURE_STYLE
+from app.workbench.context import WindowContext
+from app.workbench.dock_room import make_room_once
+from app.workbench.docks import LatePanel
 
 if TYPE_CHECKING:
     from app.features.wiggle.panel import WigglePanel
@@ -82,7 +82,14 @@ class WiggleCommands(QObject):
             self._explain_widest()
         self._open()
 
-    def explain_widest(self) -> None:
+    @action(
+        "explainWidest",
+        "Explain the Widest Wiggle",
+        ANALYSIS_EXPLAIN,
+        icon="explain",
+        needs=CURVE_THROUGH_TWO,
+    )
+    def _explain_widest_wiggle(self) -> None:
         """Explain the place where the curve swings out farthest."""
         self._explain_widest()
         self._open()

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QVB
 
 from app.document.words import number
 from app.features.wiggle.weight_bars import WeightBars
-from app.labels import Label
-from app.overrides import Guarded
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
 from app.view_model.analysis.cures import CURES, Cure, Cures
 from app.view_model.analysis.wiggle import Explanation
 from app.view_model.analysis.wording import short

@@ -8,9 +8,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.overrides import Guarded
+from app.appearance.theme import theme_of
 from app.plotting.colours import colours_of
-from app.theme import theme_of
+from app.qt.overrides import Guarded
 from app.view_model.analysis.wiggle import MOST_PULLS, Pull
 from app.view_model.analysis.wording import short
 

@@ -1,4 +1,4 @@
-"""What the stability laboratory computes: an experiment, no part of the document."""
+"""The experiment of the stability laboratory: no part of the document."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class Calculation(NamedEnum):
 
 
 class RoundedPart(NamedEnum):
-    """What is rounded, in the order in which the window lists it."""
+    """The numbers that are rounded, in the order in which the window lists them."""
 
     EVERY_STEP = "every_step", "every step"
     COEFFICIENTS = "coefficients", "the coefficients"

@@ -1,4 +1,4 @@
-"""Where a curve is sampled for plots over t: no more often than there are pixels, one-sided at joints."""
+"""The samples of a curve for plots over t: no more of them than there are pixels, one-sided at joints."""
 
 from __future__ import annotations
 

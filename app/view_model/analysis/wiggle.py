@@ -27,7 +27,7 @@ _CALM = 0.25
 
 @dataclass(frozen=True)
 class Pull:
-    """What one datum does at t.
+    """The effect of one point, or of a derivative that was set, at t.
 
     Attributes
     ----------

@@ -15,7 +15,7 @@ LINE = LineStyle(PURPLE, width=1.4)
 CENTRE = LineStyle(PURPLE, 0.8)
 
 _REACH = 10.0
-"""How much of a large circle is drawn to either side, in sizes of the curve."""
+"""The part of a large circle that is drawn to either side, in sizes of the curve."""
 
 _STRAIGHT = 1e-6
 """Share of 1 / size below which a curvature counts as none."""

@@ -28,7 +28,7 @@ _SHARE = 0.2
 """The longest tooth against the size of the points at scale 1."""
 
 _LONGEST = 5.0
-"""How far a tooth may surpass nine tenths of all teeth: at a cusp it would be infinite."""
+"""The most by which a tooth surpasses nine tenths of all teeth: at a cusp it would be infinite."""
 
 
 def _comb(scene: Scene) -> Drawn:

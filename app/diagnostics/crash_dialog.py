@@ -1,0 +1,106 @@
+"""Crash dialog: a report of a fault inside the program."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QFontDatabase, QGuiApplication
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialogButtonBox,
+    QPlainTextEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.appearance.theme import theme_of
+from app.qt.labels import Label
+from app.widgets.fitting import FittedDialog
+
+_SAFE = "Your work is safe: a backup has just been written."
+_NOT_SAFE = "A backup could not be written. Save your work under another name now."
+
+
+class CrashDialog(FittedDialog):
+    """Says that something went wrong and that the work is safe; shows and copies a report.
+
+    Closed in any way, the program goes on.
+
+    Signals
+    -------
+    quit_asked
+        The work shall be saved and the program end.
+    """
+
+    quit_asked = Signal()
+
+    def __init__(self, parent: QWidget | None, report: str, *, is_safe: bool) -> None:
+        super().__init__(parent)
+        self.setObjectName("crashDialog")
+        self.setWindowTitle("Curvebench")
+        # Also above a dialog that waits for an answer already.
+        self.setWindowModality(Qt.WindowModality.ApplicationModal)
+        self._report = QPlainTextEdit(report)
+        self._report.setObjectName("crashReport")
+        self._report.setAccessibleName("Report")
+        self._report.setToolTip("What to send to the makers; it holds no names of files or folders")
+        self._report.setReadOnly(True)
+        self._report.setTabChangesFocus(True)
+        self._report.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self._report.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self._report.setMinimumHeight(150)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(20, 18, 20, 0)
+        layout.setSpacing(10)
+        layout.addWidget(self._title())
+        layout.addWidget(_wrapped(f"{_SAFE if is_safe else _NOT_SAFE} You can go on."))
+        hint = _wrapped("This report helps to mend it. It holds no names of files or folders.")
+        hint.setStyleSheet(f"color: {theme_of(QApplication.palette()).muted.name()}")
+        layout.addWidget(hint)
+        layout.addWidget(self._report, 1)
+        self.hold(self._buttons(), wished=QSize(560, 0))
+
+    def _title(self) -> Label:
+        title = Label("Something went wrong inside Curvebench.")
+        title.setObjectName("crashTitle")
+        font = title.font()
+        font.setBold(True)
+        font.setPointSizeF(font.pointSizeF() * 1.15)
+        title.setFont(font)
+        return title
+
+    def _buttons(self) -> QDialogButtonBox:
+        box = QDialogButtonBox()
+        roles = QDialogButtonBox.ButtonRole
+        self._copy = self._button("copyReport", "Copy Report", "Put the report on the clipboard")
+        self._copy.clicked.connect(self._copy_report)
+        box.addButton(self._copy, roles.ActionRole)
+        quit_button = self._button("saveAndQuit", "Save and Quit", "Save your work and end the program")
+        box.addButton(quit_button, roles.DestructiveRole)
+        go_on = self._button("goOn", "Go On", "Close this window and go on working")
+        box.addButton(go_on, roles.AcceptRole)
+        go_on.setDefault(True)
+        quit_button.clicked.connect(self._save_and_quit)
+        go_on.clicked.connect(self.accept)
+        return box
+
+    def _button(self, name: str, text: str, tip: str) -> QPushButton:
+        button = QPushButton(text, self)
+        button.setObjectName(name)
+        button.setToolTip(tip)
+        button.setAccessibleName(tip)
+        return button
+
+    def _save_and_quit(self) -> None:
+        self.accept()
+        self.quit_asked.emit()
+
+    def _copy_report(self) -> None:
+        QGuiApplication.clipboard().setText(self._report.toPlainText())
+        self._copy.setText("Copied")
+
+
+def _wrapped(text: str) -> Label:
+    label = Label(text)
+    label.setWordWrap(True)
+    return label

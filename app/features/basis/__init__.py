@@ -1,0 +1,4 @@
+"""Basis functions over t.
+
+- ``commands``: actions of the t-rail.
+"""

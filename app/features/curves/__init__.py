@@ -1,0 +1,4 @@
+"""Whole curves: new, join, split, reverse, close, name and order.
+
+- ``commands``: the actions.
+"""

@@ -1,0 +1,296 @@
+"""Whole curves, one at a time: new, join, split, reverse, close, name and order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from app.actions.declaration import PlaceAction, action, also
+from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
+from app.actions.sections import (
+    CURVE_NUMBER,
+    CURVE_ORDER,
+    CURVE_POINTS,
+    CURVE_SHAPE,
+    CURVE_WALK,
+)
+from app.actions.situation import Situation
+from app.actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
+from app.document import curve_edits, edits
+from app.document.model import Curve, Document, Parametrization
+from app.document.several_curves import named, place_in, step_curves
+from app.document.words import number
+from app.view_model.appending import with_closed
+from app.view_model.curve_view import view_of
+from app.view_model.measure import is_kept
+from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
+from app.view_model.split_join import Split, joined, split
+from app.workbench.context import WindowContext
+
+
+class CurveCommands:
+    """What is done to a curve as a whole."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
+
+    # Number and order
+
+    @action("newCurve", "New Curve", CURVE_NUMBER, "Ctrl+Shift+N", "plus")
+    @also(CANVAS_MENU(22), CURVE_LIST_MENU(30), CURVE_LIST_BUTTONS(10))
+    def _new(self) -> None:
+        """Add a curve to the document."""
+        session = self._session
+        model, place = session.active_curve, session.active_index + 1
+        fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
+        if session.change(
+            f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place
+        ):
+            self._context.actions["addTool"].trigger()
+
+    @action(
+        "raiseCurve",
+        "Raise",
+        CURVE_ORDER,
+        "Alt+Up",
+        "move-up",
+        full_name="Raise Curve",
+        needs=Need("a curve in front of this one", lambda now: _has_curve_beside(now, -1)),
+    )
+    @also(CURVE_LIST_MENU(20))
+    def _raise(self) -> None:
+        """Move the curve up in the list: it is drawn in front of the next one."""
+        self._step("Raise", 1)
+
+    @action(
+        "lowerCurve",
+        "Lower",
+        CURVE_ORDER,
+        "Alt+Down",
+        "move-down",
+        full_name="Lower Curve",
+        needs=Need("a curve behind this one", lambda now: _has_curve_beside(now, 0)),
+    )
+    @also(CURVE_LIST_MENU(21))
+    def _lower(self) -> None:
+        """Move the curve down in the list: it is drawn behind the next one."""
+        self._step("Lower", -1)
+
+    def _step(self, verb: str, step: int) -> None:
+        session, what = self._session, named(self._session.document, self._session.selected_curves)
+        document = step_curves(session.document, session.selected_curves, step)
+        if session.change(
+            f"{verb} {what}", lambda _: document, active=place_in(document, session.active_curve)
+        ):
+            where = "front" if step > 0 else "back"
+            session.say(f"{what}: one step to the {where}.")
+
+    @action("nextCurve", "Next Curve", CURVE_WALK, "Ctrl+PgDown", needs=SECOND_CURVE)
+    def _go_on(self) -> None:
+        """Edit the next curve down the list."""
+        self._walk(-1)
+
+    @action("previousCurve", "Previous Curve", CURVE_WALK, "Ctrl+PgUp", needs=SECOND_CURVE)
+    def _go_back(self) -> None:
+        """Edit the next curve up the list."""
+        self._walk(1)
+
+    def _walk(self, step: int) -> None:
+        # The next one is the one below in the list, hence behind.
+        session = self._session
+        session.activate((session.active_index + step) % len(session.document.curves))
+        session.say(f"Editing “{session.active_curve.name}”.")
+
+    # Shape
+
+    @action("insertPoint", "Insert Point at the Scrub Line", CURVE_POINTS, "I", "add", needs=UNLOCKED_CURVE)
+    def _insert(self) -> None:
+        """Insert a point on the curve; under manual parameters its shape stays."""
+        self._at_scrub(self.insert_at)
+
+    @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
+    def insert_at(self, t: float) -> None:
+        """Insert a point on the active curve at `t`."""
+        view = self._session.active_view
+        index = int(np.searchsorted(view.parameters, t))
+        made = self._reshape(f"Insert point {index}", lambda: with_point_inserted(view, t))
+        if made is not None:
+            self._session.select([index])
+            if made.parameters_moved:
+                self._session.offer(made.sentence, "keepShape", t)
+
+    @action(
+        "keepShape",
+        "Freeze and Keep the Shape",
+        CURVE_POINTS,
+        icon="lock",
+        needs=Need(
+            "an insertion that has just moved the parameters",
+            lambda now: now.session.offered_at is not None,
+        ),
+    )
+    def _keep_shape(self) -> None:
+        """Take the insertion back, freeze the parameters and insert the point again: the shape stays."""
+        session, t = self._session, self._session.offered_at
+        if t is None:
+            return
+        session.undo_stack.undo()
+        view, index = session.active_view, int(np.searchsorted(session.active_view.parameters, t))
+        frozen = edits.freeze_parameters(session.document, session.active_index, view.parameters.tolist())
+        fixed = view_of(frozen.curves[session.active_index])
+        if self._reshape(f"Freeze and insert point {index}", lambda: with_point_inserted(fixed, t)):
+            session.select([index])
+        else:
+            session.undo_stack.redo()
+
+    @PlaceAction("splitHere", "Split Here", like="splitCurve")
+    def split_at(self, t: float) -> None:
+        """Split the active curve at `t`."""
+        session, done = self._session, list[Split]()
+
+        def edit(document: Document) -> Document:
+            done.append(split(session.active_view, t))
+            return _with_parts(document, session.active_index, *done[0].curves)
+
+        if session.change(f"Split {session.active_curve.name}", edit):
+            verb = "Split" if len(done[0].curves) > 1 else "Opened"
+            session.say(f"{verb} at t = {number(t)}: {done[0].sentence}")
+
+    def _at_scrub(self, act: Callable[[float], None]) -> None:
+        t = self._session.scrub
+        if t is None:
+            self._session.refuse(
+                "Select an inner point, or put the scrub line (T) where on the curve it shall be."
+            )
+        else:
+            act(t)
+
+    @action(
+        "joinCurve",
+        "Join End to Start",
+        CURVE_SHAPE,
+        "Ctrl+J",
+        "join",
+        full_name="Join Curve End to Start",
+        needs=Need(SECOND_CURVE.words, lambda now: now.view.is_current and SECOND_CURVE.is_met(now)),
+    )
+    @also(CURVE_MENU(12), CURVE_LIST_MENU(32), CURVE_LIST_BUTTONS(13))
+    def _join(self) -> None:
+        """Join the end of the curve to the nearest start of another."""
+        session, index = self._session, self._session.active_index
+        partner = self._nearest_start()
+        if partner is None:
+            session.refuse("There is no other open, visible curve whose start could follow.")
+            return
+        name = session.document.curves[partner].name
+        made = self._reshape(
+            f"Join {session.active_curve.name} and {name}",
+            lambda: joined(session.active_view, session.views[partner]),
+            lambda document: curve_edits.remove_curve(document, partner),
+            active=index - (partner < index),
+        )
+        if made is not None:
+            shapes = "shapes kept" if is_kept(made.residual, (made.curve,)) else "the shapes are others"
+            session.say(f"Joined with “{name}”: {shapes}, largest change {number(made.residual, 2)}.")
+
+    def _nearest_start(self) -> int | None:
+        """Return the open visible curve whose start is nearest to the end of the active one."""
+        views, active = self._session.views, self._session.active_index
+        end = views[active].points[-1]
+        others = [
+            (float(np.hypot(*(view.points[0] - end))), place)
+            for place, view in enumerate(views)
+            if place != active and view.source.visible and view.is_current and not view.source.is_closed
+        ]
+        return min(others)[1] if others else None
+
+    @action(
+        "splitCurve", "Split", CURVE_SHAPE, "Ctrl+K", "split", full_name="Split Curve", needs=UNLOCKED_CURVE
+    )
+    @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
+    def _split(self) -> None:
+        """Split the curve at the selected point, or at the scrub line."""
+        session, selected = self._session, self._session.selected
+        view = session.active_view
+        if selected is not None and (view.source.is_closed or 0 < selected < len(view.source.points) - 1):
+            self.split_at(float(view.parameters[selected]))
+        else:
+            self._at_scrub(self.split_at)
+
+    @action(
+        "reverseCurve",
+        "Reverse",
+        CURVE_SHAPE,
+        "Ctrl+R",
+        "reverse",
+        full_name="Reverse Curve",
+        needs=Need(TWO_POINTS.words, lambda now: len(now.view.source.points) > 1),
+    )
+    @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15))
+    def _reverse(self) -> None:
+        """Run through the curve the other way."""
+        view = self._session.active_view
+        if not view.is_current:
+            self._session.refuse(f"There is no curve to reverse. {view.problem}")
+            return
+        if self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
+            self._session.select([])
+
+    @action(
+        "closeCurve",
+        "Closed",
+        CURVE_SHAPE,
+        "C",
+        "closed",
+        full_name="Closed Curve",
+        checked=lambda now: now.view.source.is_closed,
+    )
+    @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16))
+    def _toggle_closed(self) -> None:
+        """Let the curve return smoothly to its first point, or open it."""
+        session, view = self._session, self._session.active_view
+        closed = not view.source.is_closed
+        session.change(
+            f"{'Close' if closed else 'Open'} {view.source.name}",
+            lambda document: with_closed(document, session.active_index, view, closed),
+        )
+
+    def _reshape(
+        self,
+        text: str,
+        make: Callable[[], Reshaped],
+        then: Callable[[Document], Document] = lambda document: document,
+        *,
+        active: int | None = None,
+    ) -> Reshaped | None:
+        """Put what `make` returns in the place of the active curve, and say what that changed."""
+        session, made = self._session, list[Reshaped]()
+
+        def edit(document: Document) -> Document:
+            made.append(make())
+            return then(curve_edits.replace_curve(document, session.active_index, made[0].curve))
+
+        if not session.change(text, edit, active=active):
+            return None
+        session.say(made[0].sentence)
+        return made[0]
+
+
+def _has_curve_beside(now: Situation, end: int) -> bool:
+    """Whether a curve can move towards that end of the list, 0 or -1; of several selected, some can."""
+    count = len(now.session.document.curves)
+    if len(now.selected) != 1:
+        return len(now.selected) < count
+    return now.session.active_index != range(count)[end]
+
+
+def _with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:
+    document = curve_edits.replace_curve(document, index, first)
+    for offset, curve in enumerate(others, start=1):
+        document = curve_edits.add_curve(document, index + offset, curve)
+    return document
+
+
+COMMAND_SETS = (CurveCommands,)

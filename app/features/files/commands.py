@@ -1,0 +1,49 @@
+"""New, open, save and quit."""
+
+from __future__ import annotations
+
+from app.actions.declaration import action, also
+from app.actions.sections import FILE_OPEN, FILE_QUIT, FILE_SAVE
+from app.actions.strips import TOOLBAR
+from app.features.files.work_commands import WorkCommands
+from app.workbench.context import WindowContext
+
+
+class DocumentCommands:
+    """What is done with a document as a whole."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+
+    @action("newDocument", "New", FILE_OPEN, "Ctrl+N", "new")
+    @also(TOOLBAR(10))
+    def _new(self) -> None:
+        """Start an empty document."""
+        self._context.files.new()
+        if not self._context.session.active_curve.points:
+            self._context.actions["addTool"].trigger()
+
+    @action("openDocument", "Open…", FILE_OPEN, "Ctrl+O", "open")
+    @also(TOOLBAR(11))
+    def _open(self) -> None:
+        """Open a document."""
+        self._context.files.ask_and_open()
+
+    @action("saveDocument", "Save", FILE_SAVE, "Ctrl+S", "save")
+    @also(TOOLBAR(12))
+    def _save(self) -> None:
+        """Save the document."""
+        self._context.files.save()
+
+    @action("saveDocumentAs", "Save As…", FILE_SAVE, "Ctrl+Shift+S", "save-as")
+    def _save_as(self) -> None:
+        """Save the document under another name."""
+        self._context.files.ask_and_save()
+
+    @action("quit", "Quit", FILE_QUIT, "Ctrl+Q", "quit")
+    def _quit(self) -> None:
+        """Close the window."""
+        self._context.window.close()
+
+
+COMMAND_SETS = (DocumentCommands, WorkCommands)

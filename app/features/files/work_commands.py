@@ -1,0 +1,51 @@
+"""What is being read or written: how far it is, and how it is stopped."""
+
+from __future__ import annotations
+
+from app.actions.declaration import action
+from app.actions.needs import Need
+from app.actions.sections import FILE_WORK
+from app.features.files.job_bar import JobBar
+from app.workbench.context import WindowContext
+
+_AFTER_HINT = 1
+
+
+class WorkCommands:
+    """Shows in the status line what goes on beside the window, and stops it."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._bar: JobBar | None = None
+        jobs = context.work.jobs
+        jobs.shown.connect(self._show_bar)
+        jobs.ended.connect(self._hide_bar)
+        jobs.progressed.connect(self._show_share)
+
+    @action(
+        "cancelWork",
+        "Stop What Is Running",
+        FILE_WORK,
+        "Ctrl+.",
+        "stop",
+        needs=Need("a file that is being read or written", lambda now: now.state.is_working),
+    )
+    def _cancel(self) -> None:
+        """Stop reading or writing; nothing changes."""
+        self._context.work.cancel()
+
+    def _show_bar(self, title: str) -> None:
+        if self._bar is None:
+            self._bar = JobBar(self._context.actions["cancelWork"])
+            self._context.status_line.insertPermanentWidget(_AFTER_HINT, self._bar)
+        self._bar.begin(title)
+        self._context.store.change(is_working=True)
+
+    def _hide_bar(self) -> None:
+        self._context.store.change(is_working=False)
+        if self._bar is not None:
+            self._bar.hide()
+
+    def _show_share(self, share: float, _word: str) -> None:
+        if self._bar is not None:
+            self._bar.show_share(share)

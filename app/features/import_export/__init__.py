@@ -1,0 +1,12 @@
+"""Import and export of other formats.
+
+- ``commands``: the actions.  ``import_series``: several files, one after the other.
+- ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
+- ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,
+  ``import_foot``, ``turn``: what a file holds, before it comes in.
+- ``work_dialog``, ``form_parts``: what the dialogs share.
+"""
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,362 @@
+"""Import and export: what comes in from other files, what goes out to them and to the clipboard."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from app import exchange
+from app.actions.declaration import action
+from app.actions.needs import Need
+from app.actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
+from app.document.import_edits import add_imported
+from app.document.model import Document
+from app.document.words import count_of, listed, number
+from app.exchange import table
+from app.exchange.formats import (
+    FORMATS,
+    ContentKind,
+    Written,
+    ending_in,
+    format_of,
+    is_document,
+    with_ending,
+)
+from app.exchange.options import Options
+from app.exchange.reading import import_file
+from app.exchange.writing import export
+from app.features import import_export
+from app.features.import_export.import_series import ImportSeries
+from app.storage.files import StorageError, read
+from app.tasks.progress import Report, part
+from app.workbench.clipboard import put_on_clipboard
+from app.workbench.context import WindowContext
+from app.workbench.document_files import file_stem
+
+if TYPE_CHECKING:
+    from app.exchange.choice import ExportChoice
+    from app.exchange.cubics_in import Imported
+    from app.exchange.table.prepared import PreparedTable
+    from app.exchange.table.source import TableSource
+    from app.exchange.table.table import Preview
+    from app.features.import_export.export_dialog import ExportDialog
+    from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
+    from app.features.import_export.import_table_dialog import ImportTableDialog
+
+# Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
+
+_SVG_TYPE = "image/svg+xml"
+_COPY_WIDTH = 1600
+_MOST_REMARKS = 3
+
+_ANY_CURVE = Need(
+    "a curve through two points or more",
+    lambda now: now.view.curve is not None or len(now.session.views) > 1,
+)
+
+
+class ExchangeCommands:
+    """Files of other formats, in and out, beside the window's own thread."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._work = context, context.work
+        self._session, self._preferences = context.session, context.preferences
+        self._dialog: ExportDialog | None = None
+        self._documents = self._meant_for = 0
+        self._series = ImportSeries(
+            self._begin, lambda: not self._work.jobs.is_busy, context.central.message_bar.warn
+        )
+        self._work.jobs.ended.connect(self._series.go_on)
+        context.session.opened.connect(self._count_document)
+        context.session.document_changed.connect(self._show_in_dialog)
+        context.session.active_changed.connect(self._show_in_dialog)
+
+    # In
+
+    @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
+    def _ask_and_import(self) -> None:
+        """Take in curves from SVG, DXF, a table or another document."""
+        folder = str(self._preferences.last_folder)
+        names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, _filters())
+        if names and not self._work.refuse_second():
+            self.import_files([Path(name) for name in names])
+
+    def import_file(self, path: Path) -> None:
+        """Read a file of another format and ask what is to become of it, or say why it cannot be read."""
+        if not self._work.refuse_second():
+            self.import_files([path])
+
+    def import_files(self, paths: Iterable[Path]) -> None:
+        """Import these one after the other, each when the one before has been answered."""
+        if not self._series.is_busy:
+            self._meant_for = self._documents
+        self._series.add(paths)
+
+    def close(self) -> None:
+        """Forget what waits to be imported."""
+        self._series.skip_rest()
+
+    def _begin(self, path: Path) -> None:
+        def work(report: Report) -> Imported | _OpenTable:
+            form = format_of(path, FORMATS.read)
+            if form.kind is not ContentKind.TABLE:
+                return import_file(path, report=report)
+            report(0.0, "Reading")
+            data = read(path)
+            if is_document(data):
+                return import_file(path, report=report)
+            return _opened_table(data, ending_in(path, form))
+
+        def done(found: Imported | _OpenTable) -> None:
+            if self._meant_for != self._documents:
+                self._give_up()
+                return
+            try:
+                self._ask_about(path, found)
+            except Exception:
+                self._series.end()
+                raise
+
+        if self._meant_for != self._documents:
+            # It has waited for other work, and another document must not get its curves.
+            self._give_up()
+        else:
+            self._work.start(f"Reading {path.name}", work, done, path, "imported", self._series.end)
+
+    def _count_document(self) -> None:
+        self._documents += 1
+
+    def _give_up(self) -> None:
+        """Leave out what was meant for another document than there is now."""
+        names = listed(self._series.skip_rest())
+        self._session.refuse(f"{names} not imported, for another document was opened meanwhile.")
+        self._series.end()
+
+    def _ask(self, dialog: ImportDrawingDialog | ImportTableDialog) -> None:
+        """Show the dialog of an import until it is answered or another document is opened."""
+
+        def leave() -> None:
+            dialog.rejected.disconnect(self._series.end)
+            dialog.reject()
+            self._give_up()
+
+        def skip_rest() -> None:
+            names = listed(self._series.skip_rest())
+            dialog.reject()
+            self._session.say(f"{names} left out.")
+
+        def release() -> None:
+            self._session.opened.disconnect(leave)
+            self._series.changed = None
+
+        self._session.opened.connect(leave)
+        dialog.finished.connect(release)
+        dialog.rejected.connect(self._series.end)
+        dialog.foot.rest_skipped.connect(skip_rest)
+        dialog.foot.show_turn(self._series.turn)
+        self._series.changed = dialog.foot.show_turn
+        _open(dialog)
+
+    def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
+        if isinstance(found, _OpenTable):
+            self._ask_about_table(path, found)
+        else:
+            self._ask_where(path, found)
+
+    def _ask_where(self, path: Path, found: Imported) -> None:
+        dialog = import_export.import_drawing_dialog.ImportDrawingDialog(
+            path.name, found, self._context.window
+        )
+        dialog.chosen.connect(lambda taken, anew: self._take_in(path, taken.document, taken.deviation, anew))
+        self._ask(dialog)
+
+    def _ask_about_table(self, path: Path, table: _OpenTable) -> None:
+
+        dialog = import_export.import_table_dialog.ImportTableDialog(
+            path.name, path.stem, table.source, table.preview, self._context.window
+        )
+        dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
+        self._ask(dialog)
+
+    def _take_table(self, path: Path, prepared: PreparedTable, anew: bool) -> None:
+        assert prepared.document is not None
+        self._take_in(path, prepared.document, prepared.deviation, anew)
+
+    def _take_in(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
+        """Add the curves, and go on with the next file."""
+        try:
+            self._add(path, new, deviation, anew)
+        finally:
+            # What comes next of the series goes where this one went.
+            self._meant_for = self._documents
+            self._series.end()
+
+    def _add(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
+        """Add the curves as one step, to this document or to a new one."""
+        if anew:
+            if not self._context.files.may_discard():
+                return
+            self._session.new()
+        document, first = add_imported(self._session.document, new)
+        if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
+            return
+        if first > 0:
+            # What came to others is put in its place as a whole.
+            self._session.select_curves(range(first, first + len(new.curves)))
+        self._preferences.last_folder = path.parent
+        # What is in sight stays where the person put it, but for a document that holds nothing else.
+        if first == 0 or not self._context.central.canvas.framing.shows_curves_from(first):
+            self._context.actions["fitView"].trigger()
+        count = sum(len(curve.points) for curve in new.curves)
+        what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
+        exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
+        self._session.say(f"Imported {path.name}: {what}, {exact}.")
+
+    # Out
+
+    @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
+    def _ask_and_export(self) -> None:
+        """Export a picture, splines, code or numbers."""
+        if self._dialog is None:
+            self._dialog = import_export.export_dialog.ExportDialog(
+                exchange.choice.choice_from(self._preferences.export_choice), self._context.window
+            )
+            self._dialog.chosen.connect(self._ask_where_to)
+            self._dialog.finished.connect(self._release_dialog)
+        self._show_in_dialog()
+        _open(self._dialog)
+
+    def _release_dialog(self) -> None:
+        self._dialog = None
+
+    def _show_in_dialog(self) -> None:
+        if self._dialog is not None:
+            preferences, session = self._preferences, self._session
+            self._dialog.show_document(
+                session.document,
+                session.active_index,
+                preferences.unit_name,
+                with_estimates=preferences.with_estimates,
+            )
+
+    def _ask_where_to(self, choice: ExportChoice) -> None:
+
+        self._preferences.export_choice = exchange.choice.text_of(choice)
+        start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
+        kind = f"{choice.format.title} (*{choice.ending})"
+        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", str(start), kind)
+        if not name:
+            return
+        path = with_ending(Path(name), choice.ending)
+        if path != Path(name) and path.exists():
+            # The dialog asked about the name that was typed, if it asked at all.
+            there = StorageError("It is there already; choose it in the list to replace it.")
+            self._work.refuse(path, "written", there)
+            return
+        preferences = self._preferences
+        with_estimates = preferences.with_estimates
+        active, unit = self._session.active_index, preferences.unit_name
+        self.export(path, choice.options(active, unit, with_estimates=with_estimates))
+
+    def export(self, path: Path, options: Options | None = None) -> None:
+        """Write the document in the format that the ending names, and say how exactly."""
+        document, unit = self._session.document, self._preferences.unit_name
+
+        def work(report: Report) -> Written:
+            return export(document, path, (options or Options(unit=unit)).reporting(report))
+
+        self._work.start(
+            f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
+        )
+
+    def _say_written(self, path: Path, written: Written) -> None:
+        self._preferences.last_folder = path.parent
+        away = written.deviation
+        what = f"at most {number(away, 2)} from the true curve" if away else "exact"
+        if written.pixels is not None:
+            # Pixels are not exact, whatever they were painted from.
+            what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
+        self._session.say(f"Wrote {path.name}, {what}.")
+        self._warn_of(written.remarks)
+
+    def _warn_of(self, remarks: Sequence[str]) -> None:
+        """Say what was left out of a file that was written."""
+        more = [f"And {len(remarks) - _MOST_REMARKS} more."] if len(remarks) > _MOST_REMARKS else []
+        if remarks:
+            self._context.central.message_bar.warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
+
+    # To the clipboard
+
+    @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
+    def _copy_image(self) -> None:
+        """Copy all curves as a picture without paper, PNG and SVG."""
+        document, unit = self._session.document, self._preferences.unit_name
+
+        def work(report: Report) -> tuple[bytes, bytes]:
+
+            options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
+            png = exchange.png_file(document, options).data
+            return png, exchange.svg_of(document, Options(unit=unit, report=part(report, 0.5, 1.0))).data
+
+        self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
+
+    def _put_image(self, pictures: tuple[bytes, bytes]) -> None:
+        png, svg = pictures
+        data = QMimeData()
+        data.setData("image/png", png)
+        data.setData(_SVG_TYPE, svg)
+        data.setImageData(QImage.fromData(png))
+        put_on_clipboard(data)
+        self._session.say("Copied the curves as an image: PNG without paper, and SVG.")
+
+    @action("copyPathData", "Copy as SVG Path", EDIT_COPY_AS, needs=_ANY_CURVE)
+    def _copy_path_data(self) -> None:
+        """Copy all curves as the path data of an SVG."""
+        document = self._session.document
+
+        def work(report: Report) -> Written:
+
+            return exchange.svg_path_data(document, Options(report=report))
+
+        def done(written: Written) -> None:
+            QGuiApplication.clipboard().setText(written.text)
+            self._session.say("Copied the curves as SVG path data.")
+            self._warn_of(written.remarks)
+
+        self._work.start("Writing path data", work, done, Path("The path data"), "copied")
+
+
+@dataclass(frozen=True)
+class _OpenTable:
+    """A table that was read so far that somebody can say what its columns are."""
+
+    source: TableSource
+    preview: Preview
+
+
+def _opened_table(data: bytes, ending: str) -> _OpenTable:
+
+    source = table.source.TableSource(data, ending)
+    return _OpenTable(source, source.preview())
+
+
+def _filters() -> str:
+    """Return the kinds of files for the dialog that asks for one."""
+    everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
+    kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
+    return ";;".join([everything, *kinds, "All files (*)"])
+
+
+def _open(dialog: QWidget) -> None:
+    dialog.show()
+    dialog.raise_()
+    dialog.activateWindow()
+
+
+COMMAND_SETS = (ExchangeCommands,)

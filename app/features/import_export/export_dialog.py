@@ -1,0 +1,174 @@
+"""Export dialog: a format, its options, and a preview of pictures."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.appearance.theme import DARK, LIGHT, mix
+from app.document.expression import ExpressionError
+from app.document.model import Document
+from app.exchange.choice import ExportChoice
+from app.exchange.drawing.image import PicturePreview
+from app.exchange.errors import ExchangeError
+from app.exchange.options import DARK_PAPER
+from app.features.import_export.export_form import ExportForm
+from app.features.import_export.form_parts import buttons
+from app.features.import_export.work_dialog import WorkDialog
+from app.qt.labels import Label
+from app.tasks.progress import Report
+
+_SOON_MS = 120
+_WIDTH, _HEIGHT = 300, 260
+_SQUARE = 8
+
+
+class ExportDialog(WorkDialog):
+    """Asks for the options first; where to write is asked next.
+
+    Signals
+    -------
+    chosen
+        The person wants a file: the `ExportChoice`.
+    """
+
+    chosen = Signal(object)
+
+    def __init__(self, choice: ExportChoice, parent: QWidget | None = None) -> None:
+        super().__init__("exportDialog", "Export", "exportProblem", parent)
+        self._document: Document | None = None
+        self._active, self._unit, self._with_estimates = 0, "", False
+        self.form = ExportForm()
+        self.picture = Label()
+        self.picture.setObjectName("exportPreview")
+        self.picture.setAccessibleName("Preview")
+        self.picture.setToolTip("What the picture will look like; squares stand for no paper")
+        self.picture.setFixedSize(_WIDTH, _HEIGHT)
+        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.size_label = Label()
+        self.size_label.setObjectName("exportSize")
+        self.size_label.setWordWrap(True)
+        self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+        self.told = Label()
+        self.told.setObjectName("exportColoursTold")
+        self.told.setTextFormat(Qt.TextFormat.PlainText)
+        self.told.setWordWrap(True)
+        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._look)
+        self._lay_out()
+        self.form.changed.connect(self._render)
+        self.form.show_choice(choice)
+        self._render()
+
+    def _lay_out(self) -> None:
+        foot, self.ok = buttons("Export…", "exportFile", "Choose where to write it", "cancelExport")
+        foot.accepted.connect(self._export)
+        foot.rejected.connect(self.reject)
+        self.look = QWidget()
+        seen = QVBoxLayout(self.look)
+        seen.setContentsMargins(0, 0, 0, 0)
+        seen.addWidget(self.picture)
+        seen.addWidget(self.size_label)
+        seen.addWidget(self.told)
+        seen.addStretch(1)
+        columns = QHBoxLayout()
+        columns.setSpacing(18)
+        columns.addWidget(self.form, 1)
+        columns.addWidget(self.look)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(16, 14, 16, 0)
+        layout.addLayout(columns)
+        self.hold(self.problem, foot, wished=QSize(690, 400))
+
+    def show_document(
+        self, document: Document, active: int, unit: str = "", *, with_estimates: bool = False
+    ) -> None:
+        """Show what this document would look like.
+
+        For the others see `ExportChoice.options`.
+        """
+        self._document, self._active, self._unit = document, active, unit
+        self._with_estimates = with_estimates
+        self.form.show_unit(unit)
+        self._soon.start()
+
+    def _render(self) -> None:
+        """Show what belongs to the format."""
+        try:
+            choice = self.form.choice()
+        except ExpressionError as reason:
+            self.complain(str(reason))
+            self.ok.setEnabled(False)
+            return
+        self.complain("")
+        self.ok.setEnabled(True)
+        self.ok.setToolTip(f"Choose where to write the {choice.format.title}")
+        self.look.setVisible(choice.format.preview is not None)
+        self._soon.start()
+
+    def _look(self) -> None:
+        document, active = self._document, self._active
+        self.jobs.cancel()
+        if document is None or not self.look.isVisible():
+            return
+        try:
+            choice = self.form.choice()
+        except ExpressionError:
+            return  # that has been said
+        preview = choice.format.preview
+        assert preview is not None
+        options = choice.options(active, self._unit, with_estimates=self._with_estimates)
+        room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
+
+        def draw(_report: Report) -> PicturePreview:
+            return preview(document, options, room)
+
+        self.jobs.start("Drawing", draw, self._show_look, self._refuse)
+
+    def _show_look(self, seen: PicturePreview) -> None:
+        try:
+            choice = self.form.choice()
+        except ExpressionError:
+            return  # typed while it was drawn, and said
+        # As the picture will be looked at, not as this window is.
+        theme = DARK if choice[DARK_PAPER] else LIGHT
+        squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
+        self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
+        self.size_label.setText(seen.size)
+        self.told.setText(seen.moved)
+        self.complain("")
+        self.ok.setEnabled(True)
+
+    def _refuse(self, problem: Exception) -> None:
+        if not isinstance(problem, ExchangeError):
+            raise problem
+        self.picture.clear()
+        self.size_label.clear()
+        self.told.clear()
+        self.complain(str(problem))
+        self.ok.setEnabled(False)
+
+    def _export(self) -> None:
+        self.chosen.emit(self.form.choice())
+        self.accept()
+
+
+def _on_squares(image: QImage, ratio: float, colours: tuple[QColor, QColor]) -> QPixmap:
+    """Return a picture on a chessboard that shows where it has no paper."""
+    image.setDevicePixelRatio(ratio)
+    result = QPixmap(image.size())
+    result.setDevicePixelRatio(ratio)
+    result.fill(colours[0])
+    painter = QPainter(result)
+    side = image.deviceIndependentSize()
+    for row in range(int(side.height() // _SQUARE) + 1):
+        for column in range(row % 2, int(side.width() // _SQUARE) + 1, 2):
+            painter.fillRect(column * _SQUARE, row * _SQUARE, _SQUARE, _SQUARE, colours[1])
+    painter.drawImage(0, 0, image)
+    painter.end()
+    return result

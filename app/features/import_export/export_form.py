@@ -1,0 +1,121 @@
+"""The options of an export, of each format those that concern it: a row for each record."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QWidget
+
+from app.document.expression import ExpressionError
+from app.exchange.choice import ExportChoice, chosen, offered_options
+from app.exchange.formats import FORMATS
+from app.exchange.options import TRUE_SIZE, Option
+from app.exchange.units import known_unit
+from app.features.import_export.export_fields import field_for, in_columns
+from app.features.import_export.form_parts import choice_box
+from app.qt.labels import Label
+
+
+class ExportForm(QWidget):
+    """Boxes and fields for an `ExportChoice`.
+
+    Signals
+    -------
+    changed
+        The person chose something else.
+
+    Attributes
+    ----------
+    fields
+        One for each option of any format, by the options' names.
+    """
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("exportForm")
+        self._shown = ExportChoice()
+        self._formats = FORMATS.offered
+        titles = [each.title for each in self._formats]
+        self.format_box = choice_box("exportFormat", "Format", "What kind of file to write", titles)
+        self.format_box.activated.connect(self._change)
+        self._description = Label()
+        self._description.setObjectName("exportDescription")
+        self._description.setWordWrap(True)
+        self._options = offered_options()
+        self.fields = {each.name: field_for(each, self._change) for each in self._options}
+        self._rows: list[tuple[QWidget, tuple[Option[Any], ...]]] = []
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        self._form = form = QFormLayout(self)
+        form.setContentsMargins(0, 0, 0, 0)
+        form.setHorizontalSpacing(14)
+        form.setVerticalSpacing(8)
+        form.addRow("Format", self.format_box)
+        form.addRow("", self._description)
+        for label, group in groupby(self._options, lambda option: option.label):
+            options = tuple(group)
+            widgets = [self.fields[each.name].widget for each in options]
+            row = widgets[0] if len(widgets) == 1 else in_columns(widgets, 2)
+            form.addRow(label, row)
+            self._rows.append((row, options))
+
+    def show_choice(self, choice: ExportChoice) -> None:
+        """Show these options, those that concern the format."""
+        self.format_box.setCurrentIndex(self._formats.index(choice.format))
+        for option in self._options:
+            self.fields[option.name].show(choice[option])
+        self._shown = choice
+        self._show_rows(choice)
+
+    def show_unit(self, name: str) -> None:
+        """Offer true size in this unit, if it is one of length."""
+        unit = known_unit(name)
+        check = self.fields[TRUE_SIZE.name].widget
+        assert isinstance(check, QCheckBox)
+        check.setEnabled(bool(unit))
+        check.setText(f"True size, 1 is 1 {unit}" if unit else "True size")
+        why = f"“{name}” is no unit of length" if name else "No unit is set"
+        tip = (
+            f"A length of one in the document is 1 {unit} in the file" if unit else f"{why}; see Preferences"
+        )
+        check.setToolTip(tip)
+
+    def _show_rows(self, choice: ExportChoice) -> None:
+        self._description.setText(choice.format.description)
+        shown = choice.shown()
+        for row, options in self._rows:
+            self._form.setRowVisible(row, any(each in shown for each in options))
+            if len(options) > 1:
+                for each in options:
+                    self.fields[each.name].widget.setVisible(each in shown)
+
+    def choice(self) -> ExportChoice:
+        """Return what is chosen.
+
+        Raises
+        ------
+        ExpressionError
+            If no column is, or a number that concerns the format is out of its range.
+        """
+        values = {each: self.fields[each.name].value() for each in self._options}
+        choice = chosen(self._formats[self.format_box.currentIndex()].ending, values)
+        problems = (self.fields[each.name].problem() for each in choice.shown())
+        if problem := next(filter(None, problems), ""):
+            raise ExpressionError(problem)
+        return choice
+
+    def _change(self) -> None:
+        try:
+            choice = self.choice()
+        except ExpressionError:
+            self.changed.emit()  # whoever hears it asks for the choice, and says so
+            return
+        if choice != self._shown:
+            self._shown = choice
+            self._show_rows(choice)
+            self.changed.emit()

@@ -1,0 +1,98 @@
+"""Import dialog for drawings and documents: their content, before its curves come in."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document.words import count_of, number
+from app.exchange.cubics_in import Imported
+from app.features.import_export.form_parts import into_box
+from app.features.import_export.group_tree import GroupTree
+from app.features.import_export.import_foot import ImportFoot
+from app.qt.labels import Label
+from app.widgets.fitting import FittedDialog
+
+_MOST_REMARKS = 8
+
+
+class ImportDrawingDialog(FittedDialog):
+    """Says what was found and asks where it goes.
+
+    Signals
+    -------
+    chosen
+        The person wants it: what is `Imported`, and whether it is to become a new document.
+    """
+
+    chosen = Signal(object, bool)
+
+    def __init__(self, title: str, found: Imported, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("importDrawingDialog")
+        self.setWindowTitle(f"Import {title}")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._found = found
+        self.groups = GroupTree(found.groups) if len(set(found.groups)) > 1 else None
+        self.summary = Label(_summary(found))
+        self.summary.setObjectName("importSummary")
+        self.remarks = Label(_remarks(found))
+        self.remarks.setObjectName("importRemarks")
+        self.remarks.setWordWrap(True)
+        self.remarks.setVisible(bool(found.remarks))
+        self.into = into_box()
+        into = QHBoxLayout()
+        into.addWidget(Label("Into"))
+        into.addWidget(self.into)
+        into.addStretch(1)
+        self.foot = ImportFoot(self, "importDrawing", "Take the curves in")
+        self.ok = self.foot.ok
+        self.foot.box.accepted.connect(self._import)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(16, 14, 16, 0)
+        layout.setSpacing(10)
+        layout.addWidget(self.summary)
+        if self.groups is not None:
+            layout.addWidget(self.groups, 1)
+            self.groups.chosen.connect(self._show_taken)
+        layout.addWidget(self.remarks)
+        layout.addLayout(into)
+        if self.groups is None:
+            layout.addStretch(1)
+        self.hold(self.foot, wished=QSize(380, 0))
+
+    def _taken(self) -> list[bool]:
+        return self.groups.taken if self.groups is not None else [True] * len(self._found.document.curves)
+
+    def _show_taken(self) -> None:
+        """Say how much of the drawing is taken; without a curve there is nothing to import."""
+        taken = self._taken()
+        self.ok.setEnabled(any(taken))
+        some = self._found if all(taken) or not any(taken) else self._found.only(taken)
+        self.summary.setText(_summary(some, sum(taken), len(taken)))
+
+    def _import(self) -> None:
+        # First, for a new document closes the dialogs of the one before.
+        self.accept()
+        self.chosen.emit(self._found.only(self._taken()), self.into.currentIndex() == 1)
+
+
+def _summary(found: Imported, taken: int = 1, of: int = 1) -> str:
+    """Return what is taken of so many curves."""
+    if not taken:
+        return f"None of {of} curves; choose at least one group."
+    curves = found.document.curves
+    points = sum(len(curve.points) for curve in curves)
+    exact = f"at most {number(found.deviation, 2)} from the file" if found.deviation else "exact"
+    some = f"{taken} of {of} curves" if taken < of else count_of(len(curves), "curve")
+    return f"{some} with {count_of(points, 'point')}, {exact}."
+
+
+def _remarks(found: Imported) -> str:
+    lines = list(found.remarks[:_MOST_REMARKS])
+    more = len(found.remarks) - len(lines)
+    return "\n".join([*lines, *([f"… and {more} more."] if more else [])])

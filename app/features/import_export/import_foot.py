@@ -1,0 +1,50 @@
+"""The buttons at the foot of an import; where more files wait, what becomes of those."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QPushButton, QWidget
+
+from app.document.words import count_of
+from app.features.import_export.form_parts import buttons
+from app.features.import_export.turn import Turn
+
+
+class ImportFoot(QWidget):
+    """Import and Cancel; while other files wait, Skip and Skip the Rest.
+
+    Signals
+    -------
+    rest_skipped
+        The person wants neither this file nor those that wait.
+    """
+
+    rest_skipped = Signal()
+
+    def __init__(self, dialog: QDialog, name: str, tip: str) -> None:
+        super().__init__()
+        self._dialog, self._title = dialog, dialog.windowTitle()
+        self.box, self.ok = buttons("Import", name, tip, "cancelImport")
+        self.box.rejected.connect(dialog.reject)
+        self._cancel = self.box.button(QDialogButtonBox.StandardButton.Cancel)
+        self._words, self._tip = self._cancel.text(), self._cancel.toolTip()
+        self.rest = QPushButton("Skip the Rest")
+        self.rest.setObjectName("skipRest")
+        self.rest.setAutoDefault(False)
+        self.rest.clicked.connect(self.rest_skipped)
+        self.rest.hide()
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.rest)
+        layout.addWidget(self.box, 1)
+
+    def show_turn(self, turn: Turn) -> None:
+        """Say which file of how many this is, and offer to leave out what waits."""
+        self._dialog.setWindowTitle(
+            f"{self._title} ({turn.place} of {turn.count})" if turn.count > 1 else self._title
+        )
+        waits = turn.waiting > 0
+        self._cancel.setText("Skip" if waits else self._words)
+        self._cancel.setToolTip("Leave out this file and go on to the next (Esc)" if waits else self._tip)
+        self.rest.setToolTip(f"Leave out this file and the {count_of(turn.waiting, 'file')} after it")
+        self.rest.setVisible(waits)

@@ -1,0 +1,78 @@
+"""Files to be imported one after the other: the next is asked about when this one has been answered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from app.features.import_export.turn import Turn
+
+
+class ImportSeries:
+    """The files of a drop, or a single one, on their way in.
+
+    Parameters
+    ----------
+    begin
+        Reads a file and asks about it; calls `end` when that is over, however it ended.
+    is_free
+        Whether a file can be read now.
+    warn
+        Shows what could not be imported.
+
+    Attributes
+    ----------
+    changed
+        Called with the turn when more files have come while one is asked about.
+    """
+
+    def __init__(
+        self, begin: Callable[[Path], None], is_free: Callable[[], bool], warn: Callable[[str], None]
+    ) -> None:
+        self._begin, self._is_free, self._warn = begin, is_free, warn
+        self._now: Path | None = None
+        self._waiting: list[Path] = []
+        self._place = 0
+        self._problems: list[str] = []
+        self.changed: Callable[[Turn], object] | None = None
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a file is being read or asked about, or waits for that."""
+        return self._now is not None or bool(self._waiting)
+
+    @property
+    def turn(self) -> Turn:
+        """Which file of how many is on its way now."""
+        return Turn(self._place, self._place + len(self._waiting))
+
+    def add(self, paths: Iterable[Path]) -> None:
+        """Import these, after those that came before."""
+        self._waiting += paths
+        if self.changed is not None:
+            self.changed(self.turn)
+        self.go_on()
+
+    def go_on(self) -> None:
+        """Begin with the next file, if it can be read now."""
+        if self._now is None and self._waiting and self._is_free():
+            self._now = self._waiting.pop(0)
+            self._place += 1
+            self._begin(self._now)
+
+    def end(self, problem: str = "") -> None:
+        """Go on with the next file; `problem` says why this one was not imported."""
+        self._now = None
+        self._problems += [problem] if problem else []
+        if self._problems:
+            # All of them each time: what comes in meanwhile takes the sentence away.
+            self._warn(" ".join(self._problems))
+        if not self._waiting:
+            self._place, self._problems = 0, []
+        self.go_on()
+
+    def skip_rest(self) -> list[str]:
+        """Forget the files that wait; return the names of the one that is asked about and of these."""
+        left = [path.name for path in (self._now, *self._waiting) if path is not None]
+        self._waiting.clear()
+        return left

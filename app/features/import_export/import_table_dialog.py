@@ -1,0 +1,345 @@
+"""A table before it becomes curves: what its columns are, what is wrong with it, how many points it gives."""
+
+from __future__ import annotations
+
+from functools import partial
+from itertools import pairwise
+
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QHBoxLayout,
+    QProgressBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.appearance.theme import theme_of
+from app.document.expression import ExpressionError, parse_number
+from app.document.words import count_of, number
+from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
+from app.exchange.table.curves import Missing
+from app.exchange.table.layout import TextLayout
+from app.exchange.table.prepared import MANY_ROWS, MOST_POINTS, PreparedTable, TableChoice, prepare_table
+from app.exchange.table.source import TableSource
+from app.exchange.table.table import Preview
+from app.exchange.table.thinning import Thinning
+from app.families import FAMILIES, HERMITE
+from app.features.import_export.form_parts import choice_box, into_box
+from app.features.import_export.import_foot import ImportFoot
+from app.features.import_export.table_preview import TablePreview
+from app.features.import_export.work_dialog import WorkDialog
+from app.qt.labels import Label, tip_of
+from app.widgets.field_edit import FieldEdit
+from app.widgets.number_text import decimal_mark
+
+IGNORE = "ignore"
+_SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
+_THINNINGS = (None, *Thinning)
+_THINNING_TIP = (
+    "Fit a curve: as few points as a smooth curve needs to pass all rows within the distance. "
+    "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
+)
+_SOON_MS = 250
+
+
+class ImportTableDialog(WorkDialog):
+    """Shows the first rows of a table and asks what they mean; what comes of it is computed beside.
+
+    Signals
+    -------
+    chosen
+        The person wants the curves: a `PreparedTable`, and whether they are to become a new document.
+    """
+
+    chosen = Signal(object, bool)
+
+    def __init__(
+        self, title: str, stem: str, source: TableSource, preview: Preview, parent: QWidget | None = None
+    ) -> None:
+        super().__init__("importTableDialog", f"Import {title}", "tableProblem", parent)
+        self._source, self._stem, self._layout_now = source, stem, preview.layout
+        self._preview = preview
+        self._prepared: PreparedTable | None = None
+        self._tolerance: float | None = None
+        self._build()
+        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._use_typed)
+        self._connect()
+        if source.lines > MANY_ROWS:
+            self.thinning_box.setCurrentIndex(_THINNINGS.index(Thinning.CURVE))
+        self._show_preview(preview)
+        self._prepare()
+
+    # Building
+
+    def _build(self) -> None:
+        self.separator_box = choice_box(
+            "tableSeparator", "Separator", "What stands between two cells", list(_SEPARATORS.values())
+        )
+        self.comma_check = _check("tableComma", "Decimal comma", "Numbers are written 0,5")
+        self.header_check = _check("tableHeader", "First row holds titles", "The first row is no point")
+        self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
+        self.said = Label(wordWrap=True)
+        self.said.setObjectName("tableSaid")
+        self.missing_box = choice_box(
+            "tableMissing",
+            "Rows without numbers",
+            "What becomes of rows without numbers",
+            [each.label for each in Missing],
+        )
+        label = Label("Rows without numbers")
+        label.setObjectName("tableMissingLabel")
+        label.setBuddy(self.missing_box)
+        self._missing = QWidget()
+        row = _row(label, self.missing_box)
+        row.setContentsMargins(0, 0, 0, 0)
+        self._missing.setLayout(row)
+        self._missing.hide()
+        self.family_box = choice_box(
+            "tableFamily", "Family", "The curve through the rows", [family.label for family in FAMILIES]
+        )
+        self.family_box.setCurrentIndex(FAMILIES.index(HERMITE))
+        titles = ["Keep every row", *(each.label for each in Thinning)]
+        self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, titles)
+        self.tolerance_edit = FieldEdit(
+            "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
+        )
+        self.tolerance_edit.setMaximumWidth(110)
+        self.into = into_box()
+        self.summary = Label()
+        self.summary.setObjectName("tableSummary")
+        # Its room stays, so that nothing jumps when there is something to say, or no longer.
+        self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
+        self.problem.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        self.problem.show()
+        self.bar = QProgressBar()
+        self.bar.setObjectName("tableProgress")
+        self.bar.setAccessibleName("Progress")
+        self.bar.setToolTip("How far the reading has come")
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedSize(120, 8)
+        self.foot = ImportFoot(self, "importTable", "Make curves of the rows")
+        self.ok = self.foot.ok
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(16, 14, 16, 0)
+        layout.setSpacing(10)
+        layout.addLayout(_row("Separator", self.separator_box, self.comma_check, self.header_check))
+        layout.addWidget(self.preview, 1)
+        layout.addWidget(self.said)
+        layout.addLayout(
+            _row("Rows", self.thinning_box, self.tolerance_edit, "Family", self.family_box, "Into", self.into)
+        )
+        layout.addWidget(self.problem)
+        layout.addWidget(self._missing)
+        foot = QWidget()
+        bottom = _row(self.summary, self.bar)
+        bottom.addWidget(self.foot)
+        bottom.setContentsMargins(0, 0, 0, 0)
+        foot.setLayout(bottom)
+        self.hold(foot, wished=QSize(760, 560))
+
+    def _connect(self) -> None:
+        self.separator_box.activated.connect(self._choose_layout)
+        self.comma_check.clicked.connect(self._choose_layout)
+        self.header_check.clicked.connect(self._choose_layout)
+        self.preview.head.chosen.connect(self._prepare)
+        self.family_box.activated.connect(self._prepare)
+        self.missing_box.activated.connect(self._prepare)
+        self.thinning_box.activated.connect(self._choose_thinning)
+        self.tolerance_edit.committed.connect(self._type_tolerance)
+        self.tolerance_edit.textEdited.connect(self._type_soon)
+        self.foot.box.accepted.connect(self._import)
+        self.jobs.progressed.connect(self._show_share)
+        self.jobs.shown.connect(lambda _title: self.bar.show())
+        self.jobs.ended.connect(self.bar.hide)
+        self.bar.hide()
+
+    # What the person did
+
+    def _choose_layout(self) -> None:
+        separator = list(_SEPARATORS)[self.separator_box.currentIndex()]
+        comma = self.comma_check.isChecked() and separator != ","
+        has_header = self.header_check.isChecked()
+        units = self._layout_now.units and has_header
+        self._layout_now = TextLayout(separator, comma, has_header, self._layout_now.skipped, units)
+        self._show_preview(self._source.preview(self._layout_now))
+        self._prepare()
+
+    def _choose_thinning(self) -> None:
+        self._tolerance = None
+        self._prepare()
+
+    def _type_soon(self) -> None:
+        # Half a number is no order; whoever has stopped typing wants to see what it gives.
+        self.jobs.cancel()
+        self._prepared = None
+        self.ok.setEnabled(False)
+        self._soon.start()
+
+    def _type_tolerance(self, text: str) -> None:
+        try:
+            self._tolerance = _distance(text)
+        except ExpressionError as reason:
+            self.tolerance_edit.keep()
+            self._show(PreparedTable(problem=str(reason)))
+            return
+        self._prepare()
+
+    def _use_typed(self) -> None:
+        """Take what is being typed for what is meant; it may still be changed."""
+        try:
+            self._tolerance = _distance(self.tolerance_edit.text())
+        except ExpressionError as reason:
+            self._show(PreparedTable(problem=str(reason)))
+            return
+        self._prepare()
+
+    def _mapping(self) -> ColumnMapping | None:
+        roles = {role: column for column, role in enumerate(self.preview.head.roles) if role != IGNORE}
+        return ColumnMapping(**roles) if {"x", "y"} <= set(roles) else None
+
+    def _import(self) -> None:
+        if self._prepared is not None and self._prepared.document is not None and not self.jobs.is_busy:
+            prepared = self._prepared
+            # First, for a new document closes the dialogs of the one before.
+            self.accept()
+            self.chosen.emit(prepared, self.into.currentIndex() == 1)
+
+    # What comes of it
+
+    def _prepare(self) -> None:
+        """Compute what becomes of the table under the present choices."""
+        self._soon.stop()
+        self.jobs.cancel()
+        self._prepared = None
+        self.ok.setEnabled(False)
+        thinning = _THINNINGS[self.thinning_box.currentIndex()]
+        self.tolerance_edit.setEnabled(thinning is not None)
+        self.family_box.setEnabled(thinning is None)
+        self.family_box.setToolTip(
+            "The curve through the rows" if thinning is None else "Thinned out, rows become a Hermite curve"
+        )
+        mapping = self._mapping()
+        self._say_columns(mapping)
+        if mapping is None:
+            self._show(PreparedTable(problem="Say which columns are x and y."))
+            return
+        family = FAMILIES[self.family_box.currentIndex()]
+        missing = list(Missing)[self.missing_box.currentIndex()]
+        choice = TableChoice(
+            self._layout_now, mapping, family, thinning, self._tolerance, self._stem, missing
+        )
+        self.summary.setText("Reading…")
+        self.bar.setValue(0)
+        source = self._source
+        self.jobs.start("Reading", partial(prepare_table, source, choice), self._show, self._fail)
+
+    def _say_columns(self, mapping: ColumnMapping | None) -> None:
+        """Say what was taken for what, and where that is no more than a guess."""
+        preview = self._preview
+        is_guess = mapping is not None and mapping == preview.mapping and not preview.guess.is_certain
+        words = words_on(mapping, preview.titles) if mapping is not None else ""
+        doubt = "This is a guess; choose above the columns what they are." if is_guess else ""
+        self.said.setText(" ".join(filter(None, (preview.said, words, doubt))))
+
+    def _show_preview(self, preview: Preview) -> None:
+        self.separator_box.setCurrentIndex(list(_SEPARATORS).index(preview.layout.separator))
+        self.comma_check.setChecked(preview.layout.decimal_comma)
+        self.header_check.setChecked(preview.layout.header)
+        is_comma = preview.layout.separator == ","
+        for choice in (self.separator_box, self.comma_check, self.header_check):
+            choice.setEnabled(preview.is_text and (choice is not self.comma_check or not is_comma))
+        self._preview = preview
+        columns = preview.mapping.columns((*ROLES, *AFTER, *WORDS)) if preview.mapping else {}
+        roles = [IGNORE] * len(preview.titles)
+        for role, column in columns.items():
+            roles[column] = role
+        self.preview.show_table(preview.titles, preview.cells, preview.numbers, roles)
+        # The boxes are made late; without this the keyboard would reach them last.
+        chain = [self.header_check, *self.preview.head.boxes, self.preview, self.thinning_box]
+        for before, after in pairwise(chain):
+            self.setTabOrder(before, after)
+
+    def _show(self, prepared: PreparedTable) -> None:
+        self._prepared = prepared
+        if prepared.tolerance:
+            self._tolerance = prepared.tolerance
+            self.tolerance_edit.show_text(_shown(prepared.tolerance).replace("−", "-"))
+        self.complain(prepared.problem)
+        self._explain(prepared)
+        self._missing.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
+        self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
+        self.summary.setText(_summary(prepared))
+        self.ok.setEnabled(prepared.document is not None)
+        self.ok.setToolTip(tip_of(prepared.problem) or "Make curves of the rows")
+
+    def _fail(self, problem: Exception) -> None:
+        self.complain(str(problem))
+        raise problem
+
+    def complain(self, text: str) -> None:
+        """Say what is wrong; the room for it stays."""
+        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
+        self.problem.setText(f"⚠ {text}" if text else "")
+
+    def _explain(self, prepared: PreparedTable) -> None:
+        """Say what there is to say of the curves, where they can be made."""
+        lines = list(prepared.remarks)
+        if prepared.wider_than:
+            lines.append(
+                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
+                f"more than {MOST_POINTS:,} points."
+            )
+        if lines:
+            self.problem.setStyleSheet("")
+            self.problem.setText("\n".join(lines))
+
+    def _show_share(self, share: float, word: str) -> None:
+        self.summary.setText(f"{word}…")
+        self.bar.setValue(max(self.bar.value(), round(1000 * share)))
+
+
+def _distance(text: str) -> float | None:
+    """Return the distance that was typed; None for nothing, which leaves it to the program."""
+    if not text.strip():
+        return None
+    value = parse_number(text, decimal_mark())
+    if not value > 0:
+        raise ExpressionError("The distance must be greater than 0.")
+    return value
+
+
+def _shown(distance: float) -> str:
+    return number(distance, 6, decimal_mark())
+
+
+def _summary(prepared: PreparedTable) -> str:
+    if prepared.document is None:
+        return f"{prepared.rows:,} rows" if prepared.rows else ""
+    count = len(prepared.document.curves)
+    result = f"{prepared.rows:,} rows → {count_of(prepared.points, 'point')}"
+    result += f" in {count} curves" if count > 1 else ""
+    if prepared.tolerance:
+        result += f", at most {number(prepared.deviation, 2)} from the rows"
+    return result
+
+
+def _check(name: str, text: str, tip: str) -> QCheckBox:
+    check = QCheckBox(text)
+    check.setObjectName(name)
+    check.setToolTip(tip)
+    return check
+
+
+def _row(*parts: QWidget | str) -> QHBoxLayout:
+    row = QHBoxLayout()
+    row.setSpacing(8)
+    for part in parts:
+        row.addWidget(Label(part) if isinstance(part, str) else part)
+    row.addStretch(1)
+    return row

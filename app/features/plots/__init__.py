@@ -1,0 +1,4 @@
+"""Plots over t.
+
+- ``commands``: the actions.
+"""

@@ -1,0 +1,80 @@
+"""A document as a small picture."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen
+
+from app.appearance.theme import Theme
+from app.document.model import Curve, Document
+from app.exchange.drawing.drawing import Drawing, drawing_of
+from app.exchange.errors import ExchangeError
+
+_LINE, _POINT = 1.5, 2.0
+_MARGIN = 3.0
+
+_MOST_NODES = 200
+"""Of a larger document every so manieth point is joined by straight lines: its curves would take too long."""
+
+
+def thumbnail(document: Document, width: int, height: int, theme: Theme, ratio: float = 1.0) -> QImage:
+    """Return a picture of `width` × `height` pixels of a window with this device pixel ratio.
+
+    Where nothing can be drawn it is empty paper.
+    """
+    image = QImage(round(width * ratio), round(height * ratio), QImage.Format.Format_ARGB32_Premultiplied)
+    image.setDevicePixelRatio(ratio)
+    image.fill(theme.paper)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    try:
+        if sum(len(curve.points) for curve in document.curves) <= _MOST_NODES:
+            _paint_curves(painter, drawing_of(document).fitted(width, height), theme)
+        else:
+            _paint_points(painter, document, QRectF(0, 0, width, height), theme)
+    except ExchangeError:
+        pass  # a single point, for instance
+    finally:
+        painter.end()
+    return image
+
+
+def _paint_curves(painter: QPainter, drawing: Drawing, theme: Theme) -> None:
+    height = drawing.frame.height
+    for outline in drawing.outlines:
+        colour = QColor(outline.colour) if outline.colour else theme.curve
+        pieces = [[QPointF(x, height - y) for x, y in piece] for piece in outline.control_points.tolist()]
+        path = QPainterPath(pieces[0][0])
+        for _, *controls in pieces:
+            path.cubicTo(*controls)
+        painter.setPen(QPen(colour, _LINE))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(path)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        for x, y in outline.points.tolist():
+            painter.drawEllipse(QPointF(x, height - y), _POINT, _POINT)
+
+
+def _paint_points(painter: QPainter, document: Document, frame: QRectF, theme: Theme) -> None:
+    curves = [curve for curve in document.curves if curve.visible and curve.points]
+    if not curves:
+        return
+    places = np.array([point.position for curve in curves for point in curve.points])
+    low = places.min(axis=0)
+    size = np.maximum(places.max(axis=0) - low, np.finfo(float).tiny)
+    room = frame.adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
+    scale = min(room.width() / size[0], room.height() / size[1])
+    corner = np.array([room.center().x(), room.center().y()]) - scale * size / 2
+    for curve in curves:
+        flat = (_thinned(curve, len(places)) - low) * scale
+        flat[:, 1] = scale * size[1] - flat[:, 1]
+        painter.setPen(QPen(QColor(curve.colour) if curve.colour else theme.curve, _LINE))
+        painter.drawPolyline([QPointF(x, y) for x, y in (flat + corner).tolist()])
+
+
+def _thinned(curve: Curve, total: int) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
+    step = max(1, total // _MOST_NODES)
+    points = [*curve.points[::step], curve.points[-1]]
+    return np.array([point.position for point in points])

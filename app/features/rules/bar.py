@@ -1,0 +1,107 @@
+"""The rule for the parameters in the toolbar: a box and the exponent α."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
+
+from app.document.model import ParametrizationKind
+from app.qt.labels import Label
+from app.view_model.curve_view import CurveView
+from app.widgets.live_slider import LiveSlider
+from app.widgets.toolbar_widget import ToolbarWidget
+
+STEPS = 100
+"""Positions of the slider from α 0 to 1."""
+
+_SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 64
+
+
+class ParametrizationBar(ToolbarWidget):
+    """Chooses the rule that gives the t_i.
+
+    Signals
+    -------
+    kind_chosen
+        A rule was chosen in the box.
+    drag_changed
+        The slider is being dragged, or no longer.
+
+    Attributes
+    ----------
+    box, slider
+        The rules; the exponent α, in `STEPS`.
+    """
+
+    kind_chosen = Signal(object)
+    drag_changed = Signal(bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._view: CurveView | None = None
+        self.box = QComboBox()
+        self.box.setObjectName("parametrizationBox")
+        self.box.setAccessibleName("Parametrization")
+        self.box.setToolTip("The rule that gives the parameters t")
+        self.box.addItems([each.label for each in ParametrizationKind])
+        self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self._label = Label("Parameters")
+        self.slider = self._make_slider()
+        self._alpha = Label()
+        self._alpha.setObjectName("alphaValue")
+        self._alpha.setMinimumWidth(self._alpha.fontMetrics().horizontalAdvance("α 0.00"))
+        self._lay_out()
+        self.box.activated.connect(self._choose_kind)
+        self.slider.sliderPressed.connect(lambda: self.drag_changed.emit(True))
+        self.slider.drag_ended.connect(self._end_drag)
+
+    @staticmethod
+    def _make_slider() -> LiveSlider:
+        slider = LiveSlider(Qt.Orientation.Horizontal)
+        slider.setObjectName("alphaSlider")
+        slider.setAccessibleName("Exponent α of the power rule")
+        slider.setToolTip("Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length")
+        slider.setRange(0, STEPS)
+        slider.setFixedWidth(_SLIDER_WIDTH)
+        return slider
+
+    def _lay_out(self) -> None:
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(4, 0, 4, 0)
+        layout.setSpacing(6)
+        layout.addWidget(self._label)
+        layout.addWidget(self.box)
+        layout.addWidget(self.slider)
+        layout.addWidget(self._alpha)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+
+    def set_compact(self, compact: bool) -> None:
+        self._label.setVisible(not compact)
+        self.slider.setFixedWidth(_COMPACT_SLIDER_WIDTH if compact else _SLIDER_WIDTH)
+
+    def render_view(self, view: CurveView) -> None:
+        """Show the rule of `view`."""
+        self._view = view
+        rule = view.source.parametrization
+        self.box.setCurrentIndex(list(ParametrizationKind).index(rule.kind))
+        # Three of the rules are members of the power family; the slider shows where they stand.
+        alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
+        if not self.slider.isSliderDown():
+            self.slider.setValue(round(alpha * STEPS))
+        has_alpha = rule.kind.alpha is not None or rule.kind is ParametrizationKind.POWER
+        self.slider.setEnabled(has_alpha)
+        self._alpha.setEnabled(has_alpha)
+        self._alpha.setText(f"α {alpha:.2f}")
+
+    def _render_again(self) -> None:
+        """Show what is: the person may have chosen what was refused."""
+        if self._view is not None:
+            self.render_view(self._view)
+
+    def _choose_kind(self, index: int) -> None:
+        self.kind_chosen.emit(list(ParametrizationKind)[index])
+        self._render_again()
+
+    def _end_drag(self) -> None:
+        self._render_again()
+        self.drag_changed.emit(False)

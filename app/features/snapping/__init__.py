@@ -1,0 +1,4 @@
+"""Snapping, the grid's spacing and the unit.
+
+- ``commands``: the actions.
+"""

@@ -1,0 +1,43 @@
+"""Snapping, the grid's spacing and the unit, as the window's state has them."""
+
+from __future__ import annotations
+
+from app.actions.declaration import action, also
+from app.actions.sections import VIEW_DRAWING
+from app.actions.strips import CANVAS_MENU, TOOLBAR
+from app.state.window_state import WindowState
+from app.tools.snapping import Snapping
+from app.workbench.context import WindowContext
+
+
+class SnapCommands:
+    """Keeps the canvas in step with what was chosen about grid and snapping."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._show_state(None, context.store.state)
+        context.store.changed.connect(self._show_state)
+
+    def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
+        canvas = self._context.central.canvas
+        snapping = Snapping(state.snap_on, state.snap_kinds)
+        canvas.change_tool_settings(snapping=snapping, unit=state.unit_name)
+        canvas.drawing.grid.set_spacing(state.grid_spacing)
+        canvas.drawing.units.unit = state.unit_name
+        self._context.status_line.unit = state.unit_name
+
+    @action("toggleSnap", "Snap", VIEW_DRAWING, "Shift+S", "magnet", checked=lambda now: now.state.snap_on)
+    @also(TOOLBAR(62), CANVAS_MENU(32))
+    def _toggle(self) -> None:
+        """Snap to grid, points and curves; Ctrl while dragging turns it round."""
+        store = self._context.store
+        # Another window may have remembered other ones meanwhile.
+        store.read_preferences()
+        store.change(snap_on=not store.state.snap_on)
+        on = store.state.snap_on
+        self._context.session.say(
+            "Points snap; hold Ctrl not to." if on else "Points move freely; hold Ctrl to snap."
+        )
+
+
+COMMAND_SETS = (SnapCommands,)

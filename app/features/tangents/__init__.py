@@ -1,0 +1,4 @@
+"""Tangents at points: smooth, corner, straight, estimated, pulled out.
+
+- ``commands``: the actions.
+"""

@@ -1,0 +1,4 @@
+"""Transforms of points and curves: move, scale, rotate, align, distribute.
+
+- ``commands``: the actions.
+"""

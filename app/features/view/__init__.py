@@ -1,0 +1,4 @@
+"""View: tools, zoom, panels, presentation and theme.
+
+- ``commands``: the actions.
+"""

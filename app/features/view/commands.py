@@ -1,0 +1,310 @@
+"""Tools, zoom, panels, presentation and theme: nothing here changes the document."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget
+
+from app.actions.declaration import Action, action, action_for_each, also, also_for_each
+from app.actions.needs import CURVE_DRAWN, HERMITE_CURVE
+from app.actions.sections import (
+    EDIT_TOOLS,
+    VIEW_DRAWING,
+    VIEW_SHOWN,
+    VIEW_SIZE,
+    VIEW_THEME,
+    VIEW_ZOOM,
+)
+from app.actions.strips import CANVAS_MENU, TOOLBAR
+from app.appearance.theme import ThemeMode
+from app.plotting.scrolling import ZOOM_STEP
+from app.state.window_state import WindowState
+from app.tools.registry import TOOLS
+from app.tools.select import SELECT
+from app.tools.tool import ToolRecord
+from app.workbench.context import WindowContext
+from app.workbench.dock_room import hide_idle_docks
+from app.workbench.late_dock import LateDock
+
+_SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
+
+
+_THEMES = (
+    (ThemeMode.SYSTEM, "Theme: as the System", "Light or dark, as the system is"),
+    (ThemeMode.LIGHT, "Theme: Light", "Light colours"),
+    (ThemeMode.DARK, "Theme: Dark", "Dark colours"),
+)
+
+
+class ViewCommands:
+    """What changes how things are shown."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session, self._store = context.session, context.store
+        self._before_presentation = b""
+        self._before_folding = b""
+        pane = context.central.basis_pane
+        pane.offer_estimates(context.actions["toggleEstimates"])
+        pane.set_with_estimates(self._store.state.with_estimates)
+        self._store.changed.connect(self._show_state)
+
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        central = self._context.central
+        if after.grid != before.grid:
+            central.canvas.drawing.grid.set_visible(after.grid)
+        if after.basis != before.basis:
+            central.basis_pane.setVisible(after.basis)
+        if after.with_estimates != before.with_estimates:
+            central.basis_pane.set_with_estimates(after.with_estimates)
+            central.basis_pane.render_view(self._session.active_view)
+        if after.side_panel != before.side_panel:
+            self._show_side_panel(after)
+        if after.presentation != before.presentation:
+            self._present() if after.presentation else self._end_presentation()
+        if after.scale != before.scale:
+            self._show_scale(after.scale, after.scale / before.scale)
+
+    def escape(self) -> None:
+        """Step back: gesture in flight, tool, motion, presentation, scrub line, selection, chosen curves."""
+        session, state = self._session, self._store.state
+        if self._context.cancel_gesture() or self._context.central.canvas.dismiss():
+            return
+        if state.moves_image:
+            self._context.actions["moveImage"].trigger()
+        elif state.tool is not SELECT:
+            self._context.actions[SELECT.action].trigger()
+        elif state.motion_shown:
+            self._context.actions["stopMotion"].trigger()
+        elif state.presentation:
+            self._store.change(presentation=False)
+        elif session.scrub is not None:
+            session.set_scrub(None)
+        elif session.selection:
+            session.select([])
+        else:
+            session.select_curves((session.active_index,))
+
+    @action_for_each(
+        TOOLS,
+        lambda tool: Action(
+            tool.action,
+            tool.title,
+            EDIT_TOOLS,
+            tool.key,
+            tool.icon,
+            tool.tip,
+            tool.full_name,
+            checked=lambda now: now.state.uses(tool),
+            group="tool",
+            during_gesture=True,
+        ),
+    )
+    @also_for_each(lambda tool: (TOOLBAR(30), CANVAS_MENU(10)) if tool.in_menu else (TOOLBAR(30),))
+    def _use_tool(self, tool: ToolRecord) -> None:
+        # Taken anew, a tool ends what it was doing.
+        self._context.central.canvas.choose_tool(tool)
+        self._store.change(tool=tool, moves_image=False)
+        self._context.status_line.show_hint(tool.hint)
+
+    # Zoom
+
+    @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View")
+    @also(TOOLBAR(60), CANVAS_MENU(30))
+    def _fit(self) -> None:
+        """Show all visible curves; without points the reference image."""
+        self._context.central.fit()
+
+    @action("zoomIn", "Zoom In", VIEW_ZOOM, "+, =", "zoom-in")
+    def _zoom_in(self) -> None:
+        """Zoom in on the canvas."""
+        self._zoom(ZOOM_STEP)
+
+    @action("zoomOut", "Zoom Out", VIEW_ZOOM, "-", "zoom-out")
+    def _zoom_out(self) -> None:
+        """Zoom out on the canvas."""
+        self._zoom(1 / ZOOM_STEP)
+
+    def _zoom(self, factor: float) -> None:
+        camera = self._context.central.canvas.camera
+        camera.zoom(factor, camera.centre())
+
+    # What is shown
+
+    @action(
+        "toggleGrid",
+        "Grid",
+        VIEW_DRAWING,
+        "Ctrl+'",
+        "grid",
+        full_name="Show Grid",
+        checked=lambda now: now.state.grid,
+    )
+    @also(TOOLBAR(61), CANVAS_MENU(31))
+    def _toggle_grid(self) -> None:
+        """Show or hide the grid."""
+        self._store.change(grid=not self._store.state.grid)
+
+    @action(
+        "toggleScrub",
+        "Scrub Line",
+        VIEW_SHOWN,
+        "T",
+        "spline",
+        needs=CURVE_DRAWN,
+        checked=lambda now: now.session.scrub is not None,
+    )
+    @also(TOOLBAR(63), CANVAS_MENU(33))
+    def _toggle_scrub(self) -> None:
+        """Show a point running along the curve and the weight of every point."""
+        session = self._session
+        if session.scrub is not None or session.active_view.curve is None:
+            session.set_scrub(None)
+            return
+        start, end = session.active_view.curve.domain
+        session.set_scrub(start + 0.4 * (end - start))
+        session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
+
+    @action(
+        "toggleBasis",
+        "Basis Functions",
+        VIEW_SHOWN,
+        "F8",
+        "panel-bottom",
+        checked=lambda now: now.state.basis,
+    )
+    def _toggle_basis(self) -> None:
+        """Show or hide the basis functions."""
+        self._store.change(basis=not self._store.state.basis)
+
+    @action(
+        "toggleEstimates",
+        "Functions with Estimates",
+        VIEW_SHOWN,
+        "Shift+F8",
+        "cardinal",
+        full_name="Basis Functions with Estimates",
+        needs=HERMITE_CURVE,
+        checked=lambda now: now.state.with_estimates,
+    )
+    def _toggle_estimates(self) -> None:
+        """Show what each point does with the velocities estimated from it, not the family's functions."""
+        self._store.change(with_estimates=not self._store.state.with_estimates)
+
+    @action(
+        "toggleSidePanel",
+        "Side Panel",
+        VIEW_SHOWN,
+        "F9",
+        "panel-right",
+        checked=lambda now: now.state.side_panel,
+    )
+    def _toggle_side_panel(self) -> None:
+        """Show or hide the panels at the side."""
+        self._store.change(side_panel=not self._store.state.side_panel)
+
+    def _show_side_panel(self, state: WindowState) -> None:
+        window, shown = self._context.window, state.side_panel
+        # The layout of a presentation is none to come back to.
+        keeps_layout = not state.presentation
+        if not shown and keeps_layout:
+            self._before_folding = bytes(window.saveState().data())
+        for dock in self._context.docks.side:
+            # A dock that has nothing to show is disabled, and stays away.
+            dock.setVisible(shown and dock.isEnabled())
+        if shown and keeps_layout and self._before_folding:
+            # Shown one by one, docks share the height anew and change which tab is in front.
+            window.restoreState(self._before_folding)
+            hide_idle_docks(window)
+
+    # How large
+
+    @action("enlarge", "Larger Drawing", VIEW_SIZE, "Ctrl+=, Ctrl++", "plus")
+    def _enlarge(self) -> None:
+        """Enlarge points, lines and type, for a projector."""
+        self._change_scale(1)
+
+    @action("shrink", "Smaller Drawing", VIEW_SIZE, "Ctrl+-")
+    def _shrink(self) -> None:
+        """Make points, lines and type smaller."""
+        self._change_scale(-1)
+
+    @action("usualSize", "Usual Drawing", VIEW_SIZE, "Ctrl+0")
+    def _use_usual_scale(self) -> None:
+        """Points, lines and type as they usually are."""
+        self._set_scale(1.0)
+
+    def _change_scale(self, step: int) -> None:
+        place = _SCALES.index(self._store.state.scale) + step
+        self._set_scale(_SCALES[max(0, min(place, len(_SCALES) - 1))])
+
+    def _set_scale(self, scale: float) -> None:
+        self._store.change(scale=scale)
+        self._session.say(f"Drawing at {scale:.0%}.")
+
+    def _show_scale(self, scale: float, factor: float) -> None:
+        central, docks = self._context.central, self._context.docks
+        for plots in (central.canvas, central.basis_panel, central.plot_panel):
+            plots.set_scale(scale)
+        late = [dock for dock in docks.all if isinstance(dock, LateDock)]
+        for dock in late:
+            dock.set_scale(scale)
+        seen = [dock for dock in late if dock.isVisible() and not dock.visibleRegion().isEmpty()]
+        widths = [round(dock.width() * factor) for dock in seen]
+        self._context.window.resizeDocks(seen, widths, Qt.Orientation.Horizontal)
+
+    # Presentation
+
+    @action(
+        "presentation",
+        "Presentation",
+        VIEW_SIZE,
+        "F11",
+        "presentation",
+        checked=lambda now: now.state.presentation,
+    )
+    def _toggle_presentation(self) -> None:
+        """Hide everything but canvas and basis functions."""
+        self._store.change(presentation=not self._store.state.presentation)
+
+    def _present(self) -> None:
+        context, window = self._context, self._context.window
+        self._before_presentation = bytes(window.saveState().data())
+        docks = [dock for dock in context.docks.side if dock not in self._kept_for_a_lesson()]
+        for part in (context.toolbar, window.menuBar(), context.status_line, *docks):
+            part.hide()
+        # Not showFullScreen, which forgets that a window was maximised.
+        window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
+
+    def _end_presentation(self) -> None:
+        window = self._context.window
+        window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
+        window.menuBar().show()
+        self._context.status_line.show()
+        window.restoreState(self._before_presentation)
+        hide_idle_docks(window)
+
+    def _kept_for_a_lesson(self) -> list[QDockWidget]:
+        """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""
+        docks = self._context.docks
+        is_wanted = docks["lessonsDock"].isVisible() and self._store.state.analysis.laboratory.on
+        return [docks["laboratoryDock"]] if is_wanted else []
+
+    # Theme
+
+    @action_for_each(
+        _THEMES,
+        lambda theme: Action(
+            f"theme{theme[0].name.capitalize()}",
+            theme[1],
+            VIEW_THEME,
+            tip=theme[2],
+            checked=lambda now: now.state.theme_mode is theme[0],
+            group="theme",
+        ),
+    )
+    def _use_theme(self, theme: tuple[ThemeMode, str, str]) -> None:
+        self._store.change(theme_mode=theme[0])
+
+
+COMMAND_SETS = (ViewCommands,)

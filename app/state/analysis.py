@@ -1,0 +1,89 @@
+"""Settings of overlays, plots and laboratory, a part of the window's state, and what is said about them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import msgspec
+from msgspec.structs import replace
+from PySide6.QtCore import QObject, Signal
+
+from app.state.window_state import WindowState, WindowStore
+from app.view_model.analysis.ghost import Ghost
+from app.view_model.analysis.overlay import Overlay
+from app.view_model.analysis.plot import Plot
+from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
+
+
+class Analysis(QObject):
+    """The settings of overlays, plots and laboratory of one window.
+
+    Signals
+    -------
+    changed
+        The settings are other ones.
+    noted
+        Something else can be said about the overlays.
+    ghost_chosen
+        A ghost shall become the curve.
+
+    Attributes
+    ----------
+    notes
+        A sentence to some of the overlays: what they measure, or why nothing is drawn.
+    problem
+        Why there is nothing to analyse; empty where there is a curve.
+    """
+
+    changed = Signal()
+    noted = Signal()
+    ghost_chosen = Signal(object)
+
+    def __init__(self, store: WindowStore, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._store = store
+        store.changed.connect(self._follow_state)
+        self.notes: Mapping[Overlay, str] = {}
+        self.problem = ""
+
+    @property
+    def settings(self) -> AnalysisSettings:
+        """The settings, a part of the window's state."""
+        return self._store.state.analysis
+
+    def _follow_state(self, before: WindowState, after: WindowState) -> None:
+        if after.analysis != before.analysis:
+            self.changed.emit()
+
+    def change(self, **fields: object) -> None:
+        """Take other values for some of the settings."""
+        self._store.change(analysis=replace(self.settings, **fields))
+
+    def set_value(self, setting: OverlaySetting, value: float) -> None:
+        """Take another value for a setting of overlays."""
+        self._store.change(analysis=self.settings.with_value(setting, value))
+
+    def reset(self) -> None:
+        """Take all settings back to what they are at the start."""
+        self.change(**msgspec.structs.asdict(AnalysisSettings()))
+
+    def show(self, overlay: Overlay, shown: bool) -> None:
+        """Switch an overlay on or off."""
+        others = self.settings.overlays - {overlay}
+        self.change(overlays=others | {overlay} if shown else others)
+
+    def show_plot(self, plot: Plot, shown: bool) -> None:
+        """Switch a plot over t on or off."""
+        others = self.settings.plots - {plot}
+        self.change(plots=others | {plot} if shown else others)
+
+    def show_ghost(self, ghost: Ghost, shown: bool) -> None:
+        """Switch a variant of the curve on or off."""
+        others = self.settings.ghosts - {ghost}
+        self.change(ghosts=others | {ghost} if shown else others)
+
+    def note(self, notes: Mapping[Overlay, str], problem: str = "") -> None:
+        """Say something about the overlays."""
+        if (notes, problem) != (self.notes, self.problem):
+            self.notes, self.problem = notes, problem
+            self.noted.emit()

@@ -1,0 +1,152 @@
+"""The window's state: one value, one owner, one signal."""
+
+from __future__ import annotations
+
+import msgspec
+from msgspec.structs import replace
+from PySide6.QtCore import QObject, Signal
+
+from app.appearance.theme import ThemeMode
+from app.settings.preferences import Preferences
+from app.storage.open_file import FileChange
+from app.tools.select import SELECT
+from app.tools.snapping import SnapKind
+from app.tools.tool import ToolRecord
+from app.view_model.analysis.settings import AnalysisSettings
+from app.view_model.motion_settings import MotionSettings
+
+
+class FileSituation(msgspec.Struct, frozen=True):
+    """How the document stands to its file.
+
+    Attributes
+    ----------
+    change
+        What has become of the file since it was last read or written here; None without a file.
+    is_read_only
+        Whether somebody else owns it.
+    may_overwrite
+        Whether saving was, or would be, refused because it holds something else.
+    is_asked
+        Whether the person wants to take it over, and has been told that somebody may be editing it.
+    """
+
+    change: FileChange | None = None
+    is_read_only: bool = False
+    may_overwrite: bool = False
+    is_asked: bool = False
+
+
+class WindowState(msgspec.Struct, frozen=True):
+    """How a window shows its document, and what the mouse does there; neither saved with it nor undone.
+
+    Attributes
+    ----------
+    tool
+        What a press on the canvas means.
+    moves_image
+        Whether the mouse has the reference image instead of the points.
+    grid, basis, side_panel, lessons
+        Whether the grid, the basis functions, the panels at the side and the lessons are shown.
+    presentation
+        Whether everything but canvas and basis functions is hidden.
+    scale
+        How large points, lines and type are drawn; 1 as usual.
+    snap_on, snap_kinds, grid_spacing, unit_name, transform_box, with_estimates, theme_mode
+        As the preferences remember them.
+    analysis
+        Overlays, plots, ghosts and laboratory.
+    error_plot
+        Whether the errors of the laboratory's methods are plotted.
+    motion, motion_shown, motion_plays
+        How the dot runs, whether there is one, and whether it runs now.
+    file, compares_with_file
+        How the document stands to its file, and whether what that holds is shown as a ghost.
+    is_working
+        Whether a file is being read or written.
+    image_problem
+        Why the reference image is not shown; empty where it is, or where there is none.
+    """
+
+    tool: ToolRecord = SELECT
+    moves_image: bool = False
+    grid: bool = True
+    basis: bool = True
+    side_panel: bool = True
+    lessons: bool = False
+    presentation: bool = False
+    scale: float = 1.0
+    snap_on: bool = False
+    snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
+    grid_spacing: float = 0.0
+    unit_name: str = ""
+    transform_box: bool = True
+    with_estimates: bool = False
+    theme_mode: ThemeMode = ThemeMode.SYSTEM
+    analysis: AnalysisSettings = AnalysisSettings()
+    error_plot: bool = False
+    motion: MotionSettings = MotionSettings()
+    motion_shown: bool = False
+    motion_plays: bool = False
+    compares_with_file: bool = False
+    file: FileSituation = FileSituation()
+    is_working: bool = False
+    image_problem: str = ""
+
+    def uses(self, tool: ToolRecord) -> bool:
+        """Whether the mouse has this tool; while it moves the image, it has none for points."""
+        return self.tool is tool and not self.moves_image
+
+
+class WindowStore(QObject):
+    """Owner of a window's state; what is remembered between starts goes to the preferences.
+
+    Attributes
+    ----------
+    state
+        The state as it is now.
+
+    Signals
+    -------
+    changed
+        The state was another one before: (before, after).
+    """
+
+    changed = Signal(object, object)
+
+    def __init__(self, preferences: Preferences, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._preferences = preferences
+        self.state = self._told = replace(WindowState(), **self._remembered())
+        self._is_telling = False
+
+    def _remembered(self) -> dict[str, object]:
+        """Return the fields that preferences of the same name remember."""
+        names = WindowState.__struct_fields__
+        return {name: getattr(self._preferences, name) for name in names if hasattr(Preferences, name)}
+
+    def change(self, **fields: object) -> None:
+        """Take other values for some fields."""
+        for name, value in fields.items():
+            if hasattr(Preferences, name) and value != getattr(self.state, name):
+                setattr(self._preferences, name, value)
+        self._take(replace(self.state, **fields))
+
+    def read_preferences(self) -> None:
+        """Take over what the preferences say now."""
+        self._take(replace(self.state, **self._remembered()))
+
+    def _take(self, state: WindowState) -> None:
+        if state == self.state:
+            return
+        self.state = state
+        if self._is_telling:
+            # By one who has just heard of a change: all others hear of that first.
+            return
+        self._is_telling = True
+        try:
+            while self._told is not self.state:
+                before, self._told = self._told, self.state
+                self.changed.emit(before, self._told)
+        finally:
+            self._is_telling = False

@@ -1,0 +1,42 @@
+"""The sketch that the first window shows, and the examples that come with the program."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.document.model import Document, make_curve
+from app.storage.files import StorageError, load
+from app.storage.format import FormatError
+from app.storage.resources import resource
+
+_S_SKETCH = (
+    (3.03, 3.34), (2.65, 3.81), (1.39, 3.83), (1.14, 2.38),
+    (2.95, 1.62), (2.67, 0.17), (1.29, 0.19), (0.86, 0.66),
+)  # fmt: skip
+"""Denser towards the ends, as a polynomial likes it: the curve is calm, its basis functions stay low."""
+
+
+def first_sketch() -> Document:
+    """Return the document that a window without a file starts with: an S-shaped sketch."""
+    return Document((make_curve(_S_SKETCH, name="Sketch"),))
+
+
+def example_paths() -> list[Path]:
+    """Return the documents of File > Examples."""
+    return sorted(resource("examples").glob("*.curve.json"))
+
+
+def example_name(path: Path) -> str:
+    """Return what the document at `path` calls itself; the file's name if it cannot be read."""
+    try:
+        return load(path).curves[0].name
+    except (FormatError, StorageError):
+        return path.name
+
+
+def template_title(path: Path, document: Document) -> str:
+    """Return what a copy of the example or of the lesson at `path` is called, until it is saved."""
+    if path.parent.name == "lessons":
+        number, _, words = path.name.partition(".")[0].partition("_")
+        return f"Lesson {int(number)} ({words.replace('_', ' ')})" if number.isdecimal() else "Lesson"
+    return f"{document.curves[0].name} (example)"

@@ -1,0 +1,101 @@
+"""Labels for words that change while a hand moves.
+
+Why not a ``QLabel`` as it is: whatever text it is given, it has the whole window laid out anew, which costs a
+drag more than drawing the curve.
+"""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy
+
+from app.qt.labels import Label, tip_of
+from app.qt.overrides import Guarded
+
+_STEP = 16
+"""Pixels by which the room of a label grows, so that a digit more or less moves nothing."""
+
+_SPARE = 3 * _STEP
+"""Pixels of unused room that a label keeps."""
+
+
+class SteadyLabel(Guarded, Label):
+    """A line of plain text that asks for more or less room only when it needs it.
+
+    Attributes
+    ----------
+    colour
+        What the text is drawn in; None for the usual colour. To be set before the text.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.colour: QColor | None = None
+        self._text = ""
+        self._room = 0
+
+    def text(self) -> str:
+        """Return the whole text."""
+        return self._text
+
+    def setText(self, text: str) -> None:  # noqa: N802
+        """Show `text`."""
+        if text == self._text:
+            return
+        self._text = text
+        # QLabel's own text is empty: this is what is read out.
+        self.setAccessibleDescription(text)
+        self._measure()
+        self.update()
+
+    def _measure(self) -> None:
+        wanted = self.fontMetrics().horizontalAdvance(self._text)
+        if self._text and self._room - _SPARE <= wanted <= self._room:
+            return
+        self._room = _STEP * math.ceil(wanted / _STEP)
+        if self.sizePolicy().horizontalPolicy() != QSizePolicy.Policy.Ignored:
+            self.updateGeometry()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._room = 0
+            self._measure()
+
+    def sizeHint(self) -> QSize:
+        margins = self.contentsMargins()
+        return QSize(
+            self._room + margins.left() + margins.right(),
+            self.fontMetrics().height() + margins.top() + margins.bottom(),
+        )
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        if self.colour is not None:
+            painter.setPen(self.colour)
+        room = self.contentsRect()
+        shown = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, room.width())
+        painter.drawText(room, int(self.alignment() | Qt.AlignmentFlag.AlignVCenter), shown)
+        painter.end()
+
+
+class ElidedLabel(SteadyLabel):
+    """Gives way: it shows as much of its text as there is room for, and all of it in the tooltip."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, super().minimumSizeHint().height())
+
+    def setText(self, text: str) -> None:  # noqa: N802
+        """Show `text`."""
+        super().setText(text)
+        self.setToolTip(tip_of(text))

@@ -1,0 +1,155 @@
+"""Lines to type into that show a value of the document."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QWidget
+
+from app.document.expression import ExpressionError, parse_number
+from app.qt.overrides import Guarded
+from app.widgets.number_text import decimal_mark
+
+# Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
+_PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
+
+
+class FieldEdit(Guarded, QLineEdit):
+    """Shows a text of the document; what is typed is reported with Enter or Tab, and only if it differs.
+
+    Who hears `committed` and cannot use the text calls `keep`: it stays to be mended, the cursor with it, and
+    gives way to the document's when Escape is pressed or the field is left by a click elsewhere. So does a
+    text that was not entered: half a number must never reach the curve.
+
+    Signals
+    -------
+    committed
+        Another text was typed and entered.
+    left
+        Typing begins, or was given up: what was said about the last text is out of date.
+    """
+
+    committed = Signal(str)
+    left = Signal()
+
+    def __init__(self, name: str, label: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName(label)
+        self.setToolTip(tip)
+        self.setTextMargins(3, 0, 3, 0)
+        self._whole = self._short = self._entered = ""
+        self.returnPressed.connect(self._commit)
+        self.textEdited.connect(self.left)
+
+    def show_text(self, text: str, short: str | None = None) -> None:
+        """Show the document's text, unless somebody is typing another.
+
+        While nobody has the cursor in the field it shows `short` in place of a text too long for it.
+        """
+        self._whole, self._short = text, text if short is None else short
+        if not self.isModified():
+            self._show_own_text()
+
+    def revert(self) -> None:
+        """Show the document's text again."""
+        self.setModified(False)
+        self._show_own_text()
+
+    def _show_own_text(self) -> None:
+        text = self._whole if self.hasFocus() else self._short
+        if self.text() != text:
+            self.setText(text)
+            self.setCursorPosition(0)
+
+    def _commit(self) -> None:
+        typed = self.text()
+        changed = self.isModified() and typed not in (self._whole, self._short)
+        self.setModified(False)  # so that the document's answer may be shown
+        if changed:
+            self._entered = typed
+            self.committed.emit(typed)
+        else:
+            self.left.emit()
+
+    def keep(self) -> None:
+        """Leave the text that was entered last in the field, to be mended."""
+        self.setText(self._entered)
+        self.setModified(True)
+        self.selectAll()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        if not self.isModified():
+            self._show_own_text()
+        super().focusInEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() not in _PASSING:
+            self.revert()
+            self.left.emit()
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        self._commit()
+        # A text that was refused is mended first.
+        return self.isModified() or super().focusNextPrevChild(forward)
+
+    def event(self, event: QEvent) -> bool:
+        # Escape is the window's key, too; while somebody types here it takes back what was typed.
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.key() == Qt.Key.Key_Escape
+            and self.isModified()
+        ):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.isModified():
+            self.revert()
+            self.left.emit()
+        else:
+            super().keyPressEvent(event)
+
+
+def read_number(text: str) -> float:
+    """Return the number that was typed, or the value of an expression; raise `ExpressionError` if neither."""
+    return parse_number(text, decimal_mark())
+
+
+class NumberEdit(FieldEdit):
+    """Reports what is typed as a number; what is none stays to be mended.
+
+    Parameters
+    ----------
+    read
+        Returns what a text means, and raises `ExpressionError` with the reason where it cannot be used.
+
+    Signals
+    -------
+    entered
+        Another number was entered; who cannot use it calls `keep`.
+    refused
+        Why a text that was entered cannot be used.
+    """
+
+    entered = Signal(object)
+    refused = Signal(str)
+
+    def __init__(self, name: str, label: str, tip: str, read: Callable[[str], object] = read_number) -> None:
+        super().__init__(name, label, tip)
+        self._read = read
+        self.committed.connect(self._enter)
+
+    def _enter(self, text: str) -> None:
+        try:
+            value = self._read(text)
+        except ExpressionError as reason:
+            self.keep()
+            self.refused.emit(str(reason))
+        else:
+            self.entered.emit(value)

@@ -1,0 +1,115 @@
+"""Room on small screens: what does not fit scrolls, and no dialog is larger than the screen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QScreen, QShowEvent
+from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QVBoxLayout, QWidget
+
+from app.qt.overrides import Guarded
+
+FRAME = QSize(16, 48)
+"""Room for title bar and borders, which nobody knows before a window is shown."""
+
+_IN_DIALOG = QSize(900, 360)
+"""Largest minimum size of a dialog without its buttons: it fits 960 × 540, a usual screen at 200 %."""
+
+
+Content = TypeVar("Content", bound=QWidget)
+
+
+def room_on(screen: QScreen) -> QSize:
+    """Return how large a window can be, so that it fits the screen with its frame."""
+    return screen.availableSize() - FRAME
+
+
+class Scrolled(Guarded, QScrollArea, Generic[Content]):
+    """Content that has the size it likes where there is room, and scrolls where there is not.
+
+    Parameters
+    ----------
+    build
+        Makes what scrolls, in the parent that it is given: made elsewhere and moved here, with all that is
+        in it, everything would get its style anew.
+    most
+        What the content may ask for at least, whatever it needs.
+
+    Attributes
+    ----------
+    content
+        What scrolls.
+    """
+
+    def __init__(
+        self, build: Callable[[QWidget], Content], most: QSize, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.content, self._most = build(self.viewport()), most
+        self.setObjectName("scrolled")
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        # Tab goes to what is inside, and that comes into sight by itself.
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidget(self.content)
+
+    def sizeHint(self) -> QSize:
+        return self.content.sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        least = self.content.minimumSizeHint().expandedTo(self.content.minimumSize())
+        return least.boundedTo(self._most)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.content and event.type() == QEvent.Type.LayoutRequest:
+            # Qt asks a scroll area for its size once; what is in it may grow later.
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
+
+
+class FittedDialog(Guarded, QDialog):
+    """A dialog that is never larger than the screen; its buttons stay in sight.
+
+    Attributes
+    ----------
+    body
+        What scrolls where there is not room for it.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        # A tool window would let the keys of the window behind it through.
+        super().__init__(parent, Qt.WindowType.Dialog)
+        self._area = Scrolled(QWidget, _IN_DIALOG, self)
+        self.body = self._area.content
+        self._wished = QSize()
+
+    def hold(self, *feet: QWidget, wished: QSize | None = None) -> None:
+        """Show the body and below it what always stays in sight; `wished` is the least size where it fits."""
+        self._wished = wished or QSize()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self._area, 1)
+        if feet:
+            below = QVBoxLayout()
+            below.setContentsMargins(16, 10, 16, 14)
+            for foot in feet:
+                below.addWidget(foot)
+            layout.addLayout(below)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if not event.spontaneous() and not self._wished.isNull():
+            self._wished, wished = QSize(), self._wished
+            # What the layouts know dates from when the parts were put together, without their style.
+            for layout in self.findChildren(QLayout):
+                layout.invalidate()
+            self._area.updateGeometry()
+            size = self.sizeHint().expandedTo(wished)
+            if self.body.hasHeightForWidth():
+                # The hint thinks of other lines than there will be.
+                above = size.height() - self.body.sizeHint().height()
+                size.setHeight(max(wished.height(), above + self.body.heightForWidth(size.width())))
+            self.resize(size.boundedTo(room_on(self.screen())))

@@ -1,0 +1,66 @@
+"""Spin boxes that take any number and say when it is not possible.
+
+Qt's own refuse the key that would lead out of the range: of a typed 60 where 50 is the most, 6 is left.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox
+
+from app.document.words import number
+from app.qt.overrides import Guarded
+
+_FAR = 999_999_999
+
+
+def _step_between(box: ToldSpinBox | ToldDoubleSpinBox, steps: int) -> None:
+    """Step, and stay between the limits; called by Qt."""
+    QAbstractSpinBox.stepBy(box, steps)
+    box.setValue(min(max(box.value(), box.least), box.most))  # type: ignore[arg-type]  # each has its own kind
+
+
+def _problem_of(box: ToldSpinBox | ToldDoubleSpinBox) -> str:
+    """Why the number that stands here is not possible; empty where it is."""
+    if box.least <= box.value() <= box.most:
+        return ""
+    return f"{box.accessibleName()}: from {number(box.least, 6)} to {number(box.most, 6)}."
+
+
+def _dress(box: ToldSpinBox | ToldDoubleSpinBox, name: str, label: str, tip: str) -> None:
+    box.setRange(-_FAR, _FAR)
+    box.setObjectName(name)
+    box.setAccessibleName(label)
+    box.setToolTip(tip)
+
+
+class ToldSpinBox(Guarded, QSpinBox):
+    """A whole number between two limits, typed or stepped; the arrows stay between them.
+
+    Attributes
+    ----------
+    least, most
+        The limits.
+    """
+
+    def __init__(self, name: str, label: str, tip: str, limits: tuple[int, int]) -> None:
+        super().__init__()
+        self.least, self.most = limits
+        self.setLocale(QLocale.c())
+        _dress(self, name, label, tip)
+
+    # In the body of each class, where `Guarded` finds what overrides Qt's.
+    stepBy = _step_between  # noqa: N815 - as Qt calls it
+    problem = property(_problem_of)
+
+
+class ToldDoubleSpinBox(Guarded, QDoubleSpinBox):
+    """As `ToldSpinBox`, with decimals."""
+
+    def __init__(self, name: str, label: str, tip: str, limits: tuple[float, float]) -> None:
+        super().__init__()
+        self.least, self.most = limits
+        _dress(self, name, label, tip)
+
+    stepBy = _step_between  # noqa: N815 - as Qt calls it
+    problem = property(_problem_of)

@@ -1,0 +1,348 @@
+"""The command palette: type a few letters of what you want, Enter does it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+import msgspec
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QPoint,
+    QRect,
+    QSize,
+    Qt,
+)
+from PySide6.QtGui import (
+    QAction,
+    QFocusEvent,
+    QFont,
+    QIcon,
+    QKeyEvent,
+    QPainter,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QLineEdit,
+    QListView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
+from shiboken6 import isValid
+
+from app.actions.keymap import full_name_of, native, why_not
+from app.appearance.theme import mix, theme_of
+from app.qt.labels import Label
+from app.qt.overrides import Guarded
+from app.window.fuzzy import SearchEntry, ranked
+
+_WIDEST, _ROWS, _ROW_HEIGHT, _TOP = 560, 10, 30, 12
+_COMMAND = Qt.ItemDataRole.UserRole + 1
+_ROOT = QModelIndex()
+
+
+class Command(msgspec.Struct, frozen=True):
+    """Something that can be found: an action, and the menu path that leads to it."""
+
+    action: QAction
+    path: str
+
+    @property
+    def name(self) -> str:
+        """Name in words that stand alone."""
+        return full_name_of(self.action)
+
+
+class CommandPalette(Guarded, QFrame):
+    """A search field over a list of commands, on top of another widget.
+
+    Parameters
+    ----------
+    below
+        The widget it lies over; it takes no room from it.
+    commands
+        Gives what can be found, asked each time the palette opens.
+    """
+
+    def __init__(self, below: QWidget, commands: Callable[[], Sequence[Command]]) -> None:
+        super().__init__(below)
+        self.setObjectName("commandPalettePanel")
+        self.setAccessibleName("Command palette")
+        self._below, self._commands_now = below, commands
+        self._commands: Sequence[Command] = ()
+        # By their ids, while they live.
+        self._heard: set[int] = set()
+        self._focus_before: QWidget | None = None
+        self.search = _SearchField(self)
+        self.list = _command_list()
+        self._note = Label()
+        self._note.setObjectName("paletteNote")
+        self._model = _CommandModel(self)
+        self.list.setModel(self._model)
+        self.list.setItemDelegate(_CommandDelegate(self.list))
+        layout = self._rows = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(6)
+        for part in (self.search, self.list, self._note):
+            layout.addWidget(part)
+        self.search.textChanged.connect(self._look_up)
+        self.list.clicked.connect(self._run)
+        below.installEventFilter(self)
+        self._render_theme()
+        self.hide()
+
+    # Opening and closing
+
+    def open(self) -> None:
+        """Show everything that can be done, and wait for letters."""
+        self._focus_before = QApplication.focusWidget()
+        self._commands = self._commands_now()
+        self._hear_of_ends()
+        self.search.clear()
+        self._look_up("")
+        self.show()
+        self.raise_()
+        self.search.setFocus(Qt.FocusReason.PopupFocusReason)
+
+    def _hear_of_ends(self) -> None:
+        """Hear of each action that goes while it is listed: a menu that opens may fill itself anew."""
+        for action in (command.action for command in self._commands):
+            if id(action) not in self._heard:
+                self._heard.add(id(action))
+                action.destroyed.connect(partial(self._drop, action))
+
+    def _drop(self, action: QAction, *_: object) -> None:
+        if not isValid(self):
+            return
+        self._heard.discard(id(action))
+        self._commands = [command for command in self._commands if command.action is not action]
+        left = [command for command in self._model.commands if command.action is not action]
+        if len(left) < self._model.rowCount():
+            self._model.show(left)
+
+    def close_and_return(self) -> None:
+        """Close and give the focus back to where it was."""
+        before, self._focus_before = self._focus_before, None
+        # A cell's editor is gone by now: it closes when it loses the focus.
+        target = before if before is not None and isValid(before) and before.isVisible() else self._below
+        target.setFocus(Qt.FocusReason.PopupFocusReason)
+        self.hide()
+
+    # Finding and doing
+
+    @property
+    def found(self) -> list[str]:
+        """The names of the commands listed now, best first."""
+        return [command.name for command in self._model.commands]
+
+    def _look_up(self, typed: str) -> None:
+        self._model.show(_ranked(self._commands, typed))
+        self._note.setText("" if self._model.rowCount() else "Nothing is called like that.")
+        self._note.setVisible(bool(self._note.text()))
+        self.list.setVisible(not self._note.text())
+        if self._model.rowCount():
+            self.list.setCurrentIndex(self._model.index(0, 0))
+        self._place()
+
+    def step(self, rows: int) -> None:
+        """Go up or down in the list; at its ends to the other end."""
+        count = self._model.rowCount()
+        if not count:
+            return
+        here = self.list.currentIndex().row()
+        row = (here + rows) % count if abs(rows) == 1 else min(max(here + rows, 0), count - 1)
+        self.list.setCurrentIndex(self._model.index(row, 0))
+
+    def run_current(self) -> None:
+        """Do what is marked in the list."""
+        self._run(self.list.currentIndex())
+
+    def _run(self, index: QModelIndex) -> None:
+        command = index.data(_COMMAND)
+        if command is None:
+            return
+        if not command.action.isEnabled():
+            self._note.setText(why_not(command.action))
+            self._note.show()
+            self._place()
+            return
+        # Closed first: what is done may open a dialog, or care for who has the focus.
+        self.close_and_return()
+        command.action.trigger()
+
+    # Looks
+
+    def _place(self) -> None:
+        width = min(_WIDEST, self._below.width() - 2 * _TOP)
+        rows = min(self._model.rowCount(), _ROWS, max((self._below.height() - 90) // _ROW_HEIGHT, 3))
+        self.list.setFixedHeight(rows * _ROW_HEIGHT + 4)
+        self._rows.activate()
+        self.setGeometry((self._below.width() - width) // 2, _TOP, width, self.sizeHint().height())
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and not self.isHidden():
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_note"):
+            self._render_theme()
+
+    def _render_theme(self) -> None:
+        theme = theme_of(QApplication.palette())
+        line = mix(theme.ink, theme.paper, 0.2).name()
+        sheet = (
+            f"#commandPalettePanel {{ background: {theme.surface.name()}; border: 1px solid {line};"
+            " border-radius: 8px }"
+            "#paletteSearch { padding: 4px 6px }"
+            f"#paletteNote {{ color: {theme.muted.name()}; padding: 4px }}"
+        )
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)
+
+
+def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
+    """Return the commands that fit, the best first, those of no use now behind the others."""
+    if not typed.strip():
+        return sorted(commands, key=lambda command: not command.action.isEnabled())
+    things = [SearchEntry(command.name, command.path, command.action.statusTip()) for command in commands]
+    found = [commands[place] for place in ranked(typed, things)]
+    return sorted(found, key=lambda command: not command.action.isEnabled())
+
+
+class _CommandModel(Guarded, QAbstractListModel):
+    """The commands found; made anew at every letter, so it holds nothing but a list."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.commands: Sequence[Command] = ()
+
+    def show(self, commands: Sequence[Command]) -> None:
+        """List these commands."""
+        self.beginResetModel()
+        self.commands = commands
+        self.endResetModel()
+
+    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = _ROOT) -> int:
+        return 0 if parent.isValid() else len(self.commands)
+
+    def data(self, index: QModelIndex | QPersistentModelIndex, role: int = _COMMAND) -> object:
+        command = self.commands[index.row()]
+        if role == _COMMAND:
+            return command
+        if role == Qt.ItemDataRole.DisplayRole:
+            return command.name
+        return command.action.statusTip() if role == Qt.ItemDataRole.ToolTipRole else None
+
+
+class _SearchField(Guarded, QLineEdit):
+    """The field; the keys that walk a list are the list's."""
+
+    def __init__(self, palette: CommandPalette) -> None:
+        super().__init__(palette)
+        self._owner = palette
+        self.setObjectName("paletteSearch")
+        self.setAccessibleName("Search for a command")
+        self.setToolTip("Type letters of a command; ↑ ↓ choose, Enter does it, Escape closes")
+        self.setPlaceholderText("What do you want to do?")
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        steps = {
+            Qt.Key.Key_Up: -1,
+            Qt.Key.Key_Down: 1,
+            Qt.Key.Key_PageUp: -_ROWS,
+            Qt.Key.Key_PageDown: _ROWS,
+        }
+        key = Qt.Key(event.key())
+        if key in steps:
+            self._owner.step(steps[key])
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._owner.run_current()
+        elif key == Qt.Key.Key_Escape:
+            self._owner.close_and_return()
+        else:
+            super().keyPressEvent(event)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        self._owner.step(1 if forward else -1)
+        return True
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        # A click elsewhere closes; a switch to another window does not.
+        if event.reason() in (Qt.FocusReason.MouseFocusReason, Qt.FocusReason.OtherFocusReason):
+            self._owner.hide()
+
+
+def _command_list() -> QListView:
+    view = QListView()
+    view.setObjectName("paletteList")
+    view.setAccessibleName("Commands found")
+    view.setToolTip("Click to do it")
+    view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    view.setUniformItemSizes(True)
+    view.setFrameShape(QFrame.Shape.NoFrame)
+    view.viewport().setAutoFillBackground(False)
+    view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    return view
+
+
+class _CommandDelegate(Guarded, QStyledItemDelegate):
+    """Draws icon, name, menu path and keys of a command; muted where it is of no use now."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
+        return QSize(200, _ROW_HEIGHT)
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        command = index.data(_COMMAND)
+        theme = theme_of(QApplication.palette())
+        if option.state & QStyle.StateFlag.State_Selected:
+            painter.fillRect(option.rect, mix(theme.accent, theme.surface, 0.2))
+        enabled = command.action.isEnabled()
+        room = option.rect.adjusted(10, 0, -10, 0)
+        mode = QIcon.Mode.Normal if enabled else QIcon.Mode.Disabled
+        pixmap = command.action.icon().pixmap(QSize(16, 16), painter.device().devicePixelRatioF(), mode)
+        if not pixmap.isNull():
+            painter.drawPixmap(QPoint(room.left(), room.center().y() - 7), pixmap)
+        room.setLeft(room.left() + 28)
+        painter.setFont(option.font)
+        faint = mix(theme.muted, theme.surface, 0.6)
+        keys = command.action.shortcuts()
+        painter.setPen(theme.muted if enabled else faint)
+        self._write(painter, room, native(keys[0]) if keys else "", right=True)
+        painter.setPen(theme.ink if enabled else faint)
+        room.setLeft(room.left() + self._write(painter, room, _checked_name(command)) + 12)
+        small = QFont(option.font)
+        small.setPointSizeF(max(option.font.pointSizeF() - 1, 7.0))
+        painter.setFont(small)
+        painter.setPen(theme.muted if enabled else faint)
+        self._write(painter, room, command.path)
+
+    @staticmethod
+    def _write(painter: QPainter, room: QRect, text: str, *, right: bool = False) -> int:
+        """Write on one line, keep what was taken at the right free, and return the width."""
+        width = painter.fontMetrics().horizontalAdvance(text)
+        side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
+        shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room.width())
+        painter.drawText(room, int(side | Qt.AlignmentFlag.AlignVCenter), shown)
+        if right and text:
+            room.setRight(room.right() - width - 12)
+        return width
+
+
+def _checked_name(command: Command) -> str:
+    """Return the name, with a tick where the action is a switch that is on."""
+    return (
+        f"{command.name}  ✓" if command.action.isCheckable() and command.action.isChecked() else command.name
+    )

@@ -1,0 +1,132 @@
+"""The command sets of a window: made, and connected to the actions that they declare."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+from PySide6.QtWidgets import QWidget
+
+from app.actions.declaration import Action, all_declared, declared_widgets
+from app.actions.strips import Place
+from app.appearance.theme import Theme
+from app.document.edits import EditError
+from app.features import command_sets
+from app.tasks.owner import TaskOwner, close_all
+from app.view_model.curve_view import CurveView
+from app.widgets.toolbar_widget import ToolbarWidget
+from app.window.context_menus import ContextMenus
+from app.window.drops import Drops
+from app.window.focus_commands import FocusCommands
+from app.window.fresh_hints import FreshHints
+from app.window.messages import Messages
+from app.window.program_commands import ProgramCommands
+from app.workbench.context import Closes, Follows, Renders, StepsBack, Themed, WindowContext
+from app.workbench.docks import declared_panels
+
+COMMAND_SETS: tuple[type, ...] = (FocusCommands, *command_sets(), ProgramCommands)
+"""What a window can do. Actions in a section of a menu, and tabs, stand in the order of their sets here."""
+
+_Set = TypeVar("_Set")
+
+
+def all_actions() -> tuple[Action, ...]:
+    """Return all actions of a window, in the order of the menus."""
+    return tuple(each.action for each in all_declared(COMMAND_SETS))
+
+
+class Commands:
+    """All commands of one window.
+
+    Attributes
+    ----------
+    messages
+        The line on the canvas.
+    drops
+        What becomes of files that are dropped on the window.
+    """
+
+    def __init__(self, context: WindowContext, command_sets: Sequence[type]) -> None:
+        self._context = context
+        self.messages = Messages(context)
+        self.hints = FreshHints(context)
+        self._sets = {kind: kind(context) for kind in command_sets}
+        self._live = [each for each in self._sets.values() if isinstance(each, Follows)]
+        self._slow = [each for each in self._sets.values() if isinstance(each, Renders)]
+        self.drops = Drops(context, self._sets.values())
+        self.context_menus = ContextMenus(context, self._sets, self.attempt)
+        self._had_scrub = False
+        for each in self._sets.values():
+            context.actions.bind(each, self._run)
+
+    def __getitem__(self, kind: type[_Set]) -> _Set:
+        commands = self._sets[kind]
+        assert isinstance(commands, kind)
+        return commands
+
+    def _run(self, action: Action, handler: Callable[[], object], _checked: bool = False) -> None:
+        """Carry out an action; one that could change the document does not find a gesture's preview there."""
+        if action.interrupts:
+            self._context.cancel_gesture()
+        self.attempt(handler)
+        # A switch that was clicked shows what is, also where nothing changed.
+        self._context.actions.render()
+
+    def widgets(self) -> dict[Place, ToolbarWidget]:
+        """Return what stands in the toolbar besides actions."""
+        return dict(pair for kind, each in self._sets.items() for pair in declared_widgets(kind, each))
+
+    def follow_scrub(self, t: float | None) -> None:
+        """Show whether there is a scrub line; where it stands is no matter of actions."""
+        if (t is not None) != self._had_scrub:
+            self._had_scrub = t is not None
+            self._context.actions.render()
+
+    def attempt(self, handler: Callable[[], object]) -> None:
+        """Do something; where it is refused, say why."""
+        try:
+            handler()
+        except EditError as reason:
+            self._context.session.refuse(str(reason))
+
+    def escape(self) -> None:
+        """Take a gesture back, or go to the canvas from a panel, or else step back."""
+        if self._context.cancel_gesture() or self[FocusCommands].back_to_canvas():
+            return
+        for each in self._sets.values():
+            if isinstance(each, StepsBack):
+                each.escape()
+
+    def build_dock(self, name: str, *parent: QWidget) -> QWidget:
+        """Return what stands in a dock; called when the window is built, or when it is first shown."""
+        return next(
+            build(commands, *parent)
+            for kind, commands in self._sets.items()
+            for panel, build in declared_panels(kind)
+            if panel.name == name
+        )
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        for each in self._sets.values():
+            if isinstance(each, Themed):
+                each.set_theme(theme)
+
+    def close(self) -> None:
+        """Let what runs beside the window end; called before the window goes."""
+        for each in self._sets.values():
+            if isinstance(each, Closes):
+                each.close()
+        close_all(self._context.window.findChildren(TaskOwner))
+
+    def follow(self, view: CurveView) -> None:
+        """Show what follows a drag frame by frame."""
+        for each in self._live:
+            each.follow(view)
+
+    def render(self, view: CurveView) -> None:
+        """Check and enable actions, and show the line on the canvas, as `view` has it."""
+        self._context.actions.render()
+        for each in self._slow:
+            each.render(view)
+        self.messages.render(view)

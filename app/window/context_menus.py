@@ -1,0 +1,69 @@
+"""Context menus of the canvas: the actions that fit what lies under the right button or the Menu key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QMenu
+
+from app.actions.declaration import place_actions
+from app.actions.strips import CANVAS_MENU, CURVE_MENU, POINT_MENU
+from app.tools.pointer import Hit, Part
+from app.workbench.context import WindowContext
+from app.workbench.strip_menu import strip_menu
+
+
+class ContextMenus:
+    """Menus of a point, of a curve and of the canvas."""
+
+    def __init__(
+        self,
+        context: WindowContext,
+        command_sets: Mapping[type, object],
+        attempt: Callable[[Callable[[], object]], None],
+    ) -> None:
+        self._context, self._attempt = context, attempt
+        self._at_place = [pair for kind, each in command_sets.items() for pair in place_actions(kind, each)]
+        context.central.canvas.menu_requested.connect(self._open_on_canvas)
+
+    def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
+        session = self._context.session
+        if hit is not None and hit.part is Part.OTHER_CURVE:
+            # One of those that are selected leaves them selected: the menu is about all.
+            selected = session.selected_curves
+            session.select_curves(selected if hit.index in selected else (hit.index,), hit.index)
+            self._open_on_edited(place)
+        elif hit is not None and hit.part is Part.CURVE:
+            self._curve_menu(hit.t).popup(place)
+        elif hit is not None:
+            if hit.index not in session.selection:
+                session.select([hit.index])
+            strip_menu(self._context, POINT_MENU).popup(place)
+        else:
+            strip_menu(self._context, CANVAS_MENU).popup(place)
+
+    def _open_on_edited(self, place: QPoint) -> None:
+        """Open the menu for a place on the curve that the right button has made the one edited."""
+        hit = self._context.central.canvas.hit_at(place)
+        is_alone = len(self._context.session.selected_curves) == 1
+        if hit is not None and hit.part is not Part.OTHER_CURVE and (is_alone or hit.part is Part.CURVE):
+            self._open_on_canvas(hit, place)
+        else:
+            strip_menu(self._context, CURVE_MENU).popup(place)
+
+    def _curve_menu(self, t: float) -> QMenu:
+        """Return the menu for a place on the active curve."""
+        menu = strip_menu(self._context, CURVE_MENU)
+        top = menu.actions()[0]
+        for entry, act in self._at_place:
+            known = self._context.actions[entry.like]
+            here = menu.addAction(known.icon(), entry.text)
+            here.setObjectName(entry.name)
+            here.setStatusTip(known.statusTip())
+            here.setToolTip(known.toolTip())
+            here.setEnabled(known.isEnabled())
+            here.triggered.connect(lambda _checked=False, act=act: self._attempt(lambda: act(t)))
+            menu.insertAction(top, here)
+        menu.insertSeparator(top)
+        return menu

@@ -1,0 +1,127 @@
+"""Files dragged over the window, or named at the start: what becomes of them; they are only read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QDropEvent
+
+from app.document.words import count_of, listed, names_of
+from app.storage.files import StorageError
+from app.storage.format import FormatError
+from app.window.given import Given, given
+from app.workbench.context import Imports, Traces, WindowContext
+
+MOST_WINDOWS = 12
+"""Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""
+
+OpenWindow = Callable[[Path], None]
+
+
+def dropped(event: QDropEvent) -> Given:
+    """Return what is dragged."""
+    urls = event.mimeData().urls()
+    paths = (Path(url.toLocalFile()) for url in urls if url.isLocalFile())
+    return given(paths, elsewhere=sum(not url.isLocalFile() for url in urls))
+
+
+def accepted(event: QDropEvent) -> Given | None:
+    """Accept a drag of files as a copy and return them; None where there are none or they must be moved.
+
+    Whoever answers "move" makes the file manager delete what was dragged.
+    """
+    files = dropped(event)
+    is_local = bool(files.documents or files.imports or files.pictures)
+    if not is_local or not event.possibleActions() & Qt.DropAction.CopyAction:
+        event.ignore()
+        return None
+    event.setDropAction(Qt.DropAction.CopyAction)
+    event.accept()
+    return files
+
+
+class Drops:
+    """Takes all files of a drop, and says which it did not take.
+
+    Attributes
+    ----------
+    open_window
+        Opens a document in a window of its own; None where somebody else keeps the windows.
+    """
+
+    def __init__(
+        self,
+        context: WindowContext,
+        takers: Iterable[object],
+    ) -> None:
+        self._context, takers = context, list(takers)
+        self._imports = [each for each in takers if isinstance(each, Imports)]
+        self._traces = [each for each in takers if isinstance(each, Traces)]
+        self.open_window: OpenWindow | None = None
+
+    def take(self, files: Given, problems: Iterable[str] = ()) -> None:
+        """Open the documents, import what is to be imported, one after the other, and trace a picture.
+
+        What was wrong with other files, `problems`, is said together with what is left out.
+        """
+        left = [*problems, *self._open(files.documents)]
+        # Else a large document, which takes a while, would come in the place of what they were added to.
+        self._context.files.after_opening(
+            lambda problem: self._add(files, [problem, *left] if problem else left)
+        )
+
+    def _add(self, files: Given, left: list[str]) -> None:
+        """Import and trace what was given, and say what was `left` out, and why."""
+        for each in self._traces:
+            for path in files.pictures[:1]:
+                each.trace(path)
+        if len(files.pictures) > 1:
+            names = _listed(files.pictures[1:])
+            left.append(f"{names} not traced: a document has one picture to trace.")
+        if files.elsewhere:
+            left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")
+        for importing in self._imports:
+            importing.import_files(files.imports)
+        if left:
+            self._context.central.message_bar.warn(" ".join(left))
+
+    def _open(self, documents: tuple[Path, ...]) -> list[str]:
+        """Open the first document here and the others beside it; return what was left out, and why."""
+        files = self._context.files
+        if len(documents) < 2:
+            for path in documents:
+                files.open(path)
+            return []
+        problems = {path: files.why_not(path) for path in documents}
+        able = [path for path, problem in problems.items() if not problem]
+        if able:
+            files.open(able[0])
+        others, left = able[1:], [problem for problem in problems.values() if problem]
+        beside = others[: MOST_WINDOWS - 1] if self.open_window is not None else []
+        left += self._open_beside(beside)
+        if len(others) > len(beside):
+            most = f"a drop opens {MOST_WINDOWS} documents" if beside else "there is one window"
+            left.append(f"{_listed(others[len(beside) :])} not opened: {most}.")
+        return left
+
+    def _open_beside(self, paths: list[Path]) -> list[str]:
+        opened, left = [], []
+        for path in paths:
+            assert self.open_window is not None
+            try:
+                self.open_window(path)
+                opened.append(path)
+            except (FormatError, StorageError) as problem:
+                # It was there just now, when somebody looked.
+                left.append(f"{path.name} was not opened. {problem}")
+        if opened:
+            windows = "a window of its own" if len(opened) == 1 else "windows of their own"
+            names = names_of([path.name for path in opened])
+            self._context.session.say(f"Opened {names} in {windows}.")
+        return left
+
+
+def _listed(paths: Iterable[Path]) -> str:
+    return listed([path.name for path in paths])

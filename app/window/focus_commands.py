@@ -1,0 +1,107 @@
+"""The keyboard's way from panel to panel: F6, Shift+F6, Escape and F10."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+
+from app.actions.declaration import action
+from app.actions.sections import VIEW_FOCUS
+from app.workbench.context import WindowContext
+
+
+class FocusCommands:
+    """Moves the focus between canvas, functions, plots, panels and toolbar."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._named = ""
+
+    def back_to_canvas(self) -> bool:
+        """Leave the panel that has the focus for the canvas; return whether one had it."""
+        context, here = self._context, QApplication.focusWidget()
+        panels = (*context.docks.all, context.toolbar)
+        if here is None or not any(panel.isAncestorOf(here) for panel in panels):
+            return False
+        context.central.canvas.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        context.status_line.unsay(self._named)
+        return True
+
+    @action("nextPanel", "Next Panel", VIEW_FOCUS, "F6")
+    def _go_on(self) -> None:
+        """Go on to the next panel with the keyboard."""
+        self._walk(1)
+
+    @action("previousPanel", "Previous Panel", VIEW_FOCUS, "Shift+F6")
+    def _go_back(self) -> None:
+        """Go back to the panel before."""
+        self._walk(-1)
+
+    def _walk(self, step: int) -> None:
+        stops = list(self._stops())
+        here = QApplication.focusWidget()
+        places = [place for place, (panel, _) in enumerate(stops) if _holds(panel, here)]
+        start = places[0] if places else -1 if step > 0 else 0
+        panel, target = stops[(start + step) % len(stops)]
+        target.setFocus(Qt.FocusReason.TabFocusReason if step > 0 else Qt.FocusReason.BacktabFocusReason)
+        self._named = f"{_title_of(panel)}."
+        self._context.session.say(self._named)
+
+    def _stops(self) -> Iterator[tuple[QWidget, QWidget]]:
+        """Yield every panel in sight and what in it takes the focus."""
+        context = self._context
+        docks = sorted(context.docks.all, key=lambda dock: (dock.x(), dock.y()))
+        panels: list[QWidget] = [
+            context.central.canvas,
+            context.central.basis_panel,
+            context.central.plot_panel,
+            *docks,
+            context.toolbar,
+        ]
+        for panel in panels:
+            target = first_in(panel) if _is_in_sight(panel) else None
+            if target is not None:
+                yield panel, target
+
+    @action("openMenuBar", "Menu Bar", VIEW_FOCUS, "F10")
+    def _open_menu_bar(self) -> None:
+        """Open the first menu, to go on with the arrows."""
+        bar = self._context.window.menuBar()
+        if bar.isVisible():
+            bar.setActiveAction(bar.actions()[0])
+
+
+def _holds(panel: QWidget, widget: QWidget | None) -> bool:
+    return widget is not None and (panel is widget or panel.isAncestorOf(widget))
+
+
+def _is_in_sight(panel: QWidget) -> bool:
+    """Whether a panel is shown, and not behind another tab."""
+    if isinstance(panel, QDockWidget) and panel.visibleRegion().isEmpty():
+        return False
+    return panel.isVisible()
+
+
+def first_in(panel: QWidget) -> QWidget | None:
+    """Return what had the focus in a panel last, else the first that takes it by Tab."""
+    before = panel.focusWidget()
+    if before is not None and _takes_focus(before):
+        return before
+    if _takes_focus(panel):
+        return panel
+    # Not by `nextInFocusChain`: PySide6 takes what that returns for a part of the widget that was asked, and
+    # for deleted as soon as that one is.
+    return next(filter(_takes_focus, panel.findChildren(QWidget)), None)
+
+
+def _takes_focus(widget: QWidget) -> bool:
+    by_tab = bool(widget.focusPolicy() & Qt.FocusPolicy.TabFocus)
+    return by_tab and widget.isEnabled() and widget.isVisible()
+
+
+def _title_of(panel: QWidget) -> str:
+    if isinstance(panel, QDockWidget):
+        return panel.windowTitle()
+    return panel.accessibleName() or panel.windowTitle()

@@ -1,0 +1,110 @@
+"""The menu bar, made from the sections of actions, and the menus of files in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu
+
+from app.actions.keymap import set_full_name
+from app.actions.mnemonics import give_mnemonics, with_mnemonics
+from app.actions.qactions import Actions
+from app.actions.sections import CURVE_TANGENTS, FILE_EXAMPLES, FILE_RECENT, MENUS, VIEW_PANELS, Menu, Section
+from app.qt.labels import menu_text
+from app.settings.preferences import Preferences
+from app.storage.examples import example_name, example_paths
+
+
+class Menus:
+    """Builds the menus of a window.
+
+    Attributes
+    ----------
+    recent, examples
+        The menus in File that `fill_with_files` fills.
+    """
+
+    def __init__(self, window: QMainWindow, actions: Actions) -> None:
+        self._actions = actions
+        self._window = window
+        self._submenus: dict[tuple[Menu, str], QMenu] = {}
+        titles = with_mnemonics([menu.title for menu in MENUS])
+        for menu, marked in zip(MENUS, titles, strict=True):
+            self._fill(window.menuBar().addMenu(marked), menu)
+        self.recent, self.examples = self._submenu(FILE_RECENT), self._submenu(FILE_EXAMPLES)
+        # A tooltip tells why an entry cannot be used.
+        self._submenu(CURVE_TANGENTS).setToolTipsVisible(True)
+
+    def _submenu(self, section: Section) -> QMenu:
+        return self._submenus[section.menu, section.submenu]
+
+    def _fill(self, bar_menu: QMenu, menu: Menu) -> None:
+        for section in menu.sections:
+            place, actions = self._place_of(section, bar_menu), self._actions.in_section(section)
+            if actions and section.is_separated and not place.isEmpty():
+                place.addSeparator()
+            place.addActions(actions)
+
+    def _place_of(self, section: Section, menu: QMenu) -> QMenu:
+        """Return the menu of a section; a submenu is made with its first one."""
+        title, key = section.submenu, (section.menu, section.submenu)
+        if title and key not in self._submenus:
+            if section.is_separated:
+                menu.addSeparator()
+            submenu = self._submenus[key] = menu.addMenu(title)
+            submenu.setObjectName(f"{title.lower().replace(' ', '_')}Menu")
+        return self._submenus[key] if title else menu
+
+    def fill_with_panels(self, docks: Sequence[QDockWidget]) -> None:
+        """Offer every dock to be shown or dismissed."""
+        for dock in docks:
+            action = dock.toggleViewAction()
+            action.setObjectName(f"{dock.objectName()}Shown")
+            action.setStatusTip(f"Show or put away the panel {dock.windowTitle()}")
+            set_full_name(action, f"{dock.windowTitle()} Panel")
+            self._submenu(VIEW_PANELS).addAction(action)
+
+    def fill_with_files(
+        self,
+        preferences: Preferences,
+        open_file: Callable[[Path], object],
+        open_example: Callable[[Path], object],
+    ) -> None:
+        """Offer the files that were open lately, and the examples."""
+        self.recent.aboutToShow.connect(lambda: self._fill_recent(preferences, open_file))
+        for path in example_paths():
+            name = path.name.removesuffix(".curve.json")
+            title = name.replace("_", " ").capitalize()
+            _add_file(self.examples, path, title, f"example_{name}").triggered.connect(
+                lambda _checked=False, path=path: open_example(path)
+            )
+        self.examples.aboutToShow.connect(self._name_examples)
+        # Last of all who hear that a menu opens: then its entries are what they are called.
+        for menu in self._window.menuBar().findChildren(QMenu):
+            # One without a title is Qt's own, for what a narrow bar has no room for.
+            if menu.title():
+                give_mnemonics(menu)
+
+    def _fill_recent(self, preferences: Preferences, open_file: Callable[[Path], object]) -> None:
+        self.recent.clear()
+        for path in preferences.recent_files:
+            _add_file(self.recent, path, path.name, str(path)).triggered.connect(
+                lambda _checked=False, path=path: open_file(path)
+            )
+        self.recent.setEnabled(True)
+        if self.recent.isEmpty():
+            self.recent.addAction("No files yet").setEnabled(False)
+
+    def _name_examples(self) -> None:
+        # Only now: nobody waits at the start for files to be read that are perhaps never opened.
+        for action, path in zip(self.examples.actions(), example_paths(), strict=True):
+            action.setText(menu_text(example_name(path)))
+
+
+def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
+    action = menu.addAction(menu_text(title))
+    action.setObjectName(name)
+    action.setStatusTip(f"Open {path.name}")
+    return action

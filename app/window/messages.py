@@ -1,0 +1,132 @@
+"""The line on the canvas: what is wrong, what can be done about it, what to do first, or a greeting."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction
+
+from app.document.model import ParametrizationKind
+from app.state.window_state import WindowState
+from app.tools.add import ADD
+from app.view_model.curve_view import CurveView
+from app.workbench.context import WindowContext
+
+_GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
+_EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."
+_EMPTY_ADDING = "Click on the canvas to add points; two of them make a curve."
+
+_BY_DISTANCE = (
+    ParametrizationKind.CHORD_LENGTH,
+    ParametrizationKind.CENTRIPETAL,
+    ParametrizationKind.POWER,
+)
+"""Rules that need distances between points; uniform parameters are the way out where there are none."""
+
+
+class Messages(QObject):
+    """Keeps the line in step with the active curve.
+
+    A sentence that was dismissed stays away as long as there is nothing else to say.
+    """
+
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._bar, self._session = context.central.message_bar, context.session
+        self._use_uniform, self._find_image = context.actions["useUniform"], context.actions["findImage"]
+        self._store = context.store
+        self._store.changed.connect(self._show_state)
+        self._greeting = ""
+        self._image_problem = self._store.state.image_problem
+        self._dismissed = ""
+        self._offered: tuple[str, QAction] | None = None
+        self._bar.closed.connect(self._dismiss)
+        self._session.interrupted.connect(self._reset_offer)
+        self._session.opened.connect(self._begin_anew)
+        self._session.history_changed.connect(self._reset_greeting)
+
+    def _dismiss(self, text: str) -> None:
+        """Say it once: the panel of the image goes on saying it, and the greeting is for the first start."""
+        self._dismissed = text
+        if text == self._image_problem:
+            self._image_problem = ""
+        if text == self._greeting:
+            self._greeting = ""
+        if self._offered is not None and text == self._offered[0]:
+            self._offered = None
+
+    def _reset_offer(self) -> None:
+        # What is shown comes from the document that follows.
+        self._offered = None
+
+    def _begin_anew(self) -> None:
+        self._dismissed = self._greeting = ""
+        self._image_problem = self._store.state.image_problem
+        self.render(self._session.active_view)
+
+    def offer(self, text: str, action: QAction) -> None:
+        """Say what has happened, with a button for `action`, until the document is another one."""
+        self._offered, self._dismissed = (text, action), ""
+        self.render(self._session.active_view)
+
+    def greet(self) -> None:
+        """Show the hint of the first start, until it is put away or something has been done."""
+        self._greeting = _GREETING
+        self.render(self._session.active_view)
+
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        if after.image_problem != before.image_problem:
+            self._image_problem = after.image_problem
+            self.render(self._session.active_view)
+        elif after.uses(ADD) != before.uses(ADD):
+            self.render(self._session.active_view)
+
+    def _reset_greeting(self) -> None:
+        if self._greeting:
+            self._greeting = ""
+            self.render(self._session.active_view)
+
+    def render(self, view: CurveView) -> None:
+        """Show what `view` needs said."""
+        text, warns = self._sentence(view)
+        if text != self._dismissed:
+            self._dismissed = ""
+        if not text or text == self._dismissed:
+            self._bar.hide()
+        elif self._offered is not None and text == self._offered[0]:
+            self._bar.offer(*self._offered)
+        elif warns:
+            self._bar.warn(text, self._way_out(view, text))
+        else:
+            self._bar.tell(text)
+
+    def _way_out(self, view: CurveView, text: str) -> QAction | None:
+        """Return what would help against what is wrong."""
+        if text == self._image_problem:
+            return self._find_image
+        by_distance = view.source.parametrization.kind in _BY_DISTANCE and not view.source.family.is_missing
+        return self._use_uniform if by_distance and text == view.problem else None
+
+    def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:
+        """Return the sentence while there is no curve, and whether it is a warning."""
+        if len(view.points):
+            # After the first point the status line says what comes next; here it would cover the drawing.
+            return "", False
+        if self._image_problem:
+            return self._image_problem, True
+        if self._dismissed in (_EMPTY, _EMPTY_ADDING):
+            # Put away with one tool it stays away with another.
+            return self._dismissed, False
+        return _EMPTY_ADDING if self._store.state.uses(ADD) else _EMPTY, False
+
+    def _sentence(self, view: CurveView) -> tuple[str, bool]:
+        """Return the most urgent sentence, empty for none, and whether it is a warning."""
+        if len(view.points) < 2:
+            return self._before_a_curve(view)
+        if view.problem:
+            return view.problem, True
+        if self._offered is not None:
+            return self._offered[0], False
+        if self._image_problem:
+            return self._image_problem, True
+        hidden = f"“{view.source.name}” is hidden; it is drawn faintly while you edit it."
+        return self._greeting if view.source.visible else hidden, False

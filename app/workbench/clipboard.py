@@ -1,0 +1,30 @@
+"""Offers of this program on the clipboard, which end before the interpreter does."""
+
+from __future__ import annotations
+
+import atexit
+from functools import cache
+
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication
+
+
+def put_on_clipboard(data: QMimeData) -> None:
+    """Let other programs, and this one, paste `data`."""
+    QGuiApplication.clipboard().setMimeData(data)
+    _take_away_at_exit()
+
+
+@cache
+def _take_away_at_exit() -> None:
+    """See that what Qt itself keeps, having no clipboard of a system, goes before the interpreter does.
+
+    Qt would destroy it with the process: with nobody there to hear of it, that ends in a segmentation fault.
+    """
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        atexit.register(_take_away)
+
+
+def _take_away() -> None:
+    if QGuiApplication.instance() is not None:
+        QGuiApplication.clipboard().clear()

@@ -1,0 +1,301 @@
+"""Open and save: the dialogs and questions around files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from app.document.model import empty_document
+from app.qt.labels import breakable
+from app.session import Session
+from app.settings.preferences import Preferences
+from app.storage.files import StorageError, load
+from app.storage.format import FormatError
+from app.storage.open_file import Reading, is_large
+from app.storage.resources import is_resource
+from app.tasks.progress import Report, part
+from app.tasks.task import Work
+from app.view_model.curve_view import CurveView
+from app.view_model.views_ahead import views_ahead
+
+SUFFIX = ".curve.json"
+NEW_NAME = empty_document().curves[0].name
+"""The name that a curve has before anyone gives it one."""
+
+StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[str], object]], bool]
+"""Takes a title, work, who gets its result, the file, what is done with it, and who hears why it was not.
+
+Returns whether the work has begun.
+"""
+
+_READ = 0.1
+"""Share of opening that is reading the file."""
+
+_LONGEST_STEM = 80
+_DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
+
+
+class DocumentFiles:
+    """What the File menu does.
+
+    Parameters
+    ----------
+    window
+        Parent of the dialogs.
+    warn
+        Shows why something could not be done.
+    """
+
+    def __init__(
+        self, session: Session, preferences: Preferences, window: QWidget, warn: Callable[[str], None]
+    ) -> None:
+        self._session, self._preferences = session, preferences
+        self._window, self._warn = window, warn
+        self.refused: Callable[[Path, str, StorageError], None] = lambda _path, sentence, _why: warn(sentence)
+        """Says why a document was not saved, and what can be done about it."""
+        self.beside: StartWork | None = None
+        """Does work beside the window; without it every document is opened at once."""
+        self._after_opening: list[Callable[[str], object]] | None = None
+
+    def new(self) -> None:
+        """Start an empty document, after asking about unsaved changes."""
+        if self.may_discard():
+            self._session.new()
+
+    def ask_and_open(self) -> None:
+        """Let the person choose a document and open it."""
+        folder = str(self._preferences.last_folder)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, _DOCUMENTS)
+        if name:
+            self.open(Path(name))
+
+    def open(self, path: Path) -> None:
+        """Open the document at `path`, after asking about unsaved changes; a large one beside the window."""
+        if self.beside is not None and is_large(path) and not is_resource(path):
+            self._open_large(path, self.beside)
+        else:
+            self._open(path, self._session.open, remember=not is_resource(path))
+
+    def _open_large(self, path: Path, beside: StartWork) -> None:
+        """Read a document, and compute its curves, beside the window, which shows how far that is."""
+        begun = self._session.files.beginning
+
+        def work(report: Report) -> tuple[Reading, list[CurveView]]:
+            report(0.0, "Reading")
+            reading = Reading.of(path)
+            told = part(report, _READ, 1.0)
+            return reading, views_ahead(
+                reading.document.curves, lambda share: told(share, "Computing curves")
+            )
+
+        def end(problem: str = "") -> None:
+            waiting, self._after_opening = self._after_opening or [], None
+            if problem:
+                self._warn(problem)
+            for then in waiting:
+                then(problem)
+
+        def done(found: tuple[Reading, list[CurveView]]) -> None:
+            try:
+                take(*found)
+            finally:
+                end()
+
+        def take(reading: Reading, views: list[CurveView]) -> None:
+            if self._session.files.beginning is not begun:
+                self._session.refuse(
+                    f"{path.name} was not opened, for another document was opened meanwhile."
+                )
+                return
+            self._open(
+                path, partial(self._session.open, reading=reading, views=views), remember=True, looks=False
+            )
+
+        if beside(f"Opening {path.name}", work, done, path, "opened", end):
+            self._after_opening = []
+
+    def after_opening(self, then: Callable[[str], object]) -> None:
+        """Do what is meant for the document that is on its way in when it is there; at once where none is.
+
+        `then` hears why it was not opened.
+        """
+        if self._after_opening is None:
+            then("")
+        else:
+            self._after_opening.append(then)
+
+    def why_not(self, path: Path) -> str:
+        """Return why a document cannot be opened, as a sentence; empty where it can."""
+        try:
+            load(path)
+        except (FormatError, StorageError) as problem:
+            return _sentence(f"{path.name} was not opened", problem)
+        return ""
+
+    def open_example(self, path: Path, text: str = "Open Example") -> bool:
+        """Open a copy of an example or a lesson; saving it asks for a name. Return whether it is open now.
+
+        Work without a file stays in the history, below a step called `text`: nobody is asked about it.
+        """
+        session = self._session
+        session.cancel()
+        leaves_work = session.path is None and session.is_modified
+        is_open = self._open(
+            path, partial(session.files.open_copy, text=text), remember=False, asks=session.path is not None
+        )
+        if is_open and leaves_work:
+            session.offer("What you had before is kept.", "goBack")
+        return is_open
+
+    def _open(
+        self,
+        path: Path,
+        opener: Callable[[Path], object],
+        *,
+        remember: bool,
+        asks: bool = True,
+        looks: bool = True,
+    ) -> bool:
+        try:
+            if looks:
+                load(path)  # nobody is asked to part with a drawing for a file that cannot be opened
+            if asks and not self.may_discard():
+                return False
+            opener(path)
+        except (FormatError, StorageError) as problem:
+            self._warn(_sentence(f"{path.name} was not opened", problem))
+            return False
+        if remember:
+            self._remember(path)
+        return True
+
+    def save(self) -> bool:
+        """Save to the document's file, or ask for one; return whether it was saved."""
+        file = self._session.files.file
+        if self._session.path is None or (
+            self._session.files.is_read_only and file and not file.take_if_free()
+        ):
+            return self.ask_and_save()
+        return self._save(self._session.path)
+
+    def overwrite(self) -> bool:
+        """Save to the document's file although it was changed meanwhile; return whether it was saved."""
+        return self._session.path is not None and self._save(self._session.path, overwrite=True)
+
+    def ask_and_save(self) -> bool:
+        """Let the person choose a file and save there."""
+        start = self._session.path or self._preferences.last_folder / (file_stem(self._session) + SUFFIX)
+        if self._session.files.is_read_only:
+            start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
+        if not name:
+            return False
+        path = with_suffix(Path(name))
+        if path != Path(name) and path.exists():
+            # The dialog asked about the name without the suffix, if it asked at all.
+            why = StorageError(f"“{path.name}” is there already. Choose it in the list to replace it.")
+            self.refused(path, f"{path.name} was not saved. {why}", why)
+            return False
+        return self._save(path)
+
+    def _save(self, path: Path, *, overwrite: bool = False) -> bool:
+        file = self._session.files.file
+        was_older = file is not None and file.is_older and file.is_at(path)
+        try:
+            self._session.save(path, overwrite=overwrite)
+        except FormatError as problem:
+            self._warn(_sentence(f"{path.name} was not saved", problem))
+            return False
+        except StorageError as problem:
+            self.refused(path, _sentence(f"{path.name} was not saved", problem), problem)
+            return False
+        self._remember(path)
+        kept = " The old version is kept beside it." if was_older else ""
+        self._session.say(f"Saved {path.name}.{kept}")
+        return True
+
+    def _remember(self, path: Path) -> None:
+        self._preferences.add_recent_file(path)
+        self._preferences.last_folder = path.parent
+
+    def may_discard(self) -> bool:
+        """Ask what to do with unsaved changes; return whether the document may be replaced."""
+        self._session.cancel()
+        # The watch may be waiting whether another program goes on writing.
+        self._session.files.check()
+        if not self._session.is_modified:
+            return True
+        answer = self._ask_about_changes()
+        if answer == QMessageBox.StandardButton.Save:
+            return self.save()
+        return answer == QMessageBox.StandardButton.Discard
+
+    def release(self) -> None:
+        """Tell others that the document is open here no longer."""
+        if self._session.files.file is not None:
+            self._session.files.file.close()
+
+    def _ask_about_changes(self) -> int:
+        asked, told = _question_about(self._session)
+        question = QMessageBox(self._window)
+        question.setObjectName("saveChanges")
+        question.setWindowTitle("Curvebench")
+        question.setTextFormat(Qt.TextFormat.PlainText)
+        question.setIcon(QMessageBox.Icon.Question)
+        question.setText(breakable(asked))
+        question.setInformativeText(told)
+        buttons = QMessageBox.StandardButton
+        question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
+        question.setDefaultButton(buttons.Save)
+        answer = question.exec()
+        # Else every question ever asked would stay a part of the window.
+        question.setParent(None)
+        return answer
+
+
+def _question_about(session: Session) -> tuple[str, str]:
+    """Return what is asked before a document goes that is not in its file, and why."""
+    name = _short(title_of(session)) if session.path is not None else "the sketch"
+    file = session.files.file
+    why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
+    if session.has_changes:
+        return f"Save the changes to {name}?", f"{why}Without saving they are lost."
+    return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
+
+
+def _short(name: str) -> str:
+    """Return a name without its middle where it is long; the title of the window has it whole."""
+    half = _LONGEST_STEM // 2
+    return name if len(name) <= _LONGEST_STEM else f"{name[:half]}…{name[-half:]}"
+
+
+def title_of(session: Session) -> str:
+    """Return what the document is called: its file; a curve's name would change with the order of curves."""
+    return session.path.name if session.path is not None else session.files.beginning.title or "Untitled"
+
+
+def file_stem(session: Session) -> str:
+    """Return a file name for the document, without ending."""
+    if session.path is not None:
+        return session.path.name.removesuffix(SUFFIX)
+    name = "".join(character for character in session.document.curves[0].name if character.isprintable())
+    # What some system does not allow in a file's name.
+    return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
+
+
+def _sentence(what: str, problem: Exception) -> str:
+    """Return why a file was not opened or written; a FormatError is a clause, the others are sentences."""
+    if isinstance(problem, FormatError):
+        return f"{what}: {problem}."
+    return f"{what}. {problem}"
+
+
+def with_suffix(path: Path) -> Path:
+    """Return `path` with the documents' suffix if it has none."""
+    return path if path.suffix else path.with_name(path.name + SUFFIX)

@@ -1,0 +1,49 @@
+"""Live change of the document by a slider."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.document.model import Document
+from app.session import Session
+from app.tools.drag_machine import CANCELLED
+from app.widgets.live_slider import LiveSlider
+
+
+class SliderGesture:
+    """Changes the document by a slider: live in a drag, which is one step; at once by key, wheel or click.
+
+    Parameters
+    ----------
+    edit
+        Returns the document for a position of the slider, and the same one where nothing changes.
+    name
+        Returns the name of the step for a position.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        slider: LiveSlider,
+        edit: Callable[[Document, int], Document],
+        name: Callable[[int], str],
+    ) -> None:
+        self._session, self._slider, self._edit, self._name = session, slider, edit, name
+        slider.dragged.connect(self._preview)
+        slider.dropped.connect(self._commit)
+        slider.chosen.connect(self._change)
+        slider.cancelled.connect(self._cancel)
+        session.interrupted.connect(slider.abandon)
+
+    def _preview(self, position: int) -> None:
+        self._session.preview(self._edit(self._session.committed, position))
+
+    def _commit(self, position: int) -> None:
+        self._session.commit(self._session.document, self._name(position))
+
+    def _change(self, position: int) -> None:
+        self._session.change(self._name(position), lambda document: self._edit(document, position))
+
+    def _cancel(self) -> None:
+        self._session.cancel()
+        self._session.say(CANCELLED)
