@@ -121,7 +121,7 @@ class Family:
 
     @property
     def why_open(self) -> str:
-        """Why its curves cannot return to their first point, as what is said of one of them."""
+        """The reason for its curves not to return to their first point, as said of one of them."""
         if self.is_one_polynomial:
             return "is one polynomial, and one that is not constant cannot repeat itself smoothly"
         return "does not come back smoothly to its first point"

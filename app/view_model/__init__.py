@@ -1,7 +1,7 @@
 """Documents turned into arrays to draw. No Qt; of app only ``families`` and ``exchange`` call curvecore, too.
 
-A *knot* is the index of a parameter of the core curve: that of a point, and where the curve is closed one more
-at the end, which is the first point again.
+A *knot* is the index of a parameter of the core curve: that of a point, and where the curve is closed one
+more at the end, which is the first point again.
 
 A curve:
 
@@ -20,14 +20,14 @@ A curve changed:
 
 - ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
 - ``appending``: points appended, curves closed.  ``pen_preview``: the curve with a point more.
-- ``reshape``, ``split_join``, ``smoothness``, ``straight``: other points for the same curve, two curves of one,
-  corners, straight segments.  ``measure``: the change of shape.
+- ``reshape``, ``split_join``: other points for the same curve, two curves of one.
+  ``smoothness``, ``straight``: corners, straight segments.  ``measure``: the change of shape.
 - ``pasting``: points carried from one curve to another.
 - ``point_columns``: the columns of the point table.
 
 Beside the curve:
 
-- ``motion``, ``motion_settings``: a dot that runs along it.  ``motion_picture``, ``arrow``: its drawing and words.
+- ``motion``, ``motion_settings``: a dot that runs along it.  ``motion_picture``, ``arrow``: its picture.
 - ``analysis``: overlays, plots, joints, the laboratory, cures.
 - ``goals``: the goals of lessons.
 - ``line_styles``, ``palette``: the look of lines and marks; the colours of points.

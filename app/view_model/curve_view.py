@@ -137,10 +137,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def with_knots(self, points: FloatArray, parameters: FloatArray) -> CoreCurve:
         """Return the core curve through other points (k, 2), at parameters (k,), under the same rules."""
-        if not self.source.family.derivatives:
-            return self.source.family.make(points[:, None], parameters)
-        sides = sides_of(self.source, points, parameters, self.arrays)
-        return _piecewise(self.source, sides, parameters, self.arrays, None)
+        return _core_curve(self.source, points, parameters, self.arrays)[0]
 
     @property
     def at_knots(self) -> FloatArray:
@@ -235,31 +232,14 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
 def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CurveView:
     points = arrays.positions
     knots = at_knots(points, closed=curve.is_closed)
-    parameters = _known_parameters(curve, arrays, previous)
-    if parameters is None:
-        parameters = parameters_of(curve, knots, arrays.times)
-        # Refused as a whole: a piece between two corners would count from its own beginning.
-        parameter_array(parameters, len(knots))
+    parameters = parameters_of(curve, knots, arrays.times)
+    # Refused as a whole: a piece between two corners would count from its own beginning.
+    parameter_array(parameters, len(knots))
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
-    if not curve.family.derivatives:
-        jets = knots[:, None]
-        line = curve.family.make(jets, parameters) if frozen is None else frozen.with_jets(jets)
-        return CurveView(curve, points, arrays, line, _flattener=flattener, _cardinals=cardinals)
-    sides = sides_of(curve, knots, parameters, arrays)
-    core = _piecewise(curve, sides, parameters, arrays, frozen)
+    core, sides = _core_curve(curve, knots, parameters, arrays, frozen)
     return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
-
-
-def _known_parameters(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> FloatArray | None:
-    """Return the parameters of the curve before where they cannot be other ones: no rule moves them."""
-    if previous is None or not previous.is_current or len(previous.points) != len(arrays.positions):
-        return None
-    old, rule = previous.source, curve.parametrization
-    if rule.kind not in BY_COUNT or rule is not old.parametrization or old.is_closed is not curve.is_closed:
-        return None
-    return previous.parameters if arrays.times is previous.arrays.times else None
 
 
 def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView | None) -> CoreCurve | None:
@@ -269,23 +249,33 @@ def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView |
     old = previous.curve
     if old is None or len(old.pieces) > 1:
         return None
-    is_same = old.parameters is parameters or np.array_equal(old.parameters, parameters)
-    return old if is_same else None
+    return old if np.array_equal(old.parameters, parameters) else None
 
 
-def _piecewise(
-    curve: Curve, sides: Sides, parameters: FloatArray, arrays: PointArrays, frozen: CoreCurve | None
-) -> CoreCurve:
+def _core_curve(
+    curve: Curve,
+    points: FloatArray,
+    parameters: FloatArray,
+    arrays: PointArrays,
+    frozen: CoreCurve | None = None,
+) -> tuple[CoreCurve, Sides | None]:
+    """Return the core curve through points at its knots, and its jets where the family has derivatives.
+
+    `frozen` is a curve of the family with these parameters, and without corners.
+    """
+    if not curve.family.derivatives:
+        jets = points[:, None]
+        return curve.family.make(jets, parameters) if frozen is None else frozen.with_jets(jets), None
+    sides = sides_of(curve, points, parameters, arrays)
     last = len(parameters) - 1
-    corners = [index for index in corner_knots(arrays, last + 1) if 0 < index < last]
+    corners = [knot for knot in corner_knots(arrays, last + 1) if 0 < knot < last]
     if frozen is not None and not corners:
-        return frozen.with_jets(_piece_jets(sides, 0, last))
-    cuts = [0, *corners, last]
+        return frozen.with_jets(_piece_jets(sides, 0, last)), sides
     pieces = [
         curve.family.make(_piece_jets(sides, start, end), parameters[start : end + 1])
-        for start, end in pairwise(cuts)
+        for start, end in pairwise([0, *corners, last])
     ]
-    return pieces[0] if len(pieces) == 1 else Chain(pieces)
+    return pieces[0] if len(pieces) == 1 else Chain(pieces), sides
 
 
 def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:

@@ -102,14 +102,14 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     index = _place_between(view, t)
     curve = view.source
     point = _sampled(view, t)
+    if not curve.is_manual:
+        point = replace(point, t=None)
+    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     if curve.is_manual:
-        grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
         own = np.arange(len(curve.points))
         grown = estimates_kept(view, grown, own, np.where(own < index, own, own + 1))
         after = view_of(grown)
         return Reshaped(grown, _change(view, after, after.parameters))
-    point = replace(point, t=None)
-    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     grown = _stretched_along(view, grown, index, t)
     after = view_of(grown)
     return Reshaped(grown, _change(view, after, np.insert(view.parameters, index, t)), parameters_moved=True)

@@ -107,7 +107,7 @@ def test_the_polyline_is_as_near_as_it_says(name):
     everywhere = np.array([-100.0, -100.0, 100.0, 100.0])
     for tolerance in (0.1, 1e-3, 1e-5):
         line = view_of(view.source).flattened(tolerance)
-        assert line.deviation <= tolerance
+        assert line.reached <= tolerance
         assert worst_distance(view.curve, line, everywhere) <= tolerance
 
 
@@ -124,7 +124,7 @@ def test_a_drag_draws_what_a_new_view_would_draw(name, kind):
         fresh = view_of(moved)
         assert np.array_equal(before.curve.jets, fresh.curve.jets)
         assert np.abs(line.points - fresh.curve.evaluate(line.parameters)).max() < 1e-11
-        assert line.deviation <= 1e-3
+        assert line.reached <= 1e-3
 
 
 def test_the_basis_panel_shows_the_functions_of_the_curve(name):

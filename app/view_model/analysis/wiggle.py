@@ -1,4 +1,4 @@
-"""Why the curve swings out where it does: who pulls at one t, and how hard."""
+"""Explanation of a swing of the curve: the points that pull at one t, and how hard."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Explanation:
-    """Why the curve is where it is at one t.
+    """The explanation of the curve at one t.
 
     Attributes
     ----------
