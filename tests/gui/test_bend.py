@@ -18,7 +18,7 @@ from app.view_model.bend import Bend
 from app.view_model.curve_view import view_of
 from app.view_model.hold import BendWith
 from curvecore import LagrangeCurve, bezier_segments, chord_length
-from curvecore.bezier.flatten import segment_distance
+from curvecore.bezier.polylines import segment_distance
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
