@@ -15,7 +15,7 @@ class Taken(Protocol):
 
 
 class Names:
-    """Hands out names, each once; where many begin alike, the next number is known and not searched.
+    """Source of names, each given once; where many begin alike, the next number is known and not searched.
 
     Parameters
     ----------
