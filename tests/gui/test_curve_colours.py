@@ -23,6 +23,7 @@ from app.exchange.drawing.styles import INK
 from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
 from app.features.import_export.export_dialog import ExportDialog
 from app.view_model.palette import adjustment_of, colour_on
@@ -120,7 +121,7 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     # It is told, in the list and before it is written.
     how = "lighter" if theme is DARK else "darker"
     editor.show_dock("curvesDock")
-    view = editor.window.curve_list.view
+    view = editor.window.commands[CurveListCommands].panel.view
     tip = view.tip_at(spot_rect(view.row_rect(1), Spot.SWATCH).center())
     assert f"drawn {how} than its {dim}" in tip
     assert how not in view.tip_at(spot_rect(view.row_rect(0), Spot.SWATCH).center())
