@@ -98,7 +98,7 @@ class CurveLayer(Layer):
         if self._ghost is not None and self.ghost_opacity > 0:
             self._paint_ghost(painter, shown, self._ghost)
         polyline = self.polyline(shown)
-        self.error = 0.0 if polyline is None else polyline.deviation * max(shown.sx, shown.sy)
+        self.error = 0.0 if polyline is None else polyline.reached * max(shown.sx, shown.sy)
         if polyline is None:
             return
         self._stroke.show(polyline.points, shown)

@@ -272,7 +272,10 @@ class Snapper:
 
 def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) -> tuple[float, Snap] | None:
     nearest = curve.within(position, reach)
-    return (nearest.distance, Snap(nearest.position, name)) if nearest is not None else None
+    if nearest is None:
+        return None
+    x, y = nearest.point.tolist()
+    return nearest.distance, Snap((x, y), name)
 
 
 def _nearest(found: Iterable[tuple[float, Snap] | None]) -> Snap | None:
