@@ -99,7 +99,7 @@ class Canvas(ToolPlot):
 
     # Menus and keys
 
-    def menu_wanted(self, event: QContextMenuEvent) -> None:
+    def _menu_wanted(self, event: QContextMenuEvent) -> None:
         """Ask for a menu: for what lies under the pointer; by the Menu key, for the selected point."""
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
         place = self.framing.selected_pixel() if by_key else QPointF(event.pos())

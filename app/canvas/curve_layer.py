@@ -44,8 +44,6 @@ class CurveLayer(Layer):
         self.error = 0.0
         self._view: CurveView | None = None
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
-        self._made_for: tuple[object, ...] = ()
-        self._pen_now = QPen()
         self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
@@ -97,15 +95,15 @@ class CurveLayer(Layer):
         """Draw ghost and curve."""
         if self._ghost is not None and self.ghost_opacity > 0:
             self._paint_ghost(painter, shown, self._ghost)
-        polyline = self.polyline(shown)
+        view, polyline = self._view, self.polyline(shown)
         self.error = 0.0 if polyline is None else polyline.reached * max(shown.sx, shown.sy)
-        if polyline is None:
+        if view is None or polyline is None:
             return
         self._stroke.show(polyline.points, shown)
         if self._is_cased:
             painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
             self._stroke.draw(painter)
-        painter.setPen(self._pen())
+        painter.setPen(self._pen(view))
         self._stroke.draw(painter)
         if self.said:
             self._paint_word(painter, shown)
@@ -124,20 +122,11 @@ class CurveLayer(Layer):
         self._is_cased = cased
         self.update()
 
-    def _pen(self) -> QPen:
-        view = self._view
-        colour = view.source.colour if view is not None else None
-        # The last good curve, of points or rules that are no more, and a hidden one that is edited.
-        is_faint = view is not None and not (view.is_current and view.source.visible)
-        asked = (colour, is_faint, self.theme, self.scale)
-        if asked != self._made_for:
-            self._made_for = asked
-            self._pen_now = self._line(self.theme.curve, _WIDTH)
-            if is_faint:
-                self._pen_now = self._line(self.theme.handle, FAINT_WIDTH)
-            elif colour is not None:
-                self._pen_now.setColor(curve_colour(colour, self.theme))
-        return self._pen_now
+    def _pen(self, view: CurveView) -> QPen:
+        if not (view.is_current and view.source.visible):
+            # The last good curve, of points or rules that are no more, and a hidden one that is edited.
+            return self._line(self.theme.handle, FAINT_WIDTH)
+        return self._line(curve_colour(view.source.colour, self.theme), _WIDTH)
 
     def _line(self, colour: QColor, width: float) -> QPen:
         return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap)

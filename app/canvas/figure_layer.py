@@ -12,7 +12,7 @@ from PySide6.QtGui import QPainter
 
 from app.canvas.curve_layer import TOLERANCE
 from app.plotting.area import AreaFill
-from app.plotting.drawing import MARGIN, Segments, cut_segments
+from app.plotting.drawing import MARGIN, draw_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line, draw_mark, pen_of
 from app.plotting.pixel_map import PixelMap
@@ -88,7 +88,7 @@ class FigureLayer(Layer):
             case Shape.LINE:
                 draw_line(painter, pixels, figure.style.dashes, shown)
             case Shape.SEGMENTS:
-                _draw(painter, cut_segments(pixels.reshape(-1, 4), shown.width, shown.height))
+                draw_segments(painter, pixels.reshape(-1, 4), shown)
             case Shape.ARROWS:
                 _draw_arrows(painter, pixels, shown)
             case Shape.TICKS:
@@ -133,12 +133,6 @@ def _pixels(points: FloatArray, shown: PixelMap) -> FloatArray:
         return np.clip(shown.points(points), -_FARTHEST, _FARTHEST)
 
 
-def _draw(painter: QPainter, segments: FloatArray) -> None:
-    drawn = Segments()
-    drawn.fill(segments)
-    drawn.draw(painter)
-
-
 def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None:
     """Draw segments with heads; short arrows have small heads, so that the shaft is seen."""
     ends = pixels.reshape(-1, 2, 2)
@@ -147,15 +141,13 @@ def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None
     side = np.column_stack([-head[:, 1], head[:, 0]]) * 0.45
     tips = ends[:, 1]
     barbs = [np.hstack([tips, tips - head + sign * side]) for sign in (1, -1)]
-    _draw(painter, cut_segments(np.vstack([ends.reshape(-1, 4), *barbs]), shown.width, shown.height))
+    draw_segments(painter, np.vstack([ends.reshape(-1, 4), *barbs]), shown)
 
 
 def _draw_ticks(painter: QPainter, pixels: FloatArray, shown: PixelMap, half: float) -> None:
     ends = pixels.reshape(-1, 2, 2)
     along, _ = _directions(ends)
-    reach = half * along
-    ticks = np.hstack([ends[:, 0] - reach, ends[:, 0] + reach])
-    _draw(painter, cut_segments(ticks, shown.width, shown.height))
+    draw_segments(painter, np.hstack([ends[:, 0] - half * along, ends[:, 0] + half * along]), shown)
 
 
 def _directions(ends: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.appearance.colours import curve_colour
 from app.appearance.theme import mix
-from app.plotting.drawing import Segments, cut_segments, is_near
+from app.plotting.drawing import draw_segments, is_near
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line
 from app.plotting.pixel_map import PixelMap
@@ -96,10 +96,7 @@ class MotionLayer(Layer):
             return
         painter.setPen(QPen(colour, 2.0 * self.scale))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        segments = arrow_segments(start, tip, 9.0 * self.scale)
-        drawn = Segments()
-        drawn.fill(cut_segments(segments, shown.width, shown.height))
-        drawn.draw(painter)
+        draw_segments(painter, arrow_segments(start, tip, 9.0 * self.scale), shown)
         self._write_beyond(painter, shown, start, tip, words)
 
     def _write_beyond(

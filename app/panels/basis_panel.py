@@ -60,9 +60,9 @@ class BasisPanel(ToolPlot):
 
     # Gestures
 
-    def pressed(self, pointer: Pointer) -> None:
-        super().pressed(pointer)
-        if self.tools.is_dragging:
+    def _pressed(self, pointer: Pointer) -> None:
+        super()._pressed(pointer)
+        if self.tools.context.drags.is_pressed:
             self.drag_changed.emit(True)
 
     def abandon_gesture(self) -> None:
@@ -112,7 +112,7 @@ class BasisPanel(ToolPlot):
         place = self.rail_pixel(t) - QPointF(0, 8)
         self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, place.toPoint())))
 
-    def menu_wanted(self, event: QContextMenuEvent) -> None:
+    def _menu_wanted(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the t-rail."""
         self._select_for_menu(event)
         self.menu_requested.emit(event.globalPos())

@@ -166,6 +166,13 @@ class Segments(_Batch):
         super().__init__(QLineF, QPainter.drawLines)
 
 
+def draw_segments(painter: QPainter, segments: FloatArray, shown: PixelMap) -> None:
+    """Draw what lies near the area of segments (m, 4) in pixels, with the painter's pen."""
+    drawn = Segments()
+    drawn.fill(cut_segments(segments, shown.width, shown.height))
+    drawn.draw(painter)
+
+
 class Bars(_Batch):
     """Many rectangles x, y, width, height: of lines on whole pixels the quickest way."""
 

@@ -190,19 +190,19 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
 
     # A subclass fills in these.
 
-    def pressed(self, pointer: Pointer) -> None:
+    def _pressed(self, pointer: Pointer) -> None:
         """Handle a press of the left button."""
 
-    def moved(self, pointer: Pointer) -> None:
+    def _moved(self, pointer: Pointer) -> None:
         """Handle a move with the left button down."""
 
-    def released(self, pointer: Pointer) -> None:
+    def _released(self, pointer: Pointer) -> None:
         """Handle the release of the left button."""
 
-    def hovered_at(self, pointer: Pointer) -> None:
+    def _hovered_at(self, pointer: Pointer) -> None:
         """Handle a move with no button down."""
 
-    def left(self) -> None:
+    def _left(self) -> None:
         """Handle the pointer leaving the widget."""
 
     @property
@@ -214,7 +214,7 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
         """Drop the gesture in flight; return whether there was one."""
         return False
 
-    def menu_wanted(self, event: QContextMenuEvent) -> None:
+    def _menu_wanted(self, event: QContextMenuEvent) -> None:
         """Handle the wish for a menu, while no gesture is in flight."""
 
     # Events
@@ -238,14 +238,14 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
             self._release()  # the release was never heard of
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:
             self._pointer, self._is_held = self.pointer_at(event), True
-            self.pressed(self._pointer)
+            self._pressed(self._pointer)
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()
         refused, self._menu_refused = self._menu_refused, False
         if not refused and not self.is_dragging:
-            self.menu_wanted(event)
+            self._menu_wanted(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         # The second press of a double click is a press like any other: quick clicks must all count.
@@ -255,19 +255,19 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
         if not self._panning.move(event):
             self._pointer = self.pointer_at(event)
             if event.buttons() & Qt.MouseButton.LeftButton:
-                self.moved(self._pointer)
+                self._moved(self._pointer)
             elif not event.buttons():
                 if self._is_held:
                     # The release went elsewhere: to a list that a key has opened, for instance.
                     self._release()
-                self.hovered_at(self._pointer)
+                self._hovered_at(self._pointer)
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         # A drag with the left button ends with it, also while the middle one pans.
         if not self._panning.release(event) and event.button() == Qt.MouseButton.LeftButton:
             self._pointer, self._is_held = self.pointer_at(event), False
-            self.released(self._pointer)
+            self._released(self._pointer)
         event.accept()
 
     def event(self, event: QEvent) -> bool:
@@ -311,9 +311,9 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
         shown, pixel = self.pixel_map, self._pointer.pixel
         self._pointer = replace(self._pointer, position=shown.plane(*pixel), scale=shown.sx)
         if self.is_dragging:
-            self.moved(self._pointer)
+            self._moved(self._pointer)
         elif not self._is_held:
-            self.hovered_at(self._pointer)
+            self._hovered_at(self._pointer)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._scrolling.wheel(event)
@@ -335,7 +335,7 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
     def leaveEvent(self, event: QEvent) -> None:
         if not self.is_dragging:
             self._pointer = None
-        self.left()
+        self._left()
         event.accept()
 
     def focusInEvent(self, event: QFocusEvent) -> None:

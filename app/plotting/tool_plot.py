@@ -91,30 +91,30 @@ class ToolPlot(PlotWidget):
         self.show_marks()
         return found
 
-    def pressed(self, pointer: Pointer) -> None:
+    def _pressed(self, pointer: Pointer) -> None:
         self.gesture_began.emit()
         self.tools.press(pointer)
         self._show_progress()
 
-    def moved(self, pointer: Pointer) -> None:
+    def _moved(self, pointer: Pointer) -> None:
         self.tools.move(pointer)
         self.show_marks()
         # The eye is on the curve: words come once that has been painted.
         self._words_due.start()
 
-    def released(self, pointer: Pointer) -> None:
+    def _released(self, pointer: Pointer) -> None:
         self._words_due.stop()
         self.tools.release(pointer)
         self._end_gesture()
         x, y = pointer.pixel
         if 0 <= x <= self.pixel_map.width and 0 <= y <= self.pixel_map.height:
-            self.hovered_at(pointer)
+            self._hovered_at(pointer)
         else:
-            self.left()
+            self._left()
 
-    def hovered_at(self, pointer: Pointer) -> None:
+    def _hovered_at(self, pointer: Pointer) -> None:
         if self.tools.is_transforming:
-            self.moved(pointer)
+            self._moved(pointer)
             return
         hint = self.tools.hover(pointer)
         self._show_cursor(hint)
@@ -125,9 +125,9 @@ class ToolPlot(PlotWidget):
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves, or the document."""
         if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
-            self.hovered_at(self._pointer_now())
+            self._hovered_at(self._pointer_now())
 
-    def left(self) -> None:
+    def _left(self) -> None:
         if not self.is_dragging:
             self._pointer = None
             self.tools.leave()
@@ -189,7 +189,7 @@ class ToolPlot(PlotWidget):
         if taken and was_dragging:
             self._show_progress()
         if taken and not self.is_dragging:
-            self.hovered_at(self._pointer_now())
+            self._hovered_at(self._pointer_now())
         return taken or claimed
 
     def _nudge(self, event: QKeyEvent) -> bool:

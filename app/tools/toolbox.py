@@ -77,11 +77,6 @@ class Toolbox:
         return self._drags.is_pressed or self.tool.is_busy
 
     @property
-    def is_dragging(self) -> bool:
-        """Whether what is in flight changes the document."""
-        return self._drags.is_pressed
-
-    @property
     def is_transforming(self) -> bool:
         """Whether a transform follows the pointer with no button down."""
         return self._above is not None and self._above.lasts_one_gesture

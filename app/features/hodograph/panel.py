@@ -11,7 +11,7 @@ from app.appearance.colours import point_colours
 from app.appearance.icons import icon
 from app.appearance.theme import LIGHT, Theme, theme_of
 from app.document.words import number
-from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
+from app.plotting.drawing import MARGIN, Stroke, draw_segments
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.tool_plot import ToolPlot
@@ -165,10 +165,8 @@ class HodographPlot(ToolPlot):
         end = np.array(shown.point(value[0] / self.unit, value[1] / self.unit))
         if not np.isfinite(end).all():
             return
-        shaft = Segments()
-        shaft.fill(cut_segments(np.concatenate([start, end])[None], shown.width, shown.height))
         painter.setPen(QPen(self.theme.accent, 1.8))
-        shaft.draw(painter)
+        draw_segments(painter, np.concatenate([start, end])[None], shown)
         if (end >= -MARGIN).all() and (end <= (shown.width + MARGIN, shown.height + MARGIN)).all():
             painter.setPen(QPen(self.theme.paper, 1.5))
             painter.setBrush(self.theme.accent)
