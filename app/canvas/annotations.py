@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app import canvas
 from app.canvas.figure_layer import FigureLayer
-from app.canvas.file_layer import FileLayer
+from app.canvas.other_curves_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
 from app.plotting.plot_widget import PlotWidget
 from app.view_model import analysis

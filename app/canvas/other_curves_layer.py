@@ -17,11 +17,13 @@ from app.canvas.hit_test import CURVE_REACH, PixelOutline
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
+from app.plotting.pens import draw_line, pen_of
 from app.plotting.pictures import transparent
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CurveView
+from app.view_model.line_styles import FILE_STYLE
 from curvecore.arrays import FloatArray
 
 _SLOW = 0.008
@@ -149,6 +151,18 @@ class OtherCurvesLayer(Layer):
         if self._outline is None or self._outline.shown is not shown:
             self._outline = _Outline(self._views, shown)
         return self._outline.hit(pixel)
+
+
+class FileLayer(OtherCurvesLayer):
+    """Draws the curves of the file behind those of the document, out of the reach of the mouse."""
+
+    z = -2.0
+
+    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Paint dashed lines into the picture that is kept: dashes are slow to make."""
+        painter.setPen(pen_of(FILE_STYLE, self.theme, self.scale))
+        for view in views:
+            draw_line(painter, pixels_of(view, shown), FILE_STYLE.dashes, shown)
 
 
 class _Picture(msgspec.Struct, frozen=True, eq=False):

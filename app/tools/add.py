@@ -8,13 +8,13 @@ from functools import partial
 from app.document.curve_edits import add_curve, fresh_curve
 from app.document.model import Vector
 from app.tools import hints
-from app.tools.closing import can_end_at, close_curve
 from app.tools.drag_machine import EditingHost
 from app.tools.marks import GestureMarks
 from app.tools.parts import press_on_part
 from app.tools.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
 from app.tools.pointer import Hint, Hit
 from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.view_model.appending import closed_by_pen
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.pen_preview import view_with_point
 
@@ -94,8 +94,8 @@ class AddTool(Tool):
             self._append(context)
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
-        if can_end_at(hit, context.view):
-            press_on_part(context, hit, partial(close_curve, context.host))
+        if hints.can_end_at(hit, context.view):
+            press_on_part(context, hit, partial(_close, context.host))
         elif self._goes_on_at(hit, context.host):
             press_on_part(context, hit, partial(self._go_on, context.host))
         else:
@@ -174,6 +174,12 @@ def _insert(context: ToolContext, hit: Hit) -> None:
     context.drags.press_at_once(
         context.pointer, insert, on_done=lambda: _say_outcome(host, insert), makes=hit.index
     )
+
+
+def _close(host: EditingHost) -> None:
+    """Close the curve that is edited, or say why it cannot be closed."""
+    active, view = host.active_index, host.active_view
+    host.change(f"Close {view.source.name}", lambda document: closed_by_pen(document, active, view))
 
 
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:

@@ -1,8 +1,10 @@
-"""Drags of points and handles: the document at a place of the pointer, computed from the press."""
+"""Drags of points, handles and the curve itself: the document at a place of the pointer."""
 
 from __future__ import annotations
 
 import math
+
+import msgspec
 
 from app.document import edits, words
 from app.document.model import Document, Vector
@@ -11,8 +13,13 @@ from app.document.transforms import step_points
 from app.tools.drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapper
+from app.view_model.bend import Bend
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
+from app.view_model.hold import BendWith
+
+_TOLERANCE = 0.05
+"""Pixels that the grabbed point may be off, where the parameters answer to the points."""
 
 
 class MovePoints(Drag, frozen=True):
@@ -214,6 +221,49 @@ class PullVelocity(CurveDrag, frozen=True):
         velocity = self._velocity_at(pointer)
         ahead = self.view.spacing(self.index, ahead=True) is not None
         return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
+
+
+class BendCurve(CurveDrag, frozen=True):
+    """Change the data as little as makes the grabbed point follow: Ctrl points only, Alt derivatives only."""
+
+    hit: Hit
+    start: Vector
+    _bends: dict[BendWith, Bend] = msgspec.field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Bend curve at t = {words.number(self.hit.t)}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        return bend_keys(self.view)
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return where it is held, and what changes."""
+        return f"Bend at t = {words.number(self.hit.t)}: {self._using(pointer).value}"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Let the grabbed point keep its distance to the pointer."""
+        target = plus(self.hit.position, pointer.way_from(self.start))
+        curve = self._grabbed(self._using(pointer)).bent(target, _TOLERANCE / pointer.scale)
+        return self.document.with_curve(self.curve, curve)
+
+    def _grabbed(self, using: BendWith) -> Bend:
+        if using not in self._bends:
+            self._bends[using] = Bend(self.view, self.hit.t, using)
+        return self._bends[using]
+
+    def _using(self, pointer: Pointer) -> BendWith:
+        if not self.view.source.family.derivatives or pointer.ctrl:
+            return BendWith.POINTS
+        return BendWith.DERIVATIVES if pointer.alt else BendWith.ALL
+
+
+def bend_keys(view: CurveView) -> str:
+    """Return what modifiers change of a bend."""
+    return "Ctrl: points only · Alt: derivatives only" if view.source.family.derivatives else ""
 
 
 class Refuse(Drag, frozen=True):

@@ -6,8 +6,8 @@ from msgspec.structs import replace
 
 from app.document import words
 from app.tools import hints
-from app.tools.bend_drag import BendCurve
 from app.tools.curve_picker import CurvePicker
+from app.tools.drags import BendCurve
 from app.tools.marks import GestureMarks
 from app.tools.marquee import Marquee
 from app.tools.parts import press_on_part, unless_locked

@@ -15,10 +15,27 @@ from app.tools.drags import NudgePoints
 from app.tools.marks import GestureMarks, Note
 from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
 from app.tools.snappers import Snappers
-from app.tools.snapping import SnapKind, with_snap
+from app.tools.snapping import SnapKind, Snapping, with_snap
 from app.tools.target import TransformTarget
-from app.tools.tool_settings import ToolSettings
 from app.view_model.curve_view import CurveView
+
+
+class ToolSettings(msgspec.Struct, frozen=True):
+    """Settings of the tools, as the person has them.
+
+    Attributes
+    ----------
+    snapping
+        Whether to snap, and to what.
+    unit
+        The name of the unit of length, for what is measured.
+    shows_box
+        Whether two or more selected points, or several selected curves, get a box with grips.
+    """
+
+    snapping: Snapping = Snapping()
+    unit: str = ""
+    shows_box: bool = True
 
 
 class ToolContext(msgspec.Struct, frozen=True):

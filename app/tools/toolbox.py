@@ -11,8 +11,7 @@ from app.tools.marks import GestureMarks
 from app.tools.pointer import Hint, Hit, Pointer
 from app.tools.snappers import Snappers
 from app.tools.target import TransformTarget
-from app.tools.tool import Tool, ToolContext, ToolRecord
-from app.tools.tool_settings import ToolSettings
+from app.tools.tool import Tool, ToolContext, ToolRecord, ToolSettings
 from app.tools.transform import TransformKind
 from app.tools.transform_tool import TransformTool
 

@@ -25,7 +25,7 @@ from app.tools.rail import RAIL
 from app.tools.registry import TOOLS
 from app.tools.select import SELECT
 from app.tools.snapping import Snapping
-from app.tools.tool_settings import ToolSettings
+from app.tools.tool import ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
 from app.view_model.handles import handles_of
