@@ -63,7 +63,7 @@ class CurvePicker:
             is_locked = host.document.curves[hit.index].locked
             drag = " (locked)" if is_locked else ", drag to bend it or move a point"
             return Hint(f"Click to edit “{name}”{drag} · Shift+click: choose it too", grab=True)
-        if refusal := context.target.refusal_of_curves:
+        if refusal := context.target.refusal_of(context.target.curves):
             return Hint(refusal)
         moving = named(host.document, selected)
         keys = "Shift: one axis, a click takes it out"

@@ -10,11 +10,11 @@ import numpy as np
 from app.document import words
 from app.document.model import Vector
 from app.tools.drag_machine import CANCELLED, THRESHOLD
-from app.tools.tool import ToolContext
+from app.tools.tool import Gesture, ToolContext
 from app.view_model.curve_view import CurveView
 
 
-class Marquee:
+class Marquee(Gesture):
     """Selects the points inside the band, live; while Shift is held, adds to what was selected before.
 
     Attributes

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from app.document import words
 from app.document.edits import freeze_parameters
@@ -12,10 +12,50 @@ from app.document.parameter_edits import set_parameters
 from app.tools.drag import Drag
 from app.tools.drag_machine import CANCELLED, THRESHOLD, EditingHost
 from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
-from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.tools.tool import Gesture, Tool, ToolContext, ToolRecord
 
 _LEAST_GAP = 1e-3
 """Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
+
+
+class Scrubbing(Gesture):
+    """Lets the scrub line follow the pointer; a click on a function selects its point.
+
+    Parameters
+    ----------
+    t_at
+        Tells the parameter at the pointer, None for none.
+    """
+
+    def __init__(self, context: ToolContext, t_at: Callable[[ToolContext], float | None]) -> None:
+        self._t_at, self._press, self._before = t_at, context.pointer, context.host.selected.scrub
+        hit = context.hit
+        # The point of the function that was pressed: a click means it, only a drag from there scrubs.
+        self._point = hit.index if hit is not None and hit.part is Part.FUNCTION else None
+        self.move(context)
+
+    def move(self, context: ToolContext) -> None:
+        """Scrub to the pointer."""
+        if self._point is not None:
+            if math.dist(self._press.pixel, context.pointer.pixel) < THRESHOLD:
+                return
+            self._point = None
+        t, curve = self._t_at(context), context.view.curve
+        if curve is not None and t is not None:
+            start, end = curve.domain
+            context.host.selected.set_scrub(min(max(t, start), end))
+
+    def release(self, context: ToolContext) -> None:
+        """Leave the scrub line here, or select the point of the function that was clicked."""
+        self.move(context)
+        if self._point is not None:
+            context.host.selected.set_points([self._point])
+
+    def cancel(self, context: ToolContext) -> None:
+        """Bring the scrub line back."""
+        context.host.selected.set_scrub(self._before)
+        if self._point is None:
+            context.host.say(CANCELLED)
 
 
 class ScrubTool(Tool):
@@ -23,67 +63,13 @@ class ScrubTool(Tool):
 
     cursor = Cursor.ARROW
 
-    def __init__(self) -> None:
-        self._scrubbing_from: float | None = None
-        self._scrubbing = False
-        # The function that was pressed: a click means its point, only a drag from there scrubs.
-        self._function: tuple[Pointer, int] | None = None
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether the scrub line follows the pointer."""
-        return self._scrubbing
-
     def press(self, context: ToolContext) -> None:
         """Begin to scrub."""
-        hit = context.hit
-        self._scrubbing, self._scrubbing_from = True, context.host.selected.scrub
-        is_function = hit is not None and hit.part is Part.FUNCTION
-        self._function = (context.pointer, hit.index) if hit is not None and is_function else None
-        self._scrub_to(context)
-
-    def move(self, context: ToolContext) -> None:
-        """Scrub to the pointer."""
-        if self._scrubbing:
-            self._scrub_to(context)
-        else:
-            super().move(context)
-
-    def release(self, context: ToolContext) -> None:
-        """Leave the scrub line here, or select the point of the function that was clicked."""
-        if not self._scrubbing:
-            super().release(context)
-            return
-        self._scrub_to(context)
-        if self._function is not None:
-            context.host.selected.set_points([self._function[1]])
+        self.gesture = Scrubbing(context, self.t_at)
 
     def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
         """Leave arrow keys alone: no point is meant here."""
         return False
-
-    def cancel(self, context: ToolContext) -> None:
-        """Bring the scrub line back."""
-        if self._scrubbing:
-            context.host.selected.set_scrub(self._scrubbing_from)
-            if self._function is None:
-                context.host.say(CANCELLED)
-        super().cancel(context)
-
-    def end(self) -> None:
-        """Scrub no longer."""
-        self._scrubbing = False
-
-    def _scrub_to(self, context: ToolContext) -> None:
-        pointer, curve = context.pointer, context.view.curve
-        if self._function is not None:
-            if math.dist(self._function[0].pixel, pointer.pixel) < THRESHOLD:
-                return
-            self._function = None
-        t = self.t_at(context)
-        if curve is not None and t is not None:
-            start, end = curve.domain
-            context.host.selected.set_scrub(min(max(t, start), end))
 
     def t_at(self, context: ToolContext) -> float | None:
         """Return the parameter at the pointer, None for none."""

@@ -24,14 +24,8 @@ class SelectTool(Tool):
     finds_other_curves = True
 
     def __init__(self) -> None:
-        self._marquee: Marquee | None = None
         self._picker = CurvePicker()
         self._drags_grip = False
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether a rubber band is drawn."""
-        return self._marquee is not None
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; another curve under it is edited from now on."""
@@ -49,7 +43,7 @@ class SelectTool(Tool):
             # At the very edge of reach, beside the curve that this press has made the one edited.
             context.drags.press(context.pointer, None)
         else:
-            self._marquee = Marquee(context, self._picker.unpick_others)
+            self.gesture = Marquee(context, self._picker.unpick_others)
 
     def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
         self._drags_grip = True
@@ -65,29 +59,10 @@ class SelectTool(Tool):
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
-    def move(self, context: ToolContext) -> None:
-        """Follow the pointer."""
-        if self._marquee is not None:
-            self._marquee.move(context)
-        else:
-            super().move(context)
-
-    def release(self, context: ToolContext) -> None:
-        """End the gesture."""
-        if self._marquee is not None:
-            self._marquee.release(context)
-        else:
-            super().release(context)
-
-    def cancel(self, context: ToolContext) -> None:
-        """Take the gesture in flight back."""
-        if self._marquee is not None:
-            self._marquee.cancel(context)
-        super().cancel(context)
-
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
-        self._marquee, self._drags_grip = None, False
+        super().end()
+        self._drags_grip = False
 
     # What is shown
 
@@ -97,7 +72,7 @@ class SelectTool(Tool):
         if hit is not None and hit.part is Part.OTHER_CURVE:
             return self._picker.hint(context, hit)
         if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
-            return hints.on_grip(grip, group, context.target.refusal)
+            return hints.on_grip(grip, group, context.target.refusal_of(group))
         if hit is None and (idle := self._picker.idle_hint(context)) is not None:
             return idle
         return hints.to_select(
@@ -106,22 +81,19 @@ class SelectTool(Tool):
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
-        is_idle = self._marquee is None and not context.drags.is_pressed
+        is_idle = self.gesture is None and not context.drags.is_pressed
         return GestureMarks(
-            band=self._marquee.band if self._marquee is not None else None,
+            band=self.gesture.band if isinstance(self.gesture, Marquee) else None,
             box=self._box(context) if is_idle else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
         )
 
-    def progress(self, context: ToolContext) -> str:
-        """Return how far the gesture in flight has come."""
-        return self._marquee.progress(context) if self._marquee is not None else super().progress(context)
-
     @staticmethod
     def _box(context: ToolContext) -> TransformBox | None:
-        is_shown = context.settings.shows_box and not context.target.refusal
-        return context.target.box if is_shown else None
+        target = context.target
+        is_shown = context.settings.shows_box and not target.refusal_of(target.group)
+        return target.box if is_shown else None
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
         box = self._box(context)

@@ -45,15 +45,9 @@ class TransformTarget:
         known = self._known
         if known is None or known[0] is not views or known[1:] != (selection, selected):
             self._known = (views, selection, selected)
-            group = self._group()
+            group = points_of(host.active_index, selection) if selection else self.curves
             self._found = (group, box_of(views, group) if group is not None else None)
         return self._found
-
-    def _group(self) -> PointGroup | None:
-        host = self._host
-        if host.selected.points:
-            return points_of(host.active_index, host.selected.points)
-        return self.curves
 
     @property
     def curves(self) -> PointGroup | None:
@@ -74,19 +68,10 @@ class TransformTarget:
         group, source = self.for_keys, self._host.active_view.source
         if not any(indices for _, indices in group.parts):
             return f"“{source.name}” has no points yet; press P to add some."
-        return self._refusal_of(group)
+        return self.refusal_of(group)
 
-    @property
-    def refusal(self) -> str:
-        """Why it cannot be changed: what of it is locked; empty where nothing is."""
-        return self._refusal_of(self.group)
-
-    @property
-    def refusal_of_curves(self) -> str:
-        """The same for the selected curves, whatever points are selected."""
-        return self._refusal_of(self.curves)
-
-    def _refusal_of(self, group: PointGroup | None) -> str:
+    def refusal_of(self, group: PointGroup | None) -> str:
+        """Return why a group cannot be changed: what of it is locked; empty where nothing is."""
         try:
             if group is not None:
                 group.refuse_locked(self._host.document)
@@ -103,10 +88,8 @@ class TransformTarget:
             box = box_of(self._host.views, group)
         if box is not None:
             return box.centre
-        for curve, indices in group.parts:
-            if indices:
-                return self._host.document.curves[curve].points[min(indices)].position
-        return (0.0, 0.0)
+        curve, index = group.first_point
+        return self._host.document.curves[curve].points[index].position
 
     # Drags
 

@@ -103,6 +103,24 @@ class ToolContext(msgspec.Struct, frozen=True):
         return Note(self.pointer.position, text, self.target.centre) if text else None
 
 
+class Gesture:
+    """A gesture that is no drag, from its press on: it changes nothing in the document."""
+
+    def move(self, context: ToolContext) -> None:
+        """Follow the pointer."""
+
+    def release(self, context: ToolContext) -> None:
+        """End: by default as after one more move."""
+        self.move(context)
+
+    def cancel(self, context: ToolContext) -> None:
+        """Bring back what was there before."""
+
+    def progress(self, context: ToolContext) -> str:
+        """Return how far it has come, as a sentence for the status line."""
+        return ""
+
+
 class Tool:
     """A tool of a plot: by default it begins nothing, and follows a drag that it has begun.
 
@@ -120,6 +138,8 @@ class Tool:
         Whether the selected point shows the handle that a press there would pull out.
     lasts_one_gesture
         Whether it gives way to the tool below it when its gesture has ended.
+    gesture
+        What is in flight and no drag; None for nothing.
     """
 
     cursor = Cursor.CROSS
@@ -127,11 +147,7 @@ class Tool:
     finds_image = False
     shows_new_handle = False
     lasts_one_gesture = False
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether a gesture is in flight that is no drag."""
-        return False
+    gesture: Gesture | None = None
 
     # Events
 
@@ -140,11 +156,17 @@ class Tool:
 
     def move(self, context: ToolContext) -> None:
         """Follow the pointer while a gesture is in flight."""
-        context.drags.move(context.pointer)
+        if self.gesture is not None:
+            self.gesture.move(context)
+        else:
+            context.drags.move(context.pointer)
 
     def release(self, context: ToolContext) -> None:
         """End the gesture."""
-        context.drags.release(context.pointer)
+        if self.gesture is not None:
+            self.gesture.release(context)
+        else:
+            context.drags.release(context.pointer)
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
@@ -175,10 +197,13 @@ class Tool:
 
     def cancel(self, context: ToolContext) -> None:
         """Take the gesture in flight back."""
+        if self.gesture is not None:
+            self.gesture.cancel(context)
         context.drags.cancel()
 
     def end(self) -> None:
         """Drop what belongs to one gesture: it has ended, or another begins."""
+        self.gesture = None
 
     def dismiss(self) -> bool:
         """Remove what was left on the plot; return whether there was something."""
@@ -199,7 +224,7 @@ class Tool:
 
     def progress(self, context: ToolContext) -> str:
         """Return how far the gesture in flight has come, as a sentence for the status line."""
-        return context.progress()
+        return self.gesture.progress(context) if self.gesture is not None else context.progress()
 
 
 class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):

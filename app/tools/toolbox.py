@@ -73,7 +73,7 @@ class Toolbox:
     @property
     def is_pressed(self) -> bool:
         """Whether a gesture is in flight."""
-        return self._drags.is_pressed or self.tool.is_busy
+        return self._drags.is_pressed or self.tool.gesture is not None
 
     @property
     def is_transforming(self) -> bool:

@@ -47,8 +47,6 @@ PASSING = {
     *(
         "CurvePicker.entered",
         "Snappers._hovered",
-        "RailTool._function",
-        "RailTool._scrubbing_from",
     ),
     # Where a motion was stopped, what a panel showed that is closed; both begin anew.
     *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),
