@@ -59,7 +59,7 @@ class Gestures(RuleBasedStateMachine):
         )
         self.session.files.replace(Document(curves), None)
         self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
-        self.tool.hit_test, self.tool.grid = self.hit, lambda: (0.5, 0.5)
+        self.tool.hit_test, self.tool.grid = self.hit, lambda: 0.5
         self.rail.hit_test = lambda _pointer, _tool: self.tick
         self.now = 0.0
         self.session.history.clock = lambda: self.now
