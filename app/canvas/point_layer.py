@@ -218,13 +218,13 @@ class PointLayer(Layer):
 
     def _numbered(self, pixels: FloatArray, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
-        if len(pixels) <= _LABELLED_UP_TO:
-            every: list[int] = visible.tolist()
-            return every
-        named = self.selection if len(self.selection) <= _LABELLED_UP_TO else frozenset[int]()
-        wanted = {index for index in (*named, self.hovered) if 0 <= index < len(pixels)}
-        wanted.update(np.flatnonzero(self._has_weight_text(len(pixels))).tolist())
-        return [index for index in sorted(wanted) if _holds(visible, index)]
+        numbered = visible
+        if len(pixels) > _LABELLED_UP_TO:
+            named = self.selection if len(self.selection) <= _LABELLED_UP_TO else ()
+            wanted = [*named, self.hovered, *np.flatnonzero(self._has_weight_text(len(pixels)))]
+            numbered = visible[np.isin(visible, wanted)]
+        result: list[int] = numbered.tolist()
+        return result
 
     def _paint_plate(self, painter: QPainter, centre: QPointF, text: str) -> None:
         """Lay a piece of paper under a number."""
@@ -337,12 +337,6 @@ def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:
     margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]
     return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
-
-
-def _holds(ascending: IntArray, index: int) -> bool:
-    """Whether `index` is one of ascending ones."""
-    place = int(ascending.searchsorted(index))
-    return place < len(ascending) and int(ascending[place]) == index
 
 
 def _number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
