@@ -45,12 +45,12 @@ from curvecore.bezier.conversion import LagrangeBezier as LagrangeBezier
 from curvecore.bezier.conversion import bezier_stretch as bezier_stretch
 from curvecore.bezier.conversion import elevate_degree as elevate_degree
 from curvecore.bezier.conversion import lagrange_to_bezier as lagrange_to_bezier
-from curvecore.bezier.flatten import MAX_VERTICES as MAX_VERTICES
-from curvecore.bezier.flatten import Pieces as Pieces
 from curvecore.bezier.flatten import ToleranceWarning as ToleranceWarning
 from curvecore.bezier.flatten import flatten as flatten
 from curvecore.bezier.flatten import flatten_parameters as flatten_parameters
 from curvecore.bezier.flatten import flatten_pieces as flatten_pieces
+from curvecore.bezier.polylines import MAX_VERTICES as MAX_VERTICES
+from curvecore.bezier.polylines import Pieces as Pieces
 from curvecore.drag.frozen_samples import FrozenFlattening as FrozenFlattening
 from curvecore.drag.frozen_segments import FrozenSegments as FrozenSegments
 from curvecore.errors import CurveError as CurveError

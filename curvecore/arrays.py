@@ -16,26 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from curvecore.errors import CurveError
 
-__all__ = [
-    "BoolArray",
-    "FloatArray",
-    "IntArray",
-    "IntArray32",
-    "Parameters",
-    "box_edges",
-    "data_array",
-    "finite_number",
-    "integer",
-    "jet_array",
-    "number_array",
-    "parameter_array",
-    "parameter_values",
-    "point_array",
-    "read_only",
-    "tolerance_value",
-    "unit_values",
-]
-
 FloatArray: TypeAlias = NDArray[np.float64]
 IntArray: TypeAlias = NDArray[np.intp]
 IntArray32: TypeAlias = NDArray[np.intc]  # what ldexp takes
@@ -64,8 +44,8 @@ def read_only(array: FloatArray) -> FloatArray:
     return array
 
 
-def _as_floats(values: ArrayLike, name: str) -> FloatArray:
-    """Copy `values` into a new C-ordered float64 array."""
+def number_array(values: ArrayLike, name: str) -> FloatArray:
+    """Check an array of any shape, whose entries may be NaN or infinite; return a C-ordered copy."""
     _check_masks(values, name)
     try:
         array: NDArray[Any] = np.asarray(values)
@@ -111,11 +91,6 @@ def _check_finite(array: FloatArray, name: str) -> None:
     raise CurveError(f"{_entry(name, where)} is {array[where]}; every value must be finite", where[:1])
 
 
-def number_array(values: ArrayLike, name: str) -> FloatArray:
-    """Check an array of any shape, whose entries may be NaN or infinite; return an independent copy."""
-    return _as_floats(values, name)
-
-
 def data_array(values: ArrayLike, name: str, shape: tuple[int, int] | None = None) -> FloatArray:
     """Check one datum per joint: points, velocities or accelerations.
 
@@ -138,7 +113,7 @@ def data_array(values: ArrayLike, name: str, shape: tuple[int, int] | None = Non
     CurveError
         For a wrong shape, or a value that is not a finite number.
     """
-    array = _as_floats(values, name)
+    array = number_array(values, name)
     if array.ndim != 2 or array.shape[1] < 1:
         raise CurveError(f"{name} must have the shape (n, dim), not {array.shape}")
     if shape is not None and array.shape != shape:
@@ -152,6 +127,19 @@ def data_array(values: ArrayLike, name: str, shape: tuple[int, int] | None = Non
 def point_array(points: ArrayLike) -> FloatArray:
     """Check points of shape (n, dim), n >= 2; see `data_array`."""
     return data_array(points, "points")
+
+
+def stacked_jets(points: ArrayLike, **derivatives: ArrayLike) -> FloatArray:
+    """Check points and derivatives by their names, each (n, dim); return them as jets, (n, R, dim)."""
+    position = point_array(points)
+    rest = [data_array(values, name, position.shape) for name, values in derivatives.items()]
+    return np.stack((position, *rest), axis=1)
+
+
+def require_plane(points: FloatArray, purpose: str) -> None:
+    """Raise unless the points of a curve, (n, dim), have dim 2, which it needs for the purpose."""
+    if points.shape[1] != 2:
+        raise CurveError(f"curve must be plane (dim 2) to {purpose}, not of dim {points.shape[1]}")
 
 
 def jet_array(jets: ArrayLike, shape: tuple[int, int]) -> FloatArray:
@@ -169,7 +157,7 @@ def jet_array(jets: ArrayLike, shape: tuple[int, int]) -> FloatArray:
     ndarray, shape (n, R, dim)
         An independent copy.
     """
-    array = _as_floats(jets, "jets")
+    array = number_array(jets, "jets")
     if array.ndim != 3 or array.shape[:2] != shape or array.shape[2] < 1:
         raise CurveError(f"jets must have the shape ({shape[0]}, {shape[1]}, dim), not {array.shape}")
     _check_finite(array, "jets")
@@ -197,7 +185,7 @@ def parameter_array(parameters: ArrayLike, count: int) -> FloatArray:
         For a wrong shape, a value that is not finite, or two neighbours
         that do not increase; `indices` then holds both.
     """
-    array = _as_floats(parameters, "parameters")
+    array = number_array(parameters, "parameters")
     if array.shape != (count,):
         raise CurveError(f"parameters must have the shape ({count},), one per point, not {array.shape}")
     _check_finite(array, "parameters")
@@ -216,7 +204,7 @@ def parameter_array(parameters: ArrayLike, count: int) -> FloatArray:
 
 def parameter_values(t: ArrayLike) -> Parameters:
     """Check the parameters of an evaluation: a finite scalar or shape (m,)."""
-    array = _as_floats(t, "t")
+    array = number_array(t, "t")
     if array.ndim > 1:
         raise CurveError(f"t must be a number or have the shape (m,), not {array.shape}")
     _check_finite(array, "t")
@@ -225,7 +213,7 @@ def parameter_values(t: ArrayLike) -> Parameters:
 
 def unit_values(values: ArrayLike, name: str) -> FloatArray:
     """Check relative places of shape (k,), all in [0, 1]."""
-    array = _as_floats(values, name)
+    array = number_array(values, name)
     if array.ndim != 1:
         raise CurveError(f"{name} must have the shape (k,), not {array.shape}")
     _check_finite(array, name)
@@ -249,7 +237,7 @@ def integer(value: object, name: str, least: int) -> int:
 
 def finite_number(value: float, name: str) -> float:
     """Check a single finite real number."""
-    array = _as_floats(value, name)
+    array = number_array(value, name)
     if array.ndim != 0:
         raise CurveError(f"{name} must be a single number")
     _check_finite(array, name)
@@ -266,7 +254,7 @@ def tolerance_value(tolerance: float, name: str = "tolerance") -> float:
 
 def box_edges(box: ArrayLike) -> FloatArray:
     """Check a box (xmin, ymin, xmax, ymax), each minimum at most its maximum."""
-    edges = _as_floats(box, "box")
+    edges = number_array(box, "box")
     if edges.shape != (4,):
         raise CurveError(f"box must be (xmin, ymin, xmax, ymax), not an array of shape {edges.shape}")
     _check_finite(edges, "box")

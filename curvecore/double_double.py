@@ -19,8 +19,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray32
 
-__all__ = ["DoubleDouble", "add", "difference", "multiply", "rescaled", "times"]
-
 _SPLITTER = 134217729.0  # 2**27 + 1
 
 

@@ -21,8 +21,6 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, finite_number, integer, point_array
 from curvecore.errors import CurveError
 
-__all__ = ["centripetal", "chebyshev", "chord_length", "power", "relative_spacing", "uniform"]
-
 
 def uniform(n: int) -> FloatArray:
     """Return n equally spaced parameters in [0, 1].

@@ -9,10 +9,13 @@ from numpy.typing import NDArray
 
 from curvecore.arrays import FloatArray
 
-__all__ = ["LARGEST", "ExponentArray", "Scaled", "ScaledRows", "normalise", "scale_by_power"]
-
 ExponentArray: TypeAlias = NDArray[np.int64]
 LARGEST = float(np.finfo(np.float64).max)
+SMALLEST = float(np.finfo(np.float64).tiny)
+UNIT_ROUNDOFF = 2.0**-53
+
+LIMIT = 1e300
+"""Coordinates of what is drawn are limited to this size, so that their differences stay finite."""
 
 
 class Scaled(NamedTuple):
@@ -44,6 +47,13 @@ def normalise(numbers: Scaled) -> ScaledRows:
     # A zero has no exponent of its own and must not decide the column's.
     common = np.where(mantissa != 0.0, exponent, np.iinfo(np.int64).min // 2).max(axis=0)
     return ScaledRows(scale_by_power(mantissa, exponent - common), common)
+
+
+def made_finite(values: FloatArray) -> FloatArray:
+    """Return `values` itself, with the largest finite number in place of infinities and NaN."""
+    if not np.isfinite(values).all():
+        np.nan_to_num(values, copy=False, nan=LARGEST)
+    return values
 
 
 def scale_by_power(values: FloatArray, exponent: ExponentArray | int) -> FloatArray:

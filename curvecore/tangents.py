@@ -26,16 +26,7 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, parameter_array, point_array
 from curvecore.errors import CurveError
 from curvecore.parametrization import relative_spacing
-
-__all__ = [
-    "bessel_velocities",
-    "catmull_rom_velocities",
-    "finite_difference_velocities",
-    "natural_spline_accelerations",
-    "natural_spline_velocities",
-    "zero_accelerations",
-]
-
+from curvecore.scaling import SMALLEST
 
 _FEW = 48  # equations, up to which a full matrix takes a fifth of the time of NumPy's calls without one
 
@@ -113,11 +104,7 @@ def finite_difference_velocities(points: ArrayLike, parameters: ArrayLike) -> Fl
         For points or parameters that are no curve's.
     """
     slope = _steps(points, parameters).slope
-    velocities = np.empty((len(slope) + 1, slope.shape[1]))
-    velocities[0] = slope[0]
-    velocities[-1] = slope[-1]
-    velocities[1:-1] = 0.5 * slope[:-1] + 0.5 * slope[1:]
-    return velocities
+    return np.concatenate((slope[:1], 0.5 * slope[:-1] + 0.5 * slope[1:], slope[-1:]))
 
 
 @_in_range
@@ -127,39 +114,24 @@ def bessel_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     At the ends the parabola of the first or last three points is used.
     Exact for parabolas; see [1]_ of the module, chapter IV, (9).
 
-    Parameters
-    ----------
-    points : array_like, shape (n, dim)
-        p_i; n >= 2.
-    parameters : array_like, shape (n,)
-        t_i, strictly increasing.
-
-    Returns
-    -------
-    ndarray, shape (n, dim)
-        Velocities per unit of t.
-
-    Raises
-    ------
-    CurveError
-        For points or parameters that are no curve's.
+    Parameters, result and errors are those of `finite_difference_velocities`.
     """
-    return _parabola_velocities(_steps(points, parameters))
+    steps = _steps(points, parameters)
+    return _with_ends(_parabola_velocities(steps), steps.slope)
 
 
 def _parabola_velocities(steps: _Steps) -> FloatArray:
+    """Return the velocities of the parabolas through three points in the middle ones, (n - 2, dim)."""
     h, slope = steps
-    velocities = np.empty((len(slope) + 1, slope.shape[1]))
-    if len(slope) == 1:
-        velocities[:] = slope
-        return velocities
     # The nearer chord counts more.
-    share = h[:-1] / (h[:-1] + h[1:])
-    inner = slope[:-1] + share * (slope[1:] - slope[:-1])
-    velocities[1:-1] = inner
-    velocities[0] = 2.0 * slope[0] - inner[0]
-    velocities[-1] = 2.0 * slope[-1] - inner[-1]
-    return velocities
+    return slope[:-1] + h[:-1] / (h[:-1] + h[1:]) * (slope[1:] - slope[:-1])
+
+
+def _with_ends(inner: FloatArray, slope: FloatArray) -> FloatArray:
+    """Add the velocities at both ends, of the parabola with the end chord and the neighbour's velocity."""
+    # For two points these are the only velocities, and both are the slope.
+    near = inner if len(inner) else slope
+    return np.concatenate((2.0 * slope[:1] - near[:1], inner, 2.0 * slope[-1:] - near[-1:]))
 
 
 @_in_range
@@ -202,15 +174,10 @@ def catmull_rom_velocities(
     h = np.diff(parameter_array(parameters, len(data)))
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
     places = data if knots_of is None else point_array(knots_of)
-    knots = np.maximum(relative_spacing(places, alpha, "Catmull-Rom"), np.finfo(np.float64).tiny)
-    velocities = _parabola_velocities(_differences(data, knots))
-    velocities[1:-1] *= ((knots[:-1] + knots[1:]) / (h[:-1] + h[1:]))[:, None]
-    slope = _differences(data, h).slope
-    # For two points these are the only velocities, and both are the slope.
-    neighbours = velocities[1:-1] if len(slope) > 1 else slope
-    velocities[0] = 2.0 * slope[0] - neighbours[0]
-    velocities[-1] = 2.0 * slope[-1] - neighbours[-1]
-    return velocities
+    knots = np.maximum(relative_spacing(places, alpha, "Catmull-Rom"), SMALLEST)
+    inner = _parabola_velocities(_differences(data, knots))
+    inner *= ((knots[:-1] + knots[1:]) / (h[:-1] + h[1:]))[:, None]
+    return _with_ends(inner, _differences(data, h).slope)
 
 
 @_in_range
@@ -220,65 +187,28 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
     The twice continuously differentiable piecewise cubic through the points
     with c'' = 0 at both ends; O(n).
 
-    Parameters
-    ----------
-    points : array_like, shape (n, dim)
-        p_i; n >= 2.
-    parameters : array_like, shape (n,)
-        t_i, strictly increasing.
-
-    Returns
-    -------
-    ndarray, shape (n, dim)
-        Velocities per unit of t.
-
-    Raises
-    ------
-    CurveError
-        For points or parameters that are no curve's.
+    Parameters, result and errors are those of `finite_difference_velocities`.
     """
     h, slope = _steps(points, parameters)
-    after = np.full((len(slope) + 1, 1), 0.5)
-    before = np.full((len(slope) + 1, 1), 0.5)
-    share = h[:-1] / (h[:-1] + h[1:])
-    after[1:-1] = 0.5 * share
-    before[1:-1] = 0.5 * (1.0 - share)
-    before[0] = after[-1] = 0.0
-    right_side = np.empty((len(slope) + 1, slope.shape[1]))
-    right_side[0], right_side[-1] = 1.5 * slope[0], 1.5 * slope[-1]
-    right_side[1:-1] = 3.0 * (before[1:-1] * slope[:-1] + after[1:-1] * slope[1:])
-    return _solve_dominant(before, after, right_side)
+    share, zero, half = h[:-1] / (h[:-1] + h[1:]), np.zeros((1, 1)), np.full((1, 1), 0.5)
+    before = np.concatenate((zero, 0.5 * (1.0 - share), half))
+    after = np.concatenate((half, 0.5 * share, zero))
+    inner = 3.0 * (before[1:-1] * slope[:-1] + after[1:-1] * slope[1:])
+    return _solve_dominant(before, after, np.concatenate((1.5 * slope[:1], inner, 1.5 * slope[-1:])))
 
 
 @_in_range
 def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the second derivatives of the natural cubic spline at the joints.
 
-    Parameters
-    ----------
-    points : array_like, shape (n, dim)
-        p_i; n >= 2.
-    parameters : array_like, shape (n,)
-        t_i, strictly increasing.
-
-    Returns
-    -------
-    ndarray, shape (n, dim)
-        Accelerations per unit of t squared; 0 at both ends.
-
-    Raises
-    ------
-    CurveError
-        For points or parameters that are no curve's.
+    Per unit of t squared; 0 at both ends. Parameters and errors are those of `finite_difference_velocities`.
     """
     h, slope = _steps(points, parameters)
-    before = np.zeros((len(slope) + 1, 1))
-    after = np.zeros((len(slope) + 1, 1))
-    length = h[:-1] + h[1:]
-    before[1:-1] = 0.5 * (h[:-1] / length)
-    after[1:-1] = 0.5 * (h[1:] / length)
-    right_side = np.zeros((len(slope) + 1, slope.shape[1]))
-    right_side[1:-1] = 3.0 * ((slope[1:] - slope[:-1]) / length)
+    length, zero = h[:-1] + h[1:], np.zeros((1, 1))
+    before = np.concatenate((zero, 0.5 * (h[:-1] / length), zero))
+    after = np.concatenate((zero, 0.5 * (h[1:] / length), zero))
+    none = np.zeros((1, slope.shape[1]))
+    right_side = np.concatenate((none, 3.0 * ((slope[1:] - slope[:-1]) / length), none))
     return _solve_dominant(before, after, right_side)
 
 

@@ -1,4 +1,4 @@
-"""Lengths of vectors."""
+"""Lengths and cross products of vectors."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ import numpy as np
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
 
-__all__ = ["vector_lengths"]
+
+def cross(first: FloatArray, second: FloatArray) -> FloatArray:
+    """Return the cross products of plane vectors along the last axis."""
+    return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
 
 
 def vector_lengths(vectors: FloatArray) -> FloatArray:

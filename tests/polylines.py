@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from curvecore.bezier.flatten import segment_distance
+from curvecore.bezier.polylines import segment_distance
 
 
 def worst_distance(curve, pieces, box):

@@ -25,7 +25,7 @@ def shows_something(path: Path) -> bool:
 
 
 FOUND = filter(shows_something, (path for room in ROOMS for path in room.glob("*.py") if path != BUILDS))
-SHOW = ["app/panels", "app/widgets", "app/features/basis", "app/features/plots"]
+SHOW = ["app/widgets", "app/features/basis", "app/features/plots"]
 READ = {path for room in SHOW for path in (ROOT / room).glob("*.py") if path.stem != "commands"}
 PANELS = sorted(READ.union(FOUND))
 

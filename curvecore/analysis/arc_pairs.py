@@ -27,10 +27,10 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
-from curvecore.bezier.bernstein_algebra import derivative, subdivided
+from curvecore.bezier.arcs import Arcs, joined_arcs
+from curvecore.bezier.bernstein_algebra import derivative
+from curvecore.scaling import SMALLEST
 from curvecore.vectors import vector_lengths
-
-__all__ = ["Arcs", "Pairs", "close_pairs", "simple_arcs"]
 
 _ROUNDS = 48
 _ARCS = 1 << 11
@@ -38,35 +38,6 @@ _PAIRS = 1 << 14  # at a time; where a curve runs along itself, no number is eno
 _WORK = 1 << 17  # pairs in all
 _AT_ONCE = 1 << 13  # pairs tested together
 _STRAIGHT = 1 / 8  # of the tolerance
-
-
-class Arcs(NamedTuple):
-    """Stretches of a curve as Bezier arcs.
-
-    Attributes
-    ----------
-    controls : ndarray, shape (k, degree + 1, 2)
-        Control points.
-    start, end : ndarray, shape (k,)
-        In t.
-    """
-
-    controls: FloatArray
-    start: FloatArray
-    end: FloatArray
-
-    def taken(self, chosen: BoolArray | IntArray) -> Arcs:
-        """Return some of the arcs."""
-        return Arcs(self.controls[chosen], self.start[chosen], self.end[chosen])
-
-    def halved(self) -> Arcs:
-        """Return both halves of every arc, one after the other."""
-        middle = 0.5 * self.start + 0.5 * self.end
-        return Arcs(
-            subdivided(self.controls),
-            np.stack((self.start, middle), axis=1).ravel(),
-            np.stack((middle, self.end), axis=1).ravel(),
-        )
 
 
 class Pairs(NamedTuple):
@@ -102,7 +73,7 @@ def simple_arcs(arcs: Arcs, small: float) -> tuple[Arcs, bool]:
         if fine.all():
             break
         arcs = arcs.taken(~fine).halved()
-    together = _joined(done)
+    together = joined_arcs(done)
     return together.taken(np.argsort(together.start, kind="stable")), is_complete
 
 
@@ -178,12 +149,8 @@ def _quartered(pairs: Pairs, margin: float) -> Pairs:
     return _joined_pairs(parts)
 
 
-def _joined(parts: list[Arcs]) -> Arcs:
-    return Arcs(*(np.concatenate(column) for column in zip(*parts, strict=True)))
-
-
 def _joined_pairs(parts: list[Pairs]) -> Pairs:
-    return Pairs(_joined([part.first for part in parts]), _joined([part.second for part in parts]))
+    return Pairs(joined_arcs([part.first for part in parts]), joined_arcs([part.second for part in parts]))
 
 
 def _extent(controls: FloatArray) -> FloatArray:
@@ -203,7 +170,7 @@ def _is_straight(arcs: Arcs, small: float) -> BoolArray:
 
 def _within_half_plane(slopes: FloatArray) -> BoolArray:
     size = vector_lengths(slopes)
-    mean = (slopes / np.maximum(size, np.finfo(float).tiny)[..., None]).sum(axis=1, keepdims=True)
+    mean = (slopes / np.maximum(size, SMALLEST)[..., None]).sum(axis=1, keepdims=True)
     # A slope of 0, at a point at rest, turns nowhere.
     ahead = ((slopes * mean).sum(axis=2) > 0.0) | (size == 0.0)
     within: BoolArray = ahead.all(axis=1) & (size > 0.0).any(axis=1)
@@ -224,7 +191,7 @@ def _may_meet(pairs: Pairs, margin: float) -> BoolArray:
     ).all(axis=1)
     for controls in (a, b):
         chord = controls[:, -1] - controls[:, 0]
-        unit = chord / np.maximum(vector_lengths(chord), np.finfo(float).tiny)[:, None]
+        unit = chord / np.maximum(vector_lengths(chord), SMALLEST)[:, None]
         meet &= _overlap(a, b, unit, margin)
         meet &= _overlap(a, b, np.stack((-unit[:, 1], unit[:, 0]), axis=1), margin)
     slopes = np.concatenate([derivative(a), derivative(b)], axis=1)

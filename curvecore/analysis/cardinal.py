@@ -31,18 +31,9 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
 from curvecore.bezier.bernstein import controls_between
 from curvecore.errors import CurveError
+from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import Curve
-from curvecore.scaling import LARGEST
-
-__all__ = [
-    "CardinalBasis",
-    "Follow",
-    "LocalCardinals",
-    "Rule",
-    "cardinal_basis",
-    "estimation_matrix",
-    "follow_rules",
-]
+from curvecore.scaling import LARGEST, made_finite
 
 Rule = Callable[[FloatArray, FloatArray], FloatArray]
 """Points (n, dim) and parameters (n,) to derivatives (n, dim), linear in the points."""
@@ -128,6 +119,24 @@ class LocalCardinals(NamedTuple):
     values: FloatArray
 
 
+class _Estimates(NamedTuple):
+    """Effects of the points on the derivatives at both ends of segments.
+
+    Attributes
+    ----------
+    columns : ndarray of int, shape (segments, w)
+        Indices of the points that have one.
+    ends : ndarray of int, shape (segments, 2)
+        Which of these columns are the points at the ends.
+    values : ndarray, shape (segments, 2, R - 1, w)
+        ``[j, e, r, k]`` belongs to end e of segment j, derivative r + 1 and point ``columns[j, k]``.
+    """
+
+    columns: IntArray
+    ends: IntArray
+    values: FloatArray
+
+
 class CardinalBasis:
     """The cardinal functions C_i of the points of a curve.
 
@@ -159,7 +168,7 @@ class CardinalBasis:
         If what `follow` returns does not have the shape of the curve's derivatives.
     """
 
-    __slots__ = ("_columns", "_ends", "_estimates", "closed", "count", "curve", "parameters")
+    __slots__ = ("_estimates", "closed", "count", "curve", "parameters")
 
     def __init__(
         self, curve: Curve, follow: Follow | None = None, *, closed: bool = False, reach: int = REACH
@@ -168,13 +177,9 @@ class CardinalBasis:
         self.closed = closed
         self.parameters = curve.parameters
         self.count = len(self.parameters) - closed
-        self._estimates: FloatArray | None = None
-        self._columns: IntArray | None = None
-        self._ends: IntArray | None = None
         if (closed or follow is not None) and not curve.is_local:
             raise CurveError("curve must be of a family whose functions are local")
-        if follow is not None:
-            self._fill(follow, reach)
+        self._estimates = None if follow is None else self._estimated(follow, reach)
 
     @property
     def follows(self) -> bool:
@@ -183,11 +188,8 @@ class CardinalBasis:
 
     # The estimates, segment by segment
 
-    def _fill(self, follow: Follow, reach: int) -> None:
-        """Store what the points near each segment do to the derivatives at its ends.
-
-        ``_estimates[j, e, r, k]`` belongs to end e of segment j, derivative r + 1 and point _columns[j, k].
-        """
+    def _estimated(self, follow: Follow, reach: int) -> _Estimates | None:
+        """Return what the points near each segment do to the derivatives at its ends; None for nothing."""
         segments = len(self.parameters) - 1
         if self.count <= 2 * reach + 2:
             estimates = self._ends_of(follow, np.eye(self.count))
@@ -195,11 +197,10 @@ class CardinalBasis:
         else:
             columns, estimates = self._trimmed(*self._near(follow, reach))
         if not estimates.any():
-            return
+            return None
         joints = np.arange(segments)[:, None] + np.arange(2)
         places = joints[:, :, None] % self.count == columns[:, None, :]
-        self._columns, self._ends = columns, np.argmax(places, axis=2)
-        self._estimates = read_only(np.ascontiguousarray(estimates))
+        return _Estimates(columns, np.argmax(places, axis=2), read_only(np.ascontiguousarray(estimates)))
 
     def _near(self, follow: Follow, reach: int) -> tuple[IntArray, FloatArray]:
         """Return the points up to `reach` joints from each segment, and what they do to its ends.
@@ -245,13 +246,12 @@ class CardinalBasis:
     @property
     def controls(self) -> FloatArray:
         """The functions on each segment as Bezier control points, (segments, degree + 1, w): of w points."""
-        if self._estimates is None or self._ends is None:
+        if self._estimates is None:
             raise CurveError("only functions that follow the points have control points of their own")
-        segments, _, orders, width = self._estimates.shape
+        segments, _, orders, width = self._estimates.values.shape
         jets = np.zeros((segments, 2, orders + 1, width))
-        jets[:, :, 1:] = self._estimates
-        places = self._ends[:, :, None] == np.arange(width)
-        jets[:, :, 0] = places
+        jets[:, :, 1:] = self._estimates.values
+        jets[:, :, 0] = self._estimates.ends[:, :, None] == np.arange(width)
         return controls_between(jets[:, 0], jets[:, 1], np.diff(self.parameters)[:, None])
 
     # The functions
@@ -267,11 +267,12 @@ class CardinalBasis:
             Order of the derivative, at least 0.
         """
         at = parameter_values(t).values
-        if self._estimates is None or self._columns is None or self._ends is None:
+        if self._estimates is None:
             return self._alone(at, order)
+        columns, ends, estimates = self._estimates
         segment, basis = self.curve.local_basis(at, order)
-        values = np.empty((len(at), self._columns.shape[1]))
-        flat = self._estimates.reshape(len(self._estimates), -1, values.shape[1])
+        values = np.empty((len(at), columns.shape[1]))
+        flat = estimates.reshape(len(estimates), -1, values.shape[1])
         weights = basis[:, :, 1:].reshape(len(at), 1, -1)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             step = max(_MOST_AT_ONCE // flat[0].size, 1)
@@ -280,10 +281,8 @@ class CardinalBasis:
                 values[here] = (weights[here] @ flat[segment[here]])[:, 0]
             rows = np.arange(len(at))
             for end in (0, 1):
-                values[rows, self._ends[segment, end]] += basis[:, end, 0]
-        if not np.isfinite(values).all():
-            np.nan_to_num(values, copy=False, nan=LARGEST)
-        return LocalCardinals(self._columns[segment], values)
+                values[rows, ends[segment, end]] += basis[:, end, 0]
+        return LocalCardinals(columns[segment], made_finite(values))
 
     def _alone(self, t: FloatArray, order: int) -> LocalCardinals:
         """Return the functions where no derivative follows: B_i0."""
@@ -293,8 +292,8 @@ class CardinalBasis:
         basis = self.curve.basis(t, order)[:, :, 0]
         if len(self.curve.pieces) > 1:
             # Two rows of data belong to a joint of two pieces.
-            rows = self.curve.row_of_parameter
-            basis = np.add.reduceat(basis, np.flatnonzero(np.diff(rows, prepend=-1)), axis=1)
+            rows = np.flatnonzero(np.diff(joint_of_row(self.curve), prepend=-1))
+            basis = np.add.reduceat(basis, rows, axis=1)
         return LocalCardinals(np.broadcast_to(np.arange(self.count), basis.shape), basis)
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:

@@ -20,7 +20,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -29,10 +28,8 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, integer, parameter_array
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.rounding.exact import as_float, scaled_integers
+from curvecore.rounding.exact import as_float, interpolated, scaled_integers
 from curvecore.scaling import LARGEST
-
-__all__ = ["monomial_condition", "segment_conditions", "vandermonde_condition"]
 
 _MOST = 128  # rows of a matrix that is inverted exactly
 
@@ -128,17 +125,13 @@ def _matrix(t: Sequence[float], width: int) -> FloatArray:
 
 
 def _inverse(t: Sequence[float], width: int) -> FloatArray:
-    """Return the exact inverse, rounded."""
+    """Return the exact inverse, rounded: the coefficients of the basis functions in columns."""
     if width == 1:
         return _simple_inverse(t)
-    places = [Fraction(each) for each in t]
     size = len(t) * width
-    rows = [
-        [math.perm(k, order) * place ** (k - order) if k >= order else Fraction(0) for k in range(size)]
-        for place in places
-        for order in range(width)
-    ]
-    return np.array([[as_float(x.numerator, x.denominator) for x in row] for row in _solved(rows)])
+    unit_data = np.eye(size).reshape(size, len(t), width).tolist()
+    columns = [interpolated(t, jets) for jets in unit_data]
+    return np.array([[as_float(x, each.denominator) for x in each.coefficients] for each in columns]).T
 
 
 def _simple_inverse(t: Sequence[float]) -> FloatArray:
@@ -162,22 +155,6 @@ def _simple_inverse(t: Sequence[float]) -> FloatArray:
             coefficient = master[k + 1] + node * coefficient
             result[k, i] = as_float(coefficient * powers[k], below)
     return result
-
-
-def _solved(rows: list[list[Fraction]]) -> list[list[Fraction]]:
-    """Invert a regular matrix by Gauss-Jordan elimination."""
-    n = len(rows)
-    work = [[*row, *(Fraction(int(i == k)) for k in range(n))] for i, row in enumerate(rows)]
-    for k in range(n):
-        pivot = next(i for i in range(k, n) if work[i][k])
-        work[k], work[pivot] = work[pivot], work[k]
-        factor = 1 / work[k][k]
-        top = work[k] = [factor * x if x else x for x in work[k]]
-        for i in range(n):
-            share = work[i][k]
-            if i != k and share:
-                work[i] = [x - share * y if y else x for x, y in zip(work[i], top, strict=True)]
-    return [row[n:] for row in work]
 
 
 def _norm(matrix: FloatArray, norm: float) -> float:

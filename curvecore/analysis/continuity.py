@@ -1,4 +1,4 @@
-"""How smooth a curve is at its joints, measured.
+"""Smoothness of a curve at its joints, measured.
 
 References
 ----------
@@ -16,17 +16,15 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.analysis.geometry import curvature_of
-from curvecore.arrays import BoolArray, FloatArray, tolerance_value
+from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import Curve, JointDerivatives
 from curvecore.vectors import vector_lengths
-
-__all__ = ["Joint", "joint_report"]
 
 _BREAK = -1
 
 
 class Joint(NamedTuple):
-    """What happens at one joint; jumps are the value after minus the value before.
+    """Jumps at one joint: the value after minus the value before.
 
     Attributes
     ----------
@@ -107,66 +105,32 @@ def joint_report(curve: Curve, tolerance: float = 1e-9, closed: bool = False) ->
         If the tolerance is not a positive number.
     """
     limit = tolerance_value(tolerance)
+    t = curve.parameters
+    indices = (np.arange(1, len(t)) % (len(t) - 1))[: None if closed else -1]
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
-        before, after = (curve.joint_derivatives(before=side) for side in (True, False))
-        if not closed:
-            before = JointDerivatives(before.values[:-1], before.scale[:-1])
-            after = JointDerivatives(after.values[1:], after.scale[1:])
-        else:
-            after = JointDerivatives(*(np.roll(each, -1, axis=0) for each in after))
-        extent = float(np.ptp(curve.points, axis=0).max())
-        indices = [*range(1, len(curve.parameters) - 1), *([0] if closed else [])]
-        return _measured(curve.parameters, indices, before, after, limit, extent)
+        ends, starts = (curve.joint_derivatives(before=side) for side in (True, False))
+        before = JointDerivatives(*(each[: len(indices)] for each in ends))
+        after = JointDerivatives(*(np.roll(each, -1, axis=0)[: len(indices)] for each in starts))
+        jumps = after.values - before.values
+        scale = np.maximum(before.scale, after.scale)
+        scale[:, 0] = np.ptp(curve.points, axis=0).max()
+        smooth = vector_lengths(jumps) <= limit * scale
+        angle = _angles(before.values[:, 1], after.values[:, 1])
+        bends = _bends(before.values, after.values)
+        slow = np.minimum(vector_lengths(before.values[:, 1]), vector_lengths(after.values[:, 1]))
+        bend_scale = np.maximum(np.abs(bends.before), np.abs(bends.after)) + scale[:, 2] / slow**2
+        same_bend = np.abs(bends.jump) <= limit * bend_scale
+    geometric = np.column_stack((smooth[:, 0], angle <= limit, same_bend))
+    numbers = (angle, *bends, _orders(smooth), _orders(geometric))
+    vectors = jumps.swapaxes(0, 1)
+    columns = (indices.tolist(), t[indices].tolist(), *vectors, *(each.tolist() for each in numbers))
+    return [Joint._make(row) for row in zip(*columns, strict=True)]
 
 
-def _measured(
-    parameters: FloatArray,
-    indices: list[int],
-    before: JointDerivatives,
-    after: JointDerivatives,
-    tolerance: float,
-    extent: float,
-) -> list[Joint]:
-    jumps = after.values - before.values
-    size = vector_lengths(jumps)
-    scale = np.maximum(before.scale, after.scale)
-    scale[:, 0] = extent
-    smooth = size <= tolerance * scale
-    angle = _angles(before.values[:, 1], after.values[:, 1])
-    bends = [_bends(each.values) for each in (before, after)]
-    bend_jump = vector_lengths(bends[1] - bends[0])
-    signed = [_signed(each.values) for each in (before, after)]
-    if jumps.shape[2] <= 2:
-        bend_jump = signed[1] - signed[0]
-    slow = np.minimum(vector_lengths(before.values[:, 1]), vector_lengths(after.values[:, 1]))
-    bend_scale = np.maximum(np.abs(signed[0]), np.abs(signed[1])) + scale[:, 2] / slow**2
-    same_tangent = angle <= tolerance
-    same_bend = np.abs(bend_jump) <= tolerance * bend_scale
-    report = []
-    for row, index in enumerate(indices):
-        parametric = _order(smooth[row])
-        geometric = _order(np.array([smooth[row, 0], same_tangent[row], same_bend[row]]))
-        report.append(
-            Joint(
-                index,
-                float(parameters[index]),
-                jumps[row, 0],
-                jumps[row, 1],
-                jumps[row, 2],
-                float(angle[row]),
-                float(signed[0][row]),
-                float(signed[1][row]),
-                float(bend_jump[row]),
-                parametric,
-                geometric,
-            )
-        )
-    return report
-
-
-def _order(holds: BoolArray) -> int:
-    """Return how many hold from the first on, less one."""
-    return int(np.argmin(np.append(holds, False))) - 1
+def _orders(holds: BoolArray) -> IntArray:
+    """Return how many columns hold from the first on, less one, (k,)."""
+    orders: IntArray = np.logical_and.accumulate(holds, axis=1).sum(axis=1) - 1
+    return orders
 
 
 def _unit(vectors: FloatArray) -> FloatArray:
@@ -182,13 +146,26 @@ def _angles(first: FloatArray, second: FloatArray) -> FloatArray:
     return angle
 
 
-def _signed(values: FloatArray) -> FloatArray:
-    if values.shape[2] < 2:
-        return np.full(len(values), np.nan)
-    return curvature_of(values[:, 1], values[:, 2])
+class _Bends(NamedTuple):
+    """Curvatures before and after joints, and their jumps."""
+
+    before: FloatArray
+    after: FloatArray
+    jump: FloatArray
 
 
-def _bends(values: FloatArray) -> FloatArray:
+def _bends(before: FloatArray, after: FloatArray) -> _Bends:
+    """Return the curvatures of c, c', c'', (k, 3, dim), on both sides."""
+    if before.shape[2] < 2:
+        none = np.full(len(before), np.nan)
+        return _Bends(none, none, none)
+    first, second = (curvature_of(values[:, 1], values[:, 2]) for values in (before, after))
+    if before.shape[2] == 2:
+        return _Bends(first, second, second - first)
+    return _Bends(first, second, vector_lengths(_bend_vectors(after) - _bend_vectors(before)))
+
+
+def _bend_vectors(values: FloatArray) -> FloatArray:
     """Return the curvature vectors: the part of c'' across c', over |c'|**2."""
     unit = _unit(values[:, 1])
     across = values[:, 2] - (values[:, 2] * unit).sum(axis=1, keepdims=True) * unit

@@ -14,10 +14,9 @@ from numpy.typing import ArrayLike
 from curvecore.analysis.sensitivity import error_sizes
 from curvecore.arrays import FloatArray, integer, parameter_values
 from curvecore.errors import CurveError
+from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
-
-__all__ = ["Ensemble", "Remake", "ensemble"]
 
 Remake = Callable[[FloatArray, FloatArray], Curve]
 """Points (n, dim) and parameters (n,) to a curve."""
@@ -100,7 +99,6 @@ def ensemble(
     if (t[:-1] + delta[:-1] >= t[1:] - delta[1:]).any():
         raise CurveError("parameter_error must be less than half the smallest distance of two parameters")
     radius = error_sizes(point_error, len(t), "point_error")
-    row = curve.row_of_parameter
     shifts = radius[:, None] * _in_ball(random, (number, len(t)), curve.points.shape[1])
     if closed:
         shifts[:, -1] = shifts[:, 0]
@@ -110,7 +108,7 @@ def ensemble(
         return Ensemble(curves, np.stack([each.jets for each in curves]), parameters)
     jets = np.broadcast_to(curve.jets, (number, *curve.jets.shape)).copy()
     with np.errstate(over="ignore", under="ignore"):
-        jets[:, :, 0] += shifts[:, row]
+        jets[:, :, 0] += shifts[:, joint_of_row(curve)]
     if not delta.any():
         curves = tuple(curve.with_jets(each) for each in jets)
     else:
@@ -121,5 +119,4 @@ def ensemble(
 def _in_ball(random: np.random.Generator, shape: tuple[int, int], dim: int) -> FloatArray:
     direction = random.standard_normal((*shape, dim))
     radius = random.random(shape) ** (1.0 / dim)
-    result: FloatArray = direction * (radius / vector_lengths(direction))[..., None]
-    return result
+    return direction * (radius / vector_lengths(direction))[..., None]

@@ -1,4 +1,4 @@
-"""Where a curve bends: speed, curvature, box, inflections, extrema of curvature.
+"""Shape of a curve: speed, curvature, box, inflections, extrema of curvature.
 
 Signs and places of these do not depend on how fast t runs: they are roots of
 polynomials in Bernstein form on the pieces of the curve, which are found by
@@ -21,28 +21,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_values
-from curvecore.bezier.bernstein_algebra import derivative, end_signs, product, sign_changes, values
+from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_values, require_plane
+from curvecore.bezier.bernstein_algebra import (
+    derivative,
+    end_signs,
+    product,
+    sign_changes,
+    squared_length,
+    values,
+)
 from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.scaling import LARGEST, scale_by_power
-from curvecore.vectors import vector_lengths
+from curvecore.scaling import LARGEST, UNIT_ROUNDOFF, scale_by_power
+from curvecore.vectors import cross, vector_lengths
 
-__all__ = [
-    "Box",
-    "CurvatureExtrema",
-    "bounding_box",
-    "bounding_boxes",
-    "curvature",
-    "curvature_extrema",
-    "curvature_of",
-    "inflections",
-    "pieces_of",
-    "speed",
-]
-
-_UNIT = 2.0**-53
 _FINE = 2.0**-46  # of the size: how closely pieces follow a curve whose shape is asked for
 _KINK = 1e-6  # curvatures at a joint that differ by less, relatively, are one extremum and not a jump
 
@@ -161,7 +154,7 @@ def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArra
         direction, change = velocities / largest, accelerations / largest
         length = vector_lengths(direction)
         if velocities.shape[1] == 2:
-            turn = direction[:, 0] * change[:, 1] - direction[:, 1] * change[:, 0]
+            turn = cross(direction, change)
         else:
             unit = direction / length[:, None]
             across = change - (change * unit).sum(axis=1)[:, None] * unit
@@ -206,7 +199,7 @@ def bounding_boxes(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> li
     for same in alike(parts):
         found = _turning_points([curves[index] for index in same], [parts[index] for index in same])
         for index, reached in zip(same.tolist(), found, strict=True):
-            points = np.concatenate([*(piece.joints for piece in curves[index].pieces), reached])
+            points = np.concatenate([*map(_joint_points, curves[index].pieces), reached])
             error = float(scale_by_power(parts[index].error.max(keepdims=True), parts[index].exponent)[0])
             boxes[index] = Box(points.min(axis=0), points.max(axis=0), error)
     return [boxes[index] for index in range(len(curves))]
@@ -215,6 +208,10 @@ def bounding_boxes(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> li
 def pieces_of(curve: Curve) -> BezierPieces:
     """Return pieces that follow a curve as closely as its shape is asked for."""
     return bezier_pieces(curve, _FINE)
+
+
+def _joint_points(curve: Curve) -> FloatArray:
+    return curve.points if curve.interpolates else curve.evaluate(curve.parameters)
 
 
 def _turning_points(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> list[FloatArray]:
@@ -270,7 +267,7 @@ def inflections(curve: Curve) -> FloatArray:
     Roots of c' x c''. Where that is below some 50 roundings of |c'| |c''|
     the curve counts as straight.
     """
-    _require_plane(curve, "have inflections")
+    require_plane(curve.points, "have inflections")
     pieces = pieces_of(curve)
     return _crossings(pieces, *_turn(pieces)).parameters
 
@@ -301,14 +298,14 @@ def curvature_extrema(curve: Curve) -> CurvatureExtrema:
     derivative has the sign of 2 N' q - 3 N q', a polynomial of degree 14 for
     a quintic piece.
     """
-    _require_plane(curve, "have extrema of curvature")
+    require_plane(curve.points, "have extrema of curvature")
     pieces = pieces_of(curve)
     turn, turn_noise = _turn(pieces)
-    square = _square(pieces.slopes)
+    square = squared_length(pieces.slopes)
     rising, falling = product(derivative(turn), square), product(turn, derivative(square))
     degree = pieces.controls.shape[1]
     scale = np.abs(rising).max(axis=1) + np.abs(falling).max(axis=1)
-    noise = 64.0 * _UNIT * scale + 4.0 * degree * turn_noise * square.max(axis=1)
+    noise = 64.0 * UNIT_ROUNDOFF * scale + 4.0 * degree * turn_noise * square.max(axis=1)
     found = _crossings(pieces, 2.0 * rising - 3.0 * falling, noise)
     steady = found.piece < 0
     ends = np.maximum(found.piece, 1)
@@ -320,29 +317,17 @@ def curvature_extrema(curve: Curve) -> CurvatureExtrema:
     return CurvatureExtrema(t, curvature(curve, t), ~found.rising[steady])
 
 
-def _require_plane(curve: Curve, what: str) -> None:
-    if curve.points.shape[1] != 2:
-        raise CurveError(f"curve must be plane (dim 2) to {what}, not of dim {curve.points.shape[1]}")
-
-
 def _turn(pieces: BezierPieces) -> tuple[FloatArray, FloatArray]:
     """Return c' x c'' for every piece, and the size below which it says nothing."""
     velocity = pieces.slopes
     acceleration = derivative(velocity)
-    turn = _product_of(velocity, 0, acceleration, 1) - _product_of(velocity, 1, acceleration, 0)
+    (vx, vy), (ax, ay) = (np.moveaxis(each, 2, 0) for each in (velocity, acceleration))
+    turn = product(vx, ay) - product(vy, ax)
     degree = velocity.shape[1]
     fast, bent = (np.abs(each).max(axis=(1, 2)) for each in (velocity, acceleration))
     # An error of c' grows by twice the degree squared at most when it is differentiated (Markov).
     noise = pieces.slope_error * (bent + 2.0 * degree**2 * fast)
-    return turn, noise + 8.0 * _UNIT * fast * bent
-
-
-def _square(velocity: FloatArray) -> FloatArray:
-    return _product_of(velocity, 0, velocity, 0) + _product_of(velocity, 1, velocity, 1)
-
-
-def _product_of(first: FloatArray, i: int, second: FloatArray, j: int) -> FloatArray:
-    return product(first[:, :, i], second[:, :, j])
+    return turn, noise + 8.0 * UNIT_ROUNDOFF * fast * bent
 
 
 def _end_curvatures(pieces: BezierPieces, side: int) -> FloatArray:
@@ -352,7 +337,7 @@ def _end_curvatures(pieces: BezierPieces, side: int) -> FloatArray:
 
 
 class _Crossings(NamedTuple):
-    """Where a piecewise polynomial changes sign.
+    """Changes of sign of a piecewise polynomial.
 
     Attributes
     ----------
@@ -384,8 +369,5 @@ def _crossings(pieces: BezierPieces, coefficients: FloatArray, noise: FloatArray
             rising = not rising
             found.append((float(t), rising, -1))
         before = last[piece]
-    return _Crossings(
-        np.array([each[0] for each in found]),
-        np.array([each[1] for each in found], dtype=bool),
-        np.array([each[2] for each in found], dtype=np.intp),
-    )
+    table = np.array(found, dtype=np.float64).reshape(-1, 3)
+    return _Crossings(table[:, 0], table[:, 1] > 0.0, table[:, 2].astype(np.intp))

@@ -1,4 +1,4 @@
-"""Where a plane curve crosses itself.
+"""Crossings of a plane curve with itself.
 
 `arc_pairs` finds pairs of straight arcs that may meet. Newton's method on
 (c(b) - c(a)) / (b - a), which is not zero where the curve merely passes once,
@@ -17,14 +17,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.analysis.arc_pairs import Arcs, Pairs, close_pairs, simple_arcs
-from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
+from curvecore.analysis.arc_pairs import Pairs, close_pairs, simple_arcs
+from curvecore.arrays import BoolArray, FloatArray, IntArray, require_plane, tolerance_value
+from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.pieces import bezier_pieces, size_of
-from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.vectors import vector_lengths
-
-__all__ = ["SelfIntersections", "self_intersections"]
+from curvecore.vectors import cross, vector_lengths
 
 _FINEST = 2.0**-44  # of the size: what roundings leave of a tolerance
 _CUSP = 2.0**-33  # of the size: a cusp whose arms are a rounding apart is as long
@@ -34,7 +32,7 @@ _ALONG = (np.arange(15) + 0.5) / 15
 
 
 class SelfIntersections(NamedTuple):
-    """Where a curve crosses or touches itself.
+    """Pairs of parameters at which a curve crosses or touches itself.
 
     Attributes
     ----------
@@ -83,11 +81,9 @@ def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
     (or 4 and 64 per arc) are looked at, and 2**12 candidates finished.
     """
     limit = tolerance_value(tolerance)
-    if curve.points.shape[1] != 2:
-        raise CurveError(f"curve must be plane (dim 2) to cross itself, not of dim {curve.points.shape[1]}")
+    require_plane(curve.points, "cross itself")
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
-        size = max(size_of(curve.points), float(np.finfo(float).tiny))
-        pieces = bezier_pieces(curve, min(1e-3, 0.02 * limit / size))
+        pieces = bezier_pieces(curve, min(1e-3, 0.02 * limit / size_of(curve.points)))
         small = max(float(np.ldexp(limit, -pieces.exponent)), _FINEST)
         margin = float(pieces.error.max())
         arcs, is_simple = simple_arcs(Arcs(pieces.controls, pieces.starts, pieces.ends), small)
@@ -151,12 +147,10 @@ def _starting_places(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
     """
     p, q = pairs.first.controls[:, 0], pairs.second.controls[:, 0]
     u, v = pairs.first.controls[:, -1] - p, pairs.second.controls[:, -1] - q
-    cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    w = q - p
+    w, across = q - p, cross(u, v)
     size = vector_lengths(u) * vector_lengths(v)
-    s = np.nan_to_num((w[:, 0] * v[:, 1] - w[:, 1] * v[:, 0]) / cross, posinf=0.5, neginf=0.5)
-    r = np.nan_to_num((w[:, 0] * u[:, 1] - w[:, 1] * u[:, 0]) / cross, posinf=0.5, neginf=0.5)
-    flat = np.abs(cross) <= 1e-2 * size
+    s, r = (np.nan_to_num(cross(w, each) / across, posinf=0.5, neginf=0.5) for each in (v, u))
+    flat = np.abs(across) <= 1e-2 * size
     k = np.flatnonzero(flat)
     zero, one = np.zeros(len(k)), np.ones(len(k))
     pair = np.concatenate([np.arange(len(s)), k, k, k, k])
@@ -198,10 +192,7 @@ def _newton_step(curve: Curve, at: FloatArray) -> FloatArray:
     gap = curve.evaluate(b) - curve.evaluate(a)
     slope = gap / (b - a)[:, None]
     forward, backward = curve.evaluate(a, 1) - slope, curve.evaluate(b, 1) - slope
-    cross = forward[:, 0] * backward[:, 1] - forward[:, 1] * backward[:, 0]
-    step_a = (gap[:, 0] * backward[:, 1] - gap[:, 1] * backward[:, 0]) / cross
-    step_b = (gap[:, 0] * forward[:, 1] - gap[:, 1] * forward[:, 0]) / cross
-    step = np.stack((step_a, step_b), axis=1)
+    step = np.stack((cross(gap, backward), cross(gap, forward)), axis=1) / cross(forward, backward)[:, None]
     return np.clip(np.where(np.isfinite(step).all(axis=1, keepdims=True), at + step, at), *curve.domain)
 
 

@@ -28,24 +28,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.analysis.quadrature import Arcs, arcs_of, integrals, made_accurate, places_of
+from curvecore.analysis.quadrature import SpeedArcs, arcs_of, integrals, made_accurate, places_of
 from curvecore.arrays import FloatArray, finite_number, integer, parameter_values, tolerance_value
 from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.families.immutable import Immutable
-from curvecore.scaling import LARGEST
-
-__all__ = [
-    "ArcLength",
-    "Length",
-    "arc_length",
-    "arc_lengths",
-    "equal_arc_length_parameters",
-    "parameter_at_length",
-]
-
-_UNIT = 2.0**-53
+from curvecore.scaling import LARGEST, UNIT_ROUNDOFF
 
 
 class Length(NamedTuple):
@@ -92,9 +81,9 @@ class ArcLength(Immutable):
 
     def __init__(self, curve: Curve, tolerance: float) -> None:
         limit = tolerance_value(tolerance)
-        size = max(size_of(curve.points), float(np.finfo(float).tiny))
         # Derivatives of pieces are some 100 times less accurate, and there may be 100 pieces.
-        measured = _measured([bezier_pieces(curve, min(1e-3, 1e-5 * limit / size))], np.array([limit]))
+        pieces = bezier_pieces(curve, min(1e-3, 1e-5 * limit / size_of(curve.points)))
+        measured = _measured([pieces], np.array([limit]))
         self._arcs, self._scale, (self.total,) = measured.arcs, float(measured.scales[0]), measured.totals
         self._at = np.concatenate(([0.0], np.cumsum(measured.lengths)))
 
@@ -264,12 +253,12 @@ def arc_lengths(parts: Sequence[BezierPieces], tolerances: ArrayLike) -> list[Le
     return [each for each in found if each is not None]
 
 
-class _Measured(NamedTuple):
-    """Arcs of curves with their lengths.
+class _MeasuredCurves(NamedTuple):
+    """SpeedArcs of curves with their lengths.
 
     Attributes
     ----------
-    arcs : Arcs
+    arcs : SpeedArcs
     lengths : ndarray, shape (k,)
         Of the arcs, in units of their curve's scale.
     scales : ndarray, shape (curves,)
@@ -277,13 +266,13 @@ class _Measured(NamedTuple):
         Of the curves.
     """
 
-    arcs: Arcs
+    arcs: SpeedArcs
     lengths: FloatArray
     scales: FloatArray
     totals: list[Length]
 
 
-def _measured(parts: Sequence[BezierPieces], tolerances: FloatArray) -> _Measured:
+def _measured(parts: Sequence[BezierPieces], tolerances: FloatArray) -> _MeasuredCurves:
     """Measure curves whose pieces have one degree and dim."""
     shifts = [min(part.exponent, 1000) for part in parts]
     scales = np.ldexp(1.0, shifts)
@@ -292,6 +281,6 @@ def _measured(parts: Sequence[BezierPieces], tolerances: FloatArray) -> _Measure
         lengths = integrals(arcs.slopes, np.zeros(len(errors)), np.ones(len(errors)))
         first = np.searchsorted(arcs.curve, np.arange(len(parts)))
         values = np.add.reduceat(lengths, first)
-        bounds = np.add.reduceat(errors + arcs.slack, first) + 16.0 * _UNIT * values
+        bounds = np.add.reduceat(errors + arcs.slack, first) + 16.0 * UNIT_ROUNDOFF * values
         both = np.minimum(np.stack((values, bounds)) * scales, LARGEST)
-    return _Measured(arcs, lengths, scales, [Length(*pair) for pair in both.T.tolist()])
+    return _MeasuredCurves(arcs, lengths, scales, [Length(*pair) for pair in both.T.tolist()])

@@ -17,19 +17,20 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, jet_array, number_array, tolerance_value
-from curvecore.bezier.bernstein_algebra import derivative, elevated, product, subdivided, weights
+from curvecore.bezier.arcs import Arcs
+from curvecore.bezier.bernstein_algebra import derivative, elevated, squared_length, weights
 from curvecore.bezier.pieces import bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths
-
-__all__ = ["Nearest", "NearestWithin", "nearest"]
 
 _ROUNDS = 60
 _MOST = 1 << 13  # pieces at a time; only where very many points are equally near
@@ -92,18 +93,29 @@ def nearest(curve: Curve, point: ArrayLike, tolerance: float) -> Nearest:
     """
     limit, target = tolerance_value(tolerance), _point_of(curve, point)
     size = size_of(np.concatenate([curve.points, target[None]]))
+
+    def at(t: float) -> _Descent:
+        found, velocity, acceleration = (curve.evaluate(t, order) for order in range(3))
+        rest = found - target
+        slope, square = float(rest @ velocity), float(velocity @ velocity)
+        return _descent(float(vector_lengths(rest)), slope, square, float(rest @ acceleration))
+
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         pieces = bezier_pieces(curve, min(1e-3, 0.1 * limit / size))
         _, more = np.frexp(max(np.abs(np.ldexp(target, -pieces.exponent)).max(), 1.0))
         exponent = pieces.exponent + int(more)
         controls = np.ldexp(pieces.controls, -int(more)) - np.ldexp(target, -exponent)
         slack = float(np.ldexp(pieces.error.max(), -int(more)))
-        place = _search(controls, pieces.starts, pieces.ends, float(np.ldexp(limit, -exponent)), slack)
-        t = _polished(curve, target, place.parameter)
-        found = curve.evaluate(t)
-        distance = float(vector_lengths(found - target))
-        error = max(0.0, distance - float(np.ldexp(place.bound, exponent)))
-    return Nearest(t, found, distance, error)
+        arcs = Arcs(controls, pieces.starts, pieces.ends)
+        place = _search(arcs, float(np.ldexp(limit, -exponent)), slack)
+        return _nearest_at(curve, target, _polished(curve.domain, at, place.parameter), place, exponent)
+
+
+def _nearest_at(curve: Curve, target: FloatArray, t: float, place: _SearchResult, exponent: int) -> Nearest:
+    """Return the point at t as the nearest one, given what a search found in units of 2**exponent."""
+    found = curve.evaluate(t)
+    distance = float(vector_lengths(found - target))
+    return Nearest(t, found, distance, max(0.0, distance - float(np.ldexp(place.bound, exponent))))
 
 
 def _point_of(curve: Curve, point: ArrayLike) -> FloatArray:
@@ -135,11 +147,10 @@ class NearestWithin:
         self._curve = curve
         pieces = bezier_pieces(curve, _FOLLOWED)
         self._exponent, self._slack = pieces.exponent, float(pieces.error.max())
-        controls, start, end = pieces.controls, pieces.starts, pieces.ends
-        while len(controls) < _LEAST:
-            controls = subdivided(controls)
-            start, end = _halved(start, end)
-        self._controls, self._start, self._end = controls, start, end
+        arcs = Arcs(pieces.controls, pieces.starts, pieces.ends)
+        while len(arcs.start) < _LEAST:
+            arcs = arcs.halved()
+        self._arcs, controls = arcs, arcs.controls
         velocities = derivative(controls)
         # Of one degree, so that one row of weights evaluates them all.
         degree = controls.shape[1]
@@ -170,133 +181,111 @@ class NearestWithin:
             If the point has another dim or is not finite, or the reach is
             not positive.
         """
-        exponent, place, reach = (
-            self._exponent,
-            _point_of(self._curve, point),
-            tolerance_value(reach, "reach"),
-        )
+        target, reach = _point_of(self._curve, point), tolerance_value(reach, "reach")
         with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
-            target, radius = np.ldexp(place, -exponent), float(np.ldexp(reach, -exponent))
-            near = ((self._low - radius <= target) & (self._high + radius >= target)).all(axis=1)
+            place, radius = np.ldexp(target, -self._exponent), float(np.ldexp(reach, -self._exponent))
+            near = ((self._low - radius <= place) & (self._high + radius >= place)).all(axis=1)
             if not near.any():
                 return None
-            controls, start, end = self._controls[near] - target, self._start[near], self._end[near]
+            arcs = self._arcs.taken(near)
+            arcs = arcs._replace(controls=arcs.controls - place)
             # What is found at the very edge may move inside when it is polished.
             limit = (1.0 + 2.0 * _SHARE) * radius
-            best = _search(controls, start, end, min(_SHARE * radius, self._tolerance), self._slack, limit)
+            best = _search(arcs, min(_SHARE * radius, self._tolerance), self._slack, limit)
             if np.isnan(best.parameter):
                 return None
-            t = self._polished((float(target[0]), float(target[1])), best.parameter)
-            found = self._curve.evaluate(t)
-            distance = float(vector_lengths(found - place))
-            error = max(0.0, distance - float(np.ldexp(best.bound, exponent)))
-        return Nearest(t, found, distance, error) if distance <= reach else None
+            t = _polished(self._curve.domain, partial(self._at, *place.tolist()), best.parameter)
+            found = _nearest_at(self._curve, target, t, best, self._exponent)
+        return found if found.distance <= reach else None
 
-    def _polished(self, target: tuple[float, float], t: float) -> float:
-        """Improve t by Newton's method on the pieces, by steps that bring the curve nearer."""
-        first, last = self._curve.domain
-        at = self._at(t, target)
-        for _ in range(_NEWTON):
-            step = at.step
-            for _ in range(_HALVINGS):
-                following = min(max(t - step, first), last)
-                there = self._at(following, target)
-                if there.square < at.square:
-                    break
-                step *= 0.5
-            else:
-                break
-            t, at = following, there
-        return t
-
-    def _at(self, t: float, target: tuple[float, float]) -> _Local:
-        """Return the squared distance at t, and Newton's step from there in t."""
-        i = max(int(np.searchsorted(self._start, t, side="right")) - 1, 0)
-        h = float(self._end[i] - self._start[i])
-        s = np.array([(t - float(self._start[i])) / h])
+    def _at(self, target_x: float, target_y: float, t: float) -> _Descent:
+        """Return what Newton's method does at t, by the pieces."""
+        start, end = self._arcs.start, self._arcs.end
+        i = max(int(np.searchsorted(start, t, side="right")) - 1, 0)
+        h = float(end[i] - start[i])
+        s = np.array([(t - float(start[i])) / h])
         x, y, vx, vy, ax, ay = (weights(s, self._jets.shape[1] - 1)[0] @ self._jets[i]).tolist()
-        x, y = x - target[0], y - target[1]
-        slope, speed = x * vx + y * vy, vx * vx + vy * vy
-        curvature = speed + x * ax + y * ay
-        # Where the distance is not convex, the way of Gauss and Newton leads down as well.
-        divisor = curvature if curvature > 0.0 else speed
-        return _Local(x * x + y * y, h * slope / divisor if divisor > 0.0 else 0.0)
+        x, y = x - target_x, y - target_y
+        at = _descent(x * x + y * y, x * vx + y * vy, vx * vx + vy * vy, x * ax + y * ay)
+        return at._replace(step=h * at.step)
 
 
-class _Local(NamedTuple):
-    square: float
+class _Descent(NamedTuple):
+    """A step towards the nearest point.
+
+    Attributes
+    ----------
+    size : float
+        The distance, or its square, that is to become smaller.
+    step : float
+        What Newton's method subtracts from t.
+    """
+
+    size: float
     step: float
 
 
-class _Place(NamedTuple):
+def _descent(size: float, slope: float, speed: float, bend: float) -> _Descent:
+    """Return the step, given the products (c - p) . c', c' . c' and (c - p) . c''."""
+    # Where the distance is not convex, the way of Gauss and Newton leads down as well.
+    divisor = speed + bend if speed + bend > 0.0 else speed
+    return _Descent(size, slope / divisor if 0.0 < divisor < np.inf else 0.0)
+
+
+def _polished(domain: tuple[float, float], at: Callable[[float], _Descent], t: float) -> float:
+    """Improve t by Newton's method, by steps that bring the curve nearer."""
+    here = at(t)
+    for _ in range(_NEWTON):
+        step = here.step
+        for _ in range(_HALVINGS):
+            following = min(max(t - step, domain[0]), domain[1])
+            there = at(following)
+            if there.size < here.size:
+                break
+            step *= 0.5
+        else:
+            break
+        t, here = following, there
+    return t
+
+
+class _SearchResult(NamedTuple):
+    """The parameter of the nearest point found, and a lower bound of all distances."""
+
     parameter: float
     bound: float
 
 
-def _search(
-    controls: FloatArray,
-    start: FloatArray,
-    end: FloatArray,
-    tolerance: float,
-    slack: float,
-    reach: float = np.inf,
-) -> _Place:
-    """Return where the controls come nearest to 0, and a lower bound of their distance.
+def _search(arcs: Arcs, tolerance: float, slack: float, reach: float = np.inf) -> _SearchResult:
+    """Return where the arcs come nearest to 0, and a lower bound of their distance.
 
     NaN where they do not come within reach.
     """
-    best, parameter = _nearest_end(controls, start, end)
+    best, parameter = _nearest_end(arcs)
     if best > reach:
         best, parameter = reach, np.nan
     bound = np.inf
     for step in range(_ROUNDS):
-        low = _lower_bounds(controls)
+        low = _lower_bounds(arcs.controls)
         open_ = low < best - tolerance
         closed = low[~open_]
         bound = min(bound, float(closed.min(initial=np.inf)))
         if not open_.any() or 2 * int(open_.sum()) > _MOST or step == _ROUNDS - 1:
             bound = min(bound, float(low.min(initial=np.inf)))
             break
-        controls = subdivided(controls[open_])
-        start, end = _halved(start[open_], end[open_])
-        distance, candidate = _nearest_end(controls, start, end)
+        arcs = arcs.taken(open_).halved()
+        distance, candidate = _nearest_end(arcs)
         if distance < best:
             best, parameter = distance, candidate
-    return _Place(parameter, max(0.0, min(bound, best) - slack))
+    return _SearchResult(parameter, max(0.0, min(bound, best) - slack))
 
 
-def _halved(start: FloatArray, end: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return where the halves of intervals begin and end."""
-    middle = 0.5 * start + 0.5 * end
-    return np.stack((start, middle), axis=1).ravel(), np.stack((middle, end), axis=1).ravel()
-
-
-def _nearest_end(controls: FloatArray, start: FloatArray, end: FloatArray) -> tuple[float, float]:
-    distance = vector_lengths(controls[:, [0, -1]])
+def _nearest_end(arcs: Arcs) -> tuple[float, float]:
+    distance = vector_lengths(arcs.controls[:, [0, -1]])
     i, side = np.unravel_index(int(np.argmin(distance)), distance.shape)
-    return float(distance[i, side]), float(end[i] if side else start[i])
+    return float(distance[i, side]), float(arcs.end[i] if side else arcs.start[i])
 
 
 def _lower_bounds(controls: FloatArray) -> FloatArray:
-    square = sum(product(controls[:, :, d], controls[:, :, d]) for d in range(controls.shape[2]))
-    least = np.asarray(square).min(axis=1)
-    bound: FloatArray = np.sqrt(np.maximum(least, 0.0))
+    bound: FloatArray = np.sqrt(np.maximum(squared_length(controls).min(axis=1), 0.0))
     return bound
-
-
-def _polished(curve: Curve, target: FloatArray, t: float) -> float:
-    """Improve t by Newton's method on (c - p) . c' = 0, as long as that brings c nearer."""
-    first, last = curve.domain
-    best = float(vector_lengths(curve.evaluate(t) - target))
-    for _ in range(_NEWTON):
-        rest, velocity = curve.evaluate(t) - target, curve.evaluate(t, 1)
-        slope = float(velocity @ velocity + rest @ curve.evaluate(t, 2))
-        if not np.isfinite(slope) or slope <= 0.0:
-            break
-        step = float(rest @ velocity) / slope
-        following = min(max(t - step, first), last)
-        distance = float(vector_lengths(curve.evaluate(following) - target))
-        if not distance < best:
-            break
-        t, best = following, distance
-    return t

@@ -15,18 +15,16 @@ import numpy as np
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 from curvecore.bezier.bernstein_algebra import halves, weights
 from curvecore.bezier.pieces import BezierPieces
-
-__all__ = ["Arcs", "arcs_of", "integrals", "made_accurate", "places_of"]
+from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 _NODES = 16
-_UNIT = 2.0**-53
 _ROUNDS = 60
 _MOST = 1 << 14  # arcs, or 8 a piece; a curve that needs more gets a larger error bound
 _AT_ONCE = 1 << 12  # quadratures, of 16 sets of weights each: a few megabytes
 _RHO = np.array([1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 12.0, 24.0, 64.0, 1024.0])
 
 
-class Arcs(NamedTuple):
+class SpeedArcs(NamedTuple):
     """Stretches of curves, of each in order, with what is known of their lengths.
 
     Attributes
@@ -47,18 +45,12 @@ class Arcs(NamedTuple):
     slack: FloatArray
     curve: IntArray
 
-    def taken(self, chosen: BoolArray | IntArray) -> Arcs:
+    def taken(self, chosen: BoolArray | IntArray) -> SpeedArcs:
         """Return some of the arcs."""
-        return Arcs(
-            self.slopes[chosen],
-            self.start[chosen],
-            self.end[chosen],
-            self.slack[chosen],
-            self.curve[chosen],
-        )
+        return SpeedArcs._make(each[chosen] for each in self)
 
 
-def arcs_of(parts: Sequence[BezierPieces], shifts: Sequence[int]) -> Arcs:
+def arcs_of(parts: Sequence[BezierPieces], shifts: Sequence[int]) -> SpeedArcs:
     """Return the pieces of curves as arcs, those of curve i in units of 2**shifts[i].
 
     All have one degree and dim.
@@ -68,7 +60,7 @@ def arcs_of(parts: Sequence[BezierPieces], shifts: Sequence[int]) -> Arcs:
     slopes = np.concatenate([part.slopes for part in parts])
     error = np.concatenate([part.error for part in parts])
     slope_error = np.concatenate([part.slope_error for part in parts])
-    return Arcs(
+    return SpeedArcs(
         np.ldexp(slopes, up[:, None, None]),
         np.concatenate([part.starts for part in parts]),
         np.concatenate([part.ends for part in parts]),
@@ -85,23 +77,23 @@ def _slack(slopes: FloatArray, error: FloatArray, slope_error: FloatArray) -> Fl
     by which the piece turns; what is left at its ends goes with its neighbours', where the curve has no
     corner, and is 0 at the ends of the curve and of exact pieces. The control polygon turns as far, at least.
     """
-    fast = slopes / np.maximum(np.linalg.norm(slopes, axis=2, keepdims=True), np.finfo(float).tiny)
+    fast = slopes / np.maximum(np.linalg.norm(slopes, axis=2, keepdims=True), SMALLEST)
     ahead = fast.sum(axis=1)
     ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
     slowest = (slopes @ ahead[:, :, None]).min(axis=(1, 2))
     # Chords of the unit circle, pi / 2 times at most as long in angles.
     turn = 0.5 * np.pi * np.linalg.norm(np.diff(fast, axis=1), axis=2).sum(axis=1)
-    smooth = error * (turn + 4.0 * _UNIT) + 0.5 * slope_error**2 / slowest
+    smooth = error * (turn + 4.0 * UNIT_ROUNDOFF) + 0.5 * slope_error**2 / slowest
     return np.where(slowest > slope_error, np.minimum(smooth, slope_error), slope_error)
 
 
-def made_accurate(arcs: Arcs, tolerances: FloatArray) -> tuple[Arcs, FloatArray]:
+def made_accurate(arcs: SpeedArcs, tolerances: FloatArray) -> tuple[SpeedArcs, FloatArray]:
     """Halve arcs until the lengths of all curves are accurate; return them in order with their error bounds.
 
     Each curve has its own tolerance, in its own units, and its own limit of how many arcs it may be cut into.
     """
     curves = len(tolerances)
-    done: list[Arcs] = []
+    done: list[SpeedArcs] = []
     errors: list[FloatArray] = []
     own = np.bincount(arcs.curve, minlength=curves)
     after = np.cumsum(own)
@@ -111,8 +103,8 @@ def made_accurate(arcs: Arcs, tolerances: FloatArray) -> tuple[Arcs, FloatArray]
     for step in range(_ROUNDS):
         bound, polygon = _bounds(arcs.slopes)
         # Both halves of an arc together get what it had: the shares of all add up to the tolerance.
-        fine = (bound <= share) | (bound <= 2.0 * _UNIT * polygon)
-        fine |= arcs.end - arcs.start <= 4.0 * _UNIT * span
+        fine = (bound <= share) | (bound <= 2.0 * UNIT_ROUNDOFF * polygon)
+        fine |= arcs.end - arcs.start <= 4.0 * UNIT_ROUNDOFF * span
         count += np.bincount(arcs.curve[fine], minlength=curves)
         wanted = count + 2 * np.bincount(arcs.curve[~fine], minlength=curves)
         fine |= (wanted > most)[arcs.curve] | (step == _ROUNDS - 1)
@@ -122,15 +114,15 @@ def made_accurate(arcs: Arcs, tolerances: FloatArray) -> tuple[Arcs, FloatArray]
             break
         arcs, span = _halved(arcs.taken(~fine)), np.tile(span[~fine], 2)
         share = np.tile(0.5 * share[~fine], 2)
-    together = Arcs(*(np.concatenate(column) for column in zip(*done, strict=True)))
+    together = SpeedArcs(*(np.concatenate(column) for column in zip(*done, strict=True)))
     order = np.lexsort((together.start, together.curve))
     return together.taken(order), np.concatenate(errors)[order]
 
 
-def _halved(arcs: Arcs) -> Arcs:
+def _halved(arcs: SpeedArcs) -> SpeedArcs:
     left, right = halves(0.5 * arcs.slopes)
     middle = 0.5 * arcs.start + 0.5 * arcs.end
-    return Arcs(
+    return SpeedArcs(
         np.concatenate([left, right]),
         np.concatenate([arcs.start, middle]),
         np.concatenate([middle, arcs.end]),
@@ -190,7 +182,7 @@ def places_of(slopes: FloatArray, wanted: FloatArray, whole: FloatArray) -> Floa
         following = np.where(inside, step, 0.5 * (low + high))
         moved = np.abs(following - place).max(initial=0.0)
         place = following
-        if moved <= 4.0 * _UNIT:
+        if moved <= 4.0 * UNIT_ROUNDOFF:
             break
     return place
 

@@ -1,4 +1,4 @@
-"""What changes of points, velocities, accelerations and parameters do to a curve.
+"""Sensitivities of a curve to its points, velocities, accelerations and parameters.
 
 A curve is linear in its jets, so their sensitivities are the basis functions
 themselves; where velocities are estimated from the points, those of the points
@@ -31,17 +31,7 @@ from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arrays import FloatArray, parameter_values
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.vectors import vector_lengths
-
-__all__ = [
-    "Band",
-    "acceleration_sensitivity",
-    "error_sizes",
-    "parameter_sensitivity",
-    "point_sensitivity",
-    "velocity_sensitivity",
-    "worst_case_band",
-]
+from curvecore.vectors import cross, vector_lengths
 
 
 class Band(NamedTuple):
@@ -187,17 +177,9 @@ def worst_case_band(
         if not delta.any():
             return Band(ball, ball.copy())
         moves = _moves(curve, at, delta) if known is None else known * delta[:, None]
-        farthest = _farthest(moves)
         (velocity,) = curve.derivatives_at(at, (1,))
-        size = vector_lengths(velocity)
-        rests = size == 0.0
-        unit = velocity / np.where(rests, 1.0, size)[:, None]
-        along = np.einsum("mnd,md->mn", moves, unit)
-        if moves.shape[2] == 2:
-            normal = np.abs(moves[:, :, 1] * unit[:, None, 0] - moves[:, :, 0] * unit[:, None, 1]).sum(axis=1)
-        else:
-            normal = _farthest(moves - along[:, :, None] * unit[:, None])
-        return Band(ball + farthest, ball + np.where(rests, farthest, normal))
+        farthest = _farthest(moves)
+        return Band(ball + farthest, ball + _across(moves, velocity, farthest))
 
 
 def _ball(
@@ -222,8 +204,7 @@ def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
         result: FloatArray = (np.abs(local.values) * both).sum(axis=(1, 2))
         return result
     basis = np.abs(curve.basis(t))
-    ball: FloatArray = basis.reshape(len(basis), -1) @ sizes.ravel()
-    return ball
+    return basis.reshape(len(basis), -1) @ sizes.ravel()
 
 
 def _moves(curve: Curve, t: FloatArray, delta: FloatArray) -> FloatArray:
@@ -242,6 +223,18 @@ def error_sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
     if (sizes < 0.0).any():
         raise CurveError(f"{name} must be at least 0")
     return np.broadcast_to(sizes, (count,)).astype(np.float64)
+
+
+def _across(moves: FloatArray, velocity: FloatArray, farthest: FloatArray) -> FloatArray:
+    """Return how far sums of +-moves reach square to the velocities, (m, dim); at rest, `farthest`."""
+    size = vector_lengths(velocity)
+    rests = size == 0.0
+    unit = (velocity / np.where(rests, 1.0, size)[:, None])[:, None]
+    if moves.shape[2] == 2:
+        normal = np.abs(cross(unit, moves)).sum(axis=1)
+    else:
+        normal = _farthest(moves - (moves * unit).sum(axis=2, keepdims=True) * unit)
+    return np.where(rests, farthest, normal)
 
 
 def _farthest(moves: FloatArray) -> FloatArray:

@@ -1,4 +1,4 @@
-"""How far errors of the data reach: Lebesgue function and constant.
+"""Lebesgue function and constant: growth of errors of the data.
 
 Of a curve they tell what errors of the points do while velocities and accelerations stay as they are; of its
 `CardinalBasis`, what they do where these are estimated from the points.
@@ -30,19 +30,17 @@ from curvecore.bezier.control_points import all_joints
 from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 
-__all__ = ["derivative_sums", "lebesgue_constant", "lebesgue_constants", "lebesgue_function"]
 
-
-class _Search(NamedTuple):
-    """How the largest value in an interval is looked for: what is left, squared, is the relative error."""
+class _SearchPlan(NamedTuple):
+    """Steps of a search for the largest value in an interval: its remaining length, squared, is the error."""
 
     samples: int
     shrink: float
     rounds: int
 
 
-_ONE_PEAK = _Search(9, 0.3, 15)
-_FEW_PEAKS = _Search(19, 0.15, 9)
+_ONE_PEAK = _SearchPlan(9, 0.3, 15)
+_FEW_PEAKS = _SearchPlan(19, 0.15, 9)
 _MANY = 500  # intervals, of which the likelier half or fewer is searched
 _MOST_AT_ONCE = 1 << 20  # values: a few megabytes
 _MOST_PEAKS = 64  # intervals that are looked into more closely; of equal ones a few will do
@@ -195,7 +193,7 @@ def _largest_of(controls: list[FloatArray]) -> list[float]:
 
 
 class _Intervals(NamedTuple):
-    """Where largest values are looked for.
+    """Intervals in which largest values are looked for.
 
     Attributes
     ----------
@@ -219,7 +217,7 @@ _SumsIn = Callable[[FloatArray, IntArray], FloatArray]
 """Places (k, m) in segments (k,) to sums of the same size."""
 
 
-def _largest_sums(sums: _SumsIn, intervals: _Intervals, owners: int, search: _Search) -> FloatArray:
+def _largest_sums(sums: _SumsIn, intervals: _Intervals, owners: int, search: _SearchPlan) -> FloatArray:
     """Return the largest value of `sums` in the intervals of each owner, at least 1."""
     left = intervals
     if np.bincount(left.owner).max() > _MANY:

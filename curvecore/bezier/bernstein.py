@@ -17,17 +17,9 @@ from __future__ import annotations
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
-
-__all__ = [
-    "bernstein_functions",
-    "bernstein_weights",
-    "control_points",
-    "evaluate_inside",
-    "weighted_columns",
-]
+from curvecore.bezier.bernstein_algebra import binomials
 
 _CHUNK = 4096  # parameters at a time: the dozen working arrays stay in the second-level cache
-_BINOMIALS = {3: (1.0, 3.0, 3.0, 1.0), 5: (1.0, 5.0, 10.0, 10.0, 5.0, 1.0)}
 
 
 def control_points(jets: FloatArray, parameters: FloatArray) -> FloatArray:
@@ -69,8 +61,7 @@ def weighted_columns(controls: FloatArray) -> FloatArray:
     One contiguous column for each coordinate, because gathering from columns
     costs a third of gathering rows and then striding over them.
     """
-    degree = controls.shape[1] - 1
-    weighted = controls.transpose(1, 2, 0) * np.array(_BINOMIALS[degree])[:, None, None]
+    weighted = controls.transpose(1, 2, 0) * binomials(controls.shape[1] - 1)[:, None, None]
     return np.ascontiguousarray(weighted)
 
 
@@ -82,13 +73,6 @@ def bernstein_weights(s: FloatArray, r: FloatArray, degree: int) -> tuple[FloatA
     r3, s3 = r2 * r, s2 * s
     rs = r * s
     return r3 * r2, r3 * rs, r3 * s2, s3 * r2, s3 * rs, s3 * s2
-
-
-def bernstein_functions(s: FloatArray, degree: int) -> FloatArray:
-    """Return the Bernstein polynomials at s in [0, 1], shape (m, degree + 1)."""
-    functions: FloatArray = np.stack(bernstein_weights(s, 1.0 - s, degree), axis=1)
-    functions *= np.array(_BINOMIALS[degree])
-    return functions
 
 
 def evaluate_inside(

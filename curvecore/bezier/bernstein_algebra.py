@@ -25,20 +25,6 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 
-__all__ = [
-    "PieceRoots",
-    "binomials",
-    "derivative",
-    "elevated",
-    "end_signs",
-    "halves",
-    "product",
-    "sign_changes",
-    "subdivided",
-    "values",
-    "weights",
-]
-
 _DEPTH = 40  # halvings after which an interval that still changes sign counts as a root
 _MOST = (
     4096  # intervals at a time, or one for each coefficient: halving adds no changes of sign but by rounding
@@ -83,8 +69,7 @@ def values(coefficients: FloatArray, places: FloatArray) -> FloatArray:
         s = places.reshape(-1, *(1,) * (coefficients.ndim - 1))
         while level.shape[1] > 1:
             level = level[:, :-1] + s * (level[:, 1:] - level[:, :-1])
-    result: FloatArray = level[:, 0]
-    return result
+    return level[:, 0]
 
 
 def derivative(coefficients: FloatArray) -> FloatArray:
@@ -105,6 +90,13 @@ def product(first: FloatArray, second: FloatArray) -> FloatArray:
         for i in range(a + 1):
             result[:, i : i + b + 1] += left[:, i, None] * right
     result /= binomials(a + b)
+    return result
+
+
+def squared_length(vectors: FloatArray) -> FloatArray:
+    """Return the coefficients of the squared lengths of vectors, shape (k, d + 1, dim) to (k, 2 d + 1)."""
+    squares = (product(column, column) for column in np.moveaxis(vectors, 2, 0))
+    result: FloatArray = np.sum(list(squares), axis=0)
     return result
 
 

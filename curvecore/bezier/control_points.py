@@ -18,25 +18,15 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, tolerance_value
 from curvecore.bezier.bernstein import control_points
-from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.bezier.bernstein_algebra import elevated, weights
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
+from curvecore.scaling import LIMIT
 from curvecore.vectors import vector_lengths
-
-__all__ = [
-    "MAX_PIECES",
-    "CubicPath",
-    "all_joints",
-    "bezier_segments",
-    "cubic_path",
-    "drawable_pieces",
-    "spread",
-]
 
 MAX_PIECES = 1 << 12
 """`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""
 
-_LIMIT = 1e300  # control points beyond are moved here, so that their differences stay finite
 _SAMPLES = np.arange(1, 12) / 12.0  # where a cubic piece is compared with the curve
 _MARGIN = 1.25  # on the measured deviation, for what lies between the samples
 _ROUNDS = 24
@@ -94,10 +84,10 @@ def drawable_pieces(curve: Curve) -> FloatArray | None:
 
 
 def _limited(controls: FloatArray) -> FloatArray:
-    if np.abs(controls).max() <= _LIMIT:
+    if np.abs(controls).max() <= LIMIT:
         return controls
-    np.nan_to_num(controls, copy=False, nan=_LIMIT)
-    return np.clip(controls, -_LIMIT, _LIMIT, out=controls)
+    np.nan_to_num(controls, copy=False, nan=LIMIT)
+    return np.clip(controls, -LIMIT, LIMIT, out=controls)
 
 
 def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
@@ -146,9 +136,7 @@ def _joined(paths: list[CubicPath]) -> CubicPath:
 
 def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:
     """Return the cubic pieces with the curve's points and velocities."""
-    velocities = curve.evaluate(parameters, 1)
-    if not np.isfinite(velocities).all() or np.abs(velocities).max() > 1e300:
-        velocities = np.clip(np.nan_to_num(velocities), -_LIMIT, _LIMIT)
+    velocities = np.clip(np.nan_to_num(curve.evaluate(parameters, 1)), -LIMIT, LIMIT)
     controls = control_points(np.stack((curve.evaluate(parameters), velocities), axis=1), parameters)
     return _limited(controls)
 
@@ -167,19 +155,26 @@ def _proved_path(curve: Curve, controls: FloatArray, tolerance: float) -> CubicP
 
 def all_joints(curve: Curve) -> FloatArray:
     """Return the parameters and the breaks of a curve, ascending, each once."""
-    t = np.concatenate((curve.parameters, curve.breaks))
-    t.sort()
-    # numpy.unique would import all of numpy.ma.
+    return sorted_distinct(np.concatenate((curve.parameters, curve.breaks)))
+
+
+def sorted_distinct(t: FloatArray) -> FloatArray:
+    """Return parameters in order, each once; `numpy.unique` would import all of numpy.ma."""
+    t = np.sort(t)
     return t[np.diff(t, prepend=-np.inf) > 0.0]
+
+
+def equal_parts(count: IntArray) -> tuple[IntArray, IntArray]:
+    """Return for all parts of segments, the i-th of count[i] parts, the segment and the number in it."""
+    segment = np.repeat(np.arange(len(count)), count)
+    return segment, np.arange(len(segment)) - (np.cumsum(count) - count)[segment]
 
 
 def spread(joints: FloatArray, count: IntArray) -> FloatArray:
     """Divide segment i into count[i] equal pieces; drop what is not distinct."""
-    segment = np.repeat(np.arange(len(count)), count)
-    first = np.cumsum(count) - count
-    step = np.arange(len(segment)) - first[segment]
+    segment, step = equal_parts(count)
     inner = joints[segment] + (joints[segment + 1] - joints[segment]) * (step / count[segment])
-    return np.unique(np.append(np.minimum(inner, joints[-1]), joints[-1]))
+    return sorted_distinct(np.append(np.minimum(inner, joints[-1]), joints[-1]))
 
 
 def _measured_path(curve: Curve, tolerance: float) -> CubicPath:
@@ -200,10 +195,8 @@ def _measured_path(curve: Curve, tolerance: float) -> CubicPath:
 
 
 def _measured_deviation(curve: Curve, parameters: FloatArray, pieces: FloatArray) -> FloatArray:
-    s = _SAMPLES
-    weights = np.stack(((1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3))
-    t = parameters[:-1, None] + np.diff(parameters)[:, None] * s
-    exact = curve.evaluate(t.ravel()).reshape(len(pieces), len(s), -1)
-    approximate = np.einsum("ks,pkd->psd", weights, pieces)
-    worst: FloatArray = vector_lengths(approximate - np.clip(exact, -_LIMIT, _LIMIT)).max(axis=1)
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * _SAMPLES
+    exact = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
+    approximate = weights(_SAMPLES, 3) @ pieces
+    worst: FloatArray = vector_lengths(approximate - np.clip(exact, -LIMIT, LIMIT)).max(axis=1)
     return worst

@@ -32,8 +32,6 @@ from curvecore.errors import CurveError
 from curvecore.families.curve import Curve, Interpolant
 from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated, scaled_integers
 
-__all__ = ["LagrangeBezier", "bezier_stretch", "elevate_degree", "lagrange_to_bezier"]
-
 MOST = 64
 """Points of the longest polynomial that is converted; the work grows with the fourth power."""
 

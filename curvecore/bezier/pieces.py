@@ -22,18 +22,13 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.bezier.bernstein_algebra import derivative, elevated, weights
-from curvecore.bezier.control_points import all_joints, spread
+from curvecore.bezier.control_points import MAX_PIECES, all_joints, spread
 from curvecore.families.curve import Curve
-
-__all__ = ["MAX_PIECES", "BezierPieces", "alike", "bezier_pieces", "parameters_at", "size_of"]
-
-MAX_PIECES = 1 << 12
-"""No polynomial is divided into more pieces than this."""
+from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 _DEGREE = 8
 _POINTS = 2 * _DEGREE + 1
 _ROUNDS = 12
-_UNIT = 2.0**-53
 
 
 class BezierPieces(NamedTuple):
@@ -103,7 +98,7 @@ def alike(parts: Sequence[BezierPieces]) -> list[IntArray]:
 def size_of(controls: FloatArray) -> float:
     """Return the largest extent of control points along any axis, or the smallest double if it is 0."""
     flat = controls.reshape(-1, controls.shape[-1])
-    return max(float((flat.max(axis=0) - flat.min(axis=0)).max()), float(np.finfo(float).tiny))
+    return max(float((flat.max(axis=0) - flat.min(axis=0)).max()), SMALLEST)
 
 
 def parameters_at(pieces: BezierPieces, piece: np.ndarray, place: FloatArray) -> FloatArray:
@@ -121,7 +116,7 @@ def _scaled(
     _, exponent = np.frexp(np.abs(controls).max())
     scaled = np.ldexp(controls, -exponent)
     # Each control point is a sum of a few terms of the size of the largest one.
-    noise = 8.0 * _UNIT * np.abs(scaled).max(axis=(1, 2))
+    noise = 8.0 * UNIT_ROUNDOFF * np.abs(scaled).max(axis=(1, 2))
     degree = controls.shape[1] - 1
     return BezierPieces(
         scaled,
@@ -137,40 +132,26 @@ def _scaled(
 def _joined(parts: list[BezierPieces]) -> BezierPieces:
     degree = max(part.controls.shape[1] for part in parts)
     exponent = max(part.exponent for part in parts)
-    shifts = [part.exponent - exponent for part in parts]
-    together = zip(parts, shifts, strict=True)
-    controls = [
-        np.ldexp(elevated(part.controls, degree - part.controls.shape[1]), shift) for part, shift in together
-    ]
-    slopes = [
-        np.ldexp(elevated(part.slopes, degree - part.controls.shape[1]), shift)
-        for part, shift in zip(parts, shifts, strict=True)
-    ]
-    return BezierPieces(
-        np.concatenate(controls),
-        np.concatenate(slopes),
-        np.concatenate([part.starts for part in parts]),
-        np.concatenate([part.ends for part in parts]),
-        np.concatenate([np.ldexp(part.error, shift) for part, shift in zip(parts, shifts, strict=True)]),
-        np.concatenate(
-            [np.ldexp(part.slope_error, shift) for part, shift in zip(parts, shifts, strict=True)]
-        ),
-        exponent,
-    )
+    columns = []
+    for part in parts:
+        shift, by = part.exponent - exponent, degree - part.controls.shape[1]
+        shapes = (np.ldexp(elevated(each, by), shift) for each in (part.controls, part.slopes))
+        errors = (np.ldexp(each, shift) for each in (part.error, part.slope_error))
+        columns.append((*shapes, part.starts, part.ends, *errors))
+    return BezierPieces._make([*map(np.concatenate, zip(*columns, strict=True)), exponent])
 
 
 def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
-    is_low = curve.degree is not None and curve.degree <= _DEGREE
-    degree = min(curve.degree, _DEGREE) if curve.degree is not None else _DEGREE
+    degree = _DEGREE if curve.degree is None else min(curve.degree, _DEGREE)
     parameters = all_joints(curve)
     for step in range(_ROUNDS):
         coefficients, size, base = _chebyshev(curve, parameters)
         rest = np.linalg.norm(coefficients[:, degree + 1 :], axis=-1)
         error = rest.sum(axis=1)
-        wanted = max(tolerance, 64.0 * _UNIT) * size
+        wanted = max(tolerance, 64.0 * UNIT_ROUNDOFF) * size
         # The coefficients of degree above 8 shrink at least as 2**-9 when an interval is halved.
         poor = (error > wanted) & (np.diff(parameters) > 1e-12 * (parameters[-1] - parameters[0]))
-        if is_low or not poor.any() or step == _ROUNDS - 1:
+        if degree == curve.degree or not poor.any() or step == _ROUNDS - 1:
             break
         if len(error) + poor.sum() > MAX_PIECES:
             break
@@ -181,12 +162,11 @@ def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
         parameters = finer
     controls = _to_bernstein(degree) @ coefficients[:, : degree + 1]
     # Coefficients as small as rounding are none of the polynomial's own.
-    noise = 8.0 * _UNIT * np.abs(coefficients[:, 0]).max(axis=1, initial=0.0)
+    noise = 8.0 * UNIT_ROUNDOFF * np.abs(coefficients[:, 0]).max(axis=1, initial=0.0)
     orders = np.arange(degree + 1, _POINTS, dtype=np.float64)
     # |T_k'| <= k**2 on an interval of length 2.
     slope_error = 2.0 * (np.maximum(rest - noise[:, None], 0.0) @ np.square(orders) + degree * noise)
-    ends = curve.evaluate(parameters)
-    ends = np.ldexp(ends, -base)
+    ends = np.ldexp(curve.evaluate(parameters), -base)
     controls[:, 0], controls[:, -1] = ends[:-1], ends[1:]
     return _scaled(controls, parameters, 2.0 * error, 2.0 * slope_error, base)
 

@@ -1,4 +1,4 @@
-"""What changes while one datum moves, as under a hand: what stays is not computed again.
+"""Updates of curves while one datum moves, as under a hand: what stays is not computed again.
 
 - ``frozen_samples``: polylines while points move and parameters stay.
 - ``frozen_segments``: the same for curves of Bezier pieces, whatever moves.

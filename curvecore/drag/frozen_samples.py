@@ -16,17 +16,16 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
-from curvecore.bezier.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
+from curvecore.bezier.flatten_samples import sampled_pieces
+from curvecore.bezier.polylines import Pieces, may_enter, merged_pieces, segment_distance
 from curvecore.drag.left_out import LeftOut
 from curvecore.families.curve import Curve
-
-__all__ = ["FrozenFlattening"]
+from curvecore.scaling import LIMIT
 
 ComplexArray = npt.NDArray[np.complex128]
 
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
 _MARGIN = 1.6  # on an estimate from one place for the whole of a piece
-_LIMIT = 1e300
 _MOST_MOVED = 4  # points whose parameters move, above which evaluating anew is as fast
 _LEAST_SQUARE = 1e-290  # of lengths, below which products lose digits
 _SHARE = 0.05  # of the tolerance, that roundings may take
@@ -105,15 +104,15 @@ class FrozenFlattening:
         """Return the curve at all samples, (m, 2)."""
         is_same = curve.parameters is self._curve.parameters
         if not (is_same or np.array_equal(curve.parameters, self._curve.parameters)):
-            return np.clip(self._at_moved_parameters(curve), -_LIMIT, _LIMIT)
+            return np.clip(self._at_moved_parameters(curve), -LIMIT, LIMIT)
         moved = np.flatnonzero((curve.points != self._curve.points).any(axis=1))
         if len(moved) > _MOST_COLUMNS:
-            return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
+            return np.clip(curve.evaluate(self._parameters), -LIMIT, LIMIT)
         if not len(moved):
             return self._points
         columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
         way = curve.points[moved] - self._curve.points[moved]
-        return np.clip(self._points + columns @ way, -_LIMIT, _LIMIT)
+        return np.clip(self._points + columns @ way, -LIMIT, LIMIT)
 
     def _at_moved_parameters(self, curve: Curve) -> FloatArray:
         if self._left_out is None or not self._left_out.serves(curve):
@@ -152,19 +151,12 @@ class FrozenFlattening:
         """
         if len(points) < 3:
             return np.inf
-        at = np.ascontiguousarray(points).view(np.complex128)[:, 0]
-        step = at[1:] - at[:-1]
+        step = _steps(points)
         turn = step[1:] * step[:-1].conj()
-        if not turn.real.min() > _LEAST_SQUARE or self._turns_at_ends(step):
+        if not turn.real.min() > _LEAST_SQUARE or any(_passed_at_ends(step, self._quotient)):
             return np.inf
-        off = np.abs(turn.imag) / np.abs(at[2:] - at[:-2])
+        off = np.abs(turn.imag) / np.abs(step[1:] + step[:-1])
         return float((off * self._leverage).max())
-
-    def _turns_at_ends(self, step: ComplexArray) -> bool:
-        quotient = self._quotient
-        first = _passed_at_end(complex(step[0]), complex(step[1]), float(quotient[0]))
-        last = _passed_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1]))
-        return bool(first or last)
 
     def _deviation(self, points: FloatArray) -> FloatArray:
         """Estimate how far each piece leaves its chord; infinite for what stays outside the box.
@@ -172,12 +164,10 @@ class FrozenFlattening:
         A sample lies |c''| h k / 2 off the chord of its neighbours, h and k away from it in t; a piece of
         length h leaves its own chord by |c''| h**2 / 8.
         """
-        h = np.diff(self._parameters)
-        if len(h) < 2:
-            return np.zeros(len(h))
-        off = segment_distance(points[1:-1], points[:-2], points[2:])
-        quotient = h[1:] / h[:-1]
-        deviation = np.zeros(len(h))
+        deviation = np.zeros(len(points) - 1)
+        if len(deviation) < 2:
+            return deviation
+        off, quotient = segment_distance(points[1:-1], points[:-2], points[2:]), self._quotient
         deviation[:-1] = off / quotient
         deviation[1:] = np.maximum(deviation[1:], off * quotient)
         deviation *= 0.25 * _MARGIN
@@ -200,12 +190,9 @@ def _passed(points: FloatArray, quotient: FloatArray) -> FloatArray | None:
     Samples along the chord show nothing of it. `quotient` says how much longer in t each piece but the first
     is than the one before it.
     """
-    # Complex numbers: one operation for both coordinates.
-    at = np.ascontiguousarray(points).view(np.complex128)[:, 0]
-    step = at[1:] - at[:-1]
+    step = _steps(points)
     onward = (step[1:] * step[:-1].conj()).real > 0.0
-    first = _passed_at_end(complex(step[0]), complex(step[1]), float(quotient[0]))
-    last = _passed_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1]))
+    first, last = _passed_at_ends(step, quotient)
     if not (first or last) and onward.all():
         return None
     after = step[1:] / quotient
@@ -216,6 +203,19 @@ def _passed(points: FloatArray, quotient: FloatArray) -> FloatArray | None:
     passed[1:] = np.maximum(passed[1:], way)
     passed[0], passed[-1] = max(passed[0], first), max(passed[-1], last)
     return passed
+
+
+def _steps(points: FloatArray) -> ComplexArray:
+    """Return the differences of points as complex numbers: one operation for both coordinates."""
+    return np.diff(np.ascontiguousarray(points).view(np.complex128)[:, 0])
+
+
+def _passed_at_ends(step: ComplexArray, quotient: FloatArray) -> tuple[float, float]:
+    """Return how far a curve first goes the other way, from its beginning and back from its end."""
+    return (
+        _passed_at_end(complex(step[0]), complex(step[1]), float(quotient[0])),
+        _passed_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1])),
+    )
 
 
 def _passed_at_end(step: complex, following: complex, quotient: float) -> float:
@@ -231,5 +231,4 @@ def _way_on(velocity: ComplexArray, bend: ComplexArray) -> FloatArray:
     """Return how far a parabola goes on before it turns: (v . c'')**2 / (2 |c''|**3)."""
     size = np.abs(bend)
     along = (velocity * bend.conj()).real / size
-    way: FloatArray = np.where(size > 0.0, 0.5 * along * along / size, 0.0)
-    return way
+    return np.where(size > 0.0, 0.5 * along * along / size, 0.0)

@@ -10,12 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
-from curvecore.bezier.bernstein import bernstein_functions
-from curvecore.bezier.control_points import bezier_segments, drawable_pieces
-from curvecore.bezier.flatten import Pieces, chord_bound, flatten_pieces, may_enter
+from curvecore.bezier.bernstein_algebra import weights
+from curvecore.bezier.control_points import bezier_segments, drawable_pieces, equal_parts
+from curvecore.bezier.flatten import flatten_pieces
+from curvecore.bezier.polylines import Pieces, chord_bound, may_enter
 from curvecore.families.curve import Curve
-
-__all__ = ["FrozenSegments"]
 
 _FINER = 1.5  # of the tolerance: room for segments to bend more before new vertices are needed
 _WASTE = 2.0  # times the vertices needed, above which they are chosen anew
@@ -30,10 +29,8 @@ class FrozenSegments:
     ----------
     curve : Curve
         Of dim 2, of a family with Bezier pieces.
-    tolerance : float
-        Largest allowed distance from a curve to its polyline, above 0.
-    box : (xmin, ymin, xmax, ymax), optional
-        Where the tolerance matters; see `flatten_parameters`.
+    tolerance, box
+        As for `FrozenFlattening`.
 
     Raises
     ------
@@ -55,11 +52,9 @@ class FrozenSegments:
             self._serves = merged >= _MERGED / np.sqrt(_FINER) * (self._segment.size + 1)
 
     def _place_vertices(self) -> None:
-        count = self._count.astype(np.intp)
-        self._segment = np.repeat(np.arange(count.size), count)
-        step = np.arange(self._segment.size) - (np.cumsum(count) - count)[self._segment]
+        self._segment, step = equal_parts(self._count.astype(np.intp))
         self._local = step / self._count[self._segment]
-        self._weights = bernstein_functions(self._local, self._degree)[:, None, :]
+        self._weights = weights(self._local, self._degree)[:, None, :]
         self._squared = self._count * self._count
 
     def _needed(self, controls: FloatArray, tolerance: float) -> FloatArray:

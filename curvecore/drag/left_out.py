@@ -23,11 +23,9 @@ import numpy as np
 from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.families.curve import Curve
 from curvecore.families.lagrange import LagrangeCurve
-
-__all__ = ["LeftOut"]
+from curvecore.scaling import UNIT_ROUNDOFF
 
 _NEAR = 32  # places on either side of a left out parameter where roundings are estimated
-_U = 2.0**-53
 
 
 class Samples(NamedTuple):
@@ -52,8 +50,7 @@ class LeftOut:
     Parameters
     ----------
     curve : Curve
-        The interpolating polynomial of its points.
-        Where to begin.
+        The interpolating polynomial of its points, before any of them moves.
     moving : ndarray of int, shape (k,)
         Ascending indices of the points left out; at least two points stay.
     t : array_like, shape (m,)
@@ -111,4 +108,4 @@ class LeftOut:
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             sizes = np.abs(self._rest.basis(self._t[sorted(near)])[:, :, 0]) @ np.abs(self._rest.points)
         # Roundings of n factors average out; four times their square root has not been exceeded.
-        return float(sizes.max(initial=0.0)) * _U * (10.0 + 4.0 * float(np.sqrt(n)))
+        return float(sizes.max(initial=0.0)) * UNIT_ROUNDOFF * (10.0 + 4.0 * float(np.sqrt(n)))

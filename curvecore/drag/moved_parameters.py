@@ -19,12 +19,9 @@ import numpy as np
 from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.families.curve import Curve
 from curvecore.families.lagrange import LagrangeCurve
-
-__all__ = ["MovedParameters"]
+from curvecore.scaling import LIMIT, SMALLEST
 
 _MOST_MOVED = 4  # parameters, above which the saving is gone
-_LARGEST = 1e300
-_TINY = float(np.finfo(np.float64).tiny)
 
 
 class MovedParameters:
@@ -33,8 +30,7 @@ class MovedParameters:
     Parameters
     ----------
     curve : Curve
-        The interpolating polynomial of its points.
-        Where to begin.
+        The interpolating polynomial of its points, before any parameter moves.
     t : array_like, shape (m,)
         Finite. The values there are kept: n m numbers.
     """
@@ -70,13 +66,13 @@ class MovedParameters:
             values[places] = rows
             # Looking at every value is dear; mostly the factors tell that none can be too large.
             bound = self._greatest * np.abs(weights).max() * np.abs(ratio).max() * max(np.abs(own).max(), 1.0)
-            if bound < _LARGEST or np.abs(values).max() < _LARGEST:
+            if bound < LIMIT or np.abs(values).max() < LIMIT:
                 return values[:, :, None]
         return None
 
     def _serves(self, weights: FloatArray) -> bool:
         """Tell whether the values before were all in range, and stay so when they are weighed."""
-        return bool(self._greatest < _LARGEST and self._least * np.abs(weights).min() >= _TINY)
+        return bool(self._greatest < LIMIT and self._least * np.abs(weights).min() >= SMALLEST)
 
     def _moved(self, curve: Curve) -> IntArray | None:
         if len(curve.parameters) != len(self._parameters):
@@ -93,8 +89,7 @@ class MovedParameters:
     def _own(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return the factor that the functions of moved parameters lack in l, (m, k)."""
         t = self._t[:, None]
-        own: FloatArray = (t - self._parameters[moved]) / (t - curve.parameters[moved])
-        return own
+        return (t - self._parameters[moved]) / (t - curve.parameters[moved])
 
     def _weights(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return w'_i / w_i, (n,)."""

@@ -13,16 +13,13 @@ from curvecore.arrays import (
     integer,
     jet_array,
     number_array,
-    parameter_array,
     parameter_values,
-    point_array,
     read_only,
+    stacked_jets,
 )
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.families.lagrange import LagrangeCurve
-
-__all__ = ["BasisCurve", "Scheme"]
 
 _STENCIL = np.arange(-3.0, 4.0)
 _FINENESS = (400.0, 400.0, 120.0)
@@ -98,11 +95,10 @@ class BasisCurve(Curve):
         scheme = self.scheme if scheme is None else scheme
         if scheme is None:
             raise CurveError("scheme must be given: this class has no basis functions of its own")
-        data = point_array(points)
-        if len(data) > _MOST_POINTS:
-            raise CurveError(f"a curve of {scheme.name} can have {_MOST_POINTS} points, not {len(data)}")
-        self._jets = read_only(data[:, None, :])
-        self._parameters = read_only(parameter_array(parameters, len(data)))
+        jets = stacked_jets(points)
+        if len(jets) > _MOST_POINTS:
+            raise CurveError(f"a curve of {scheme.name} can have {_MOST_POINTS} points, not {len(jets)}")
+        self._keep(jets, parameters)
         self._scheme = scheme
         self._breaks = self._checked_breaks()
         if self.interpolates:
@@ -115,7 +111,7 @@ class BasisCurve(Curve):
 
     @property
     def breaks(self) -> FloatArray:
-        """Where derivatives may jump, ascending, the ends included; shape (k,)."""
+        """The parameters at which derivatives may jump, ascending, the ends included; shape (k,)."""
         return self._breaks
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,8 +11,6 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, IntArray, jet_array, parameter_array, parameter_values, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve, Interpolant, JointDerivatives, LocalBasis
-
-__all__ = ["Chain"]
 
 
 class Chain(Curve):
@@ -35,21 +34,17 @@ class Chain(Curve):
     ----------
     pieces : tuple of Curve
         The pieces.
-    row_of_parameter : ndarray of int, shape (rows,)
-        For each row of `jets` the index of its parameter in `parameters`.
     """
 
-    __slots__ = ("_pieces", "_rows")
+    __slots__ = ("_pieces",)
 
     title = "Chain"
 
     def __init__(self, pieces: Sequence[Curve]) -> None:
         self._pieces = tuple(pieces)
         _check(self._pieces)
-        first, *others = (piece.parameters for piece in self.pieces)
+        first, *others = (piece.parameters for piece in self._pieces)
         self._parameters = read_only(np.concatenate([first, *(each[1:] for each in others)]))
-        self._rows = _rows([len(piece.parameters) for piece in self.pieces])
-        self._rows.setflags(write=False)
         self._jets = read_only(np.concatenate([piece.jets for piece in self._pieces]))
 
     @property
@@ -63,166 +58,143 @@ class Chain(Curve):
         return self._pieces
 
     @property
-    def row_of_parameter(self) -> IntArray:
-        """For each row of `jets` the index of its parameter in `parameters`."""
-        return self._rows
-
-    @property
     def points(self) -> FloatArray:
         """The points of the joints, each once, shape (k, dim)."""
-        first, *others = (piece.points for piece in self.pieces)
-        return np.concatenate([first, *(each[1:] for each in others)])
+        return np.delete(self._jets[:, 0], self._cuts(), axis=0)
 
     @property
     def degree(self) -> int | None:
         """The largest degree of any piece; None where one is no polynomial."""
-        degrees = [piece.degree for piece in self.pieces]
+        degrees = [piece.degree for piece in self._pieces]
         known = [degree for degree in degrees if degree is not None]
         return max(known) if len(known) == len(degrees) else None
 
     @property
     def breaks(self) -> FloatArray:
         """Those of the pieces, each once."""
-        first, *others = (piece.breaks for piece in self.pieces)
+        first, *others = (piece.breaks for piece in self._pieces)
         return np.concatenate([first, *(each[1:] for each in others)])
 
     @property
     def is_local(self) -> bool:  # type: ignore[override]
         """Whether all pieces are of local families."""
-        return all(piece.is_local for piece in self.pieces)
+        return all(piece.is_local for piece in self._pieces)
 
     @property
     def is_positive(self) -> bool:
         """Whether no B_i0 of any piece is negative there."""
-        return all(piece.is_positive for piece in self.pieces)
+        return all(piece.is_positive for piece in self._pieces)
 
     def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the order-th derivative at t, per unit of t to the power `order`.
-
-        Parameters
-        ----------
-        t : array_like, scalar or shape (m,)
-            Finite. Outside the domain the first or last piece goes on; at a joint the piece after it counts.
-        order : int, optional
-            At least 0.
-
-        Returns
-        -------
-        ndarray
-            Shape (dim,) for a scalar, (m, dim) for shape (m,).
-        """
+        """Return the curve, or a derivative; at a joint of two pieces the one after it counts."""
         values = parameter_values(t)
-        piece_of = self._piece_of(values.values)
-        result = np.empty((len(values.values), self.pieces[0].points.shape[1]))
-        for index, piece in enumerate(self.pieces):
-            here = piece_of == index
-            if here.any():
-                result[here] = piece.evaluate(values.values[here], order)
+        result = np.empty((len(values.values), self._jets.shape[2]))
+        for part in self._parts(values.values):
+            result[part.where] = part.piece.evaluate(part.t, order)
         return result[0] if values.is_scalar else result
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
         """Return the order-th derivatives of the basis functions of all rows, shape (m, rows, R)."""
         values = parameter_values(t).values
-        piece_of = self._piece_of(values)
-        result = np.zeros((len(values), len(self.row_of_parameter), self.pieces[0].jets.shape[1]))
-        start = 0
-        for index, piece in enumerate(self.pieces):
-            here, end = piece_of == index, start + len(piece.parameters)
-            if here.any():
-                result[here, start:end] = piece.basis(values[here], order)
-            start = end
+        result = np.zeros((len(values), *self._jets.shape[:2]))
+        for part in self._parts(values):
+            rows = slice(part.row, part.row + len(part.piece.parameters))
+            result[part.where, rows] = part.piece.basis(part.t, order)
         return result
 
     def with_jets(self, jets: ArrayLike) -> Chain:
         """Return a chain with the same parameters and other data, shape (rows, R, dim)."""
-        rows = jet_array(jets, (len(self.row_of_parameter), self.pieces[0].jets.shape[1]))
-        cuts = np.cumsum([len(piece.parameters) for piece in self.pieces])[:-1]
-        parts = np.split(rows, cuts)
-        return Chain([piece.with_jets(part) for piece, part in zip(self.pieces, parts, strict=True)])
+        rows = jet_array(jets, self._jets.shape[:2])
+        parts = np.split(rows, self._cuts())
+        return Chain([piece.with_jets(part) for piece, part in zip(self._pieces, parts, strict=True)])
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Chain:
         """Return a chain with other data (rows, R, dim) and as many other parameters, each once."""
-        rows = jet_array(jets, (len(self.row_of_parameter), self.pieces[0].jets.shape[1]))
-        joints = parameter_array(parameters, len(self._parameters))
-        made: list[Curve] = []
-        row = joint = 0
-        for piece in self.pieces:
-            count = len(piece.parameters)
-            made.append(piece.with_data(rows[row : row + count], joints[joint : joint + count]))
-            row, joint = row + count, joint + count - 1
-        return Chain(made)
+        rows = jet_array(jets, self._jets.shape[:2])
+        own = parameter_array(parameters, len(self._parameters))[joint_of_row(self)]
+        parts = zip(self._pieces, np.split(rows, self._cuts()), np.split(own, self._cuts()), strict=True)
+        return Chain([piece.with_data(*data) for piece, *data in parts])
 
     # Piece by piece
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
         """Return the functions that live on each t's segment, where all pieces are local; see `Curve`."""
         at = parameter_values(t).values
-        piece_of = self._piece_of(at)
         segment = np.empty(len(at), dtype=np.intp)
         values = np.empty((len(at), 2, self._jets.shape[1]))
-        first = 0
-        for index, piece in enumerate(self.pieces):
-            here = np.flatnonzero(piece_of == index)
-            if here.size:
-                local = piece.local_basis(at[here], order)
-                segment[here], values[here] = local.segment + first, local.values
-            first += len(piece.parameters) - 1
+        for part in self._parts(at):
+            local = part.piece.local_basis(part.t, order)
+            segment[part.where], values[part.where] = local.segment + part.joint, local.values
         return LocalBasis(segment, values)
 
     def interpolants(self) -> list[Interpolant] | None:
         """Return those of the pieces; None where one of them has none."""
-        found: list[Interpolant] = []
-        for piece in self.pieces:
-            own = piece.interpolants()
-            if own is None:
-                return None
-            found += own
-        return found
+        found = [piece.interpolants() for piece in self._pieces]
+        return None if None in found else [each for own in found if own is not None for each in own]
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
         """Return c, c', c'' at the ends of all segments of all pieces."""
-        sides = [piece.joint_derivatives(before=before) for piece in self.pieces]
+        sides = [piece.joint_derivatives(before=before) for piece in self._pieces]
         return JointDerivatives(*(np.concatenate(column) for column in zip(*sides, strict=True)))
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i, shape (m, k, dim): a joint of two pieces moves the ends of both."""
         at = parameter_values(t).values
-        result = np.zeros((len(at), *self.points.shape))
-        piece_of = self._piece_of(at)
-        first = 0
-        for index, piece in enumerate(self.pieces):
-            here = np.flatnonzero(piece_of == index)
-            count = len(piece.parameters)
-            if here.size:
-                result[here, first : first + count] = piece.parameter_derivatives(at[here])
-            first += count - 1
+        result = np.zeros((len(at), len(self._parameters), self._jets.shape[2]))
+        for part in self._parts(at):
+            joints = slice(part.joint, part.joint + len(part.piece.parameters))
+            result[part.where, joints] = part.piece.parameter_derivatives(part.t)
         return result
 
     def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
         """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim); see `Curve`."""
-        piece_of = self._piece_of(t)
         segment = np.empty(len(t), dtype=np.intp)
-        moves = np.empty((len(t), 2, self.points.shape[1]))
-        first = 0
-        for index, piece in enumerate(self.pieces):
-            here = np.flatnonzero(piece_of == index)
-            if here.size:
-                own, moves[here] = piece.local_parameter_derivatives(t[here])
-                segment[here] = own + first
-            first += len(piece.parameters) - 1
+        moves = np.empty((len(t), 2, self._jets.shape[2]))
+        for part in self._parts(t):
+            own, moves[part.where] = part.piece.local_parameter_derivatives(part.t)
+            segment[part.where] = own + part.joint
         return segment, moves
 
-    def _piece_of(self, t: FloatArray) -> IntArray:
-        starts = np.array([piece.domain[0] for piece in self.pieces[1:]])
-        return np.searchsorted(starts, t, side="right")
+    def _parts(self, t: FloatArray) -> Iterator[_PieceParameters]:
+        """Yield the pieces that hold some of t; the first and the last one go on outside the domain."""
+        starts = np.array([piece.domain[0] for piece in self._pieces[1:]])
+        piece_of = np.searchsorted(starts, t, side="right")
+        row = 0
+        for index, piece in enumerate(self._pieces):
+            where = np.flatnonzero(piece_of == index)
+            if where.size:
+                yield _PieceParameters(piece, where, t[where], row, row - index)
+            row += len(piece.parameters)
+
+    def _cuts(self) -> IntArray:
+        """Return the rows of jets at which pieces begin, but the first."""
+        return np.cumsum([len(piece.parameters) for piece in self._pieces])[:-1]
 
 
-def _rows(counts: Sequence[int]) -> IntArray:
-    rows, start = [], 0
-    for count in counts:
-        rows.append(np.arange(start, start + count))
-        start += count - 1
-    return np.concatenate(rows)
+class _PieceParameters(NamedTuple):
+    """A piece of a chain and the parameters t that it holds.
+
+    Attributes
+    ----------
+    piece : Curve
+    where : ndarray of int, shape (k,)
+        Indices of its parameters among all that were asked for.
+    t : ndarray, shape (k,)
+    row, joint : int
+        Index of its first row in the jets and of its first joint in the parameters of the chain.
+    """
+
+    piece: Curve
+    where: IntArray
+    t: FloatArray
+    row: int
+    joint: int
+
+
+def joint_of_row(curve: Curve) -> IntArray:
+    """Return for each row of the jets the index of its parameter; a joint of two pieces has two rows."""
+    counts = [len(piece.parameters) for piece in curve.pieces]
+    return np.arange(sum(counts)) - np.repeat(np.arange(len(counts)), counts)
 
 
 def _check(pieces: tuple[Curve, ...]) -> None:

@@ -1,4 +1,4 @@
-"""What every curve offers, and how all of it follows from its basis functions."""
+"""Base class of all curves: everything follows from basis functions and breaks."""
 
 from __future__ import annotations
 
@@ -8,12 +8,18 @@ from typing import ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, integer, jet_array, parameter_values, read_only
+from curvecore.arrays import (
+    FloatArray,
+    IntArray,
+    integer,
+    jet_array,
+    parameter_array,
+    parameter_values,
+    read_only,
+)
 from curvecore.errors import CurveError
 from curvecore.families.immutable import Immutable
-from curvecore.scaling import LARGEST
-
-__all__ = ["Curve", "Interpolant", "JointDerivatives", "LocalBasis", "Slopes"]
+from curvecore.scaling import made_finite
 
 _STEP = 2.0**-13
 """Of the distance of neighbouring parameters: by how much one is moved for a difference quotient."""
@@ -123,6 +129,13 @@ class Curve(Immutable, ABC):
     _jets: FloatArray
     _parameters: FloatArray
 
+    def _keep(self, jets: FloatArray, parameters: ArrayLike) -> None:
+        """Store jets that are checked, and parameters, which are checked here."""
+        self._jets = read_only(jets)
+        self._parameters = read_only(parameter_array(parameters, len(jets)))
+        for name in self._caches:
+            setattr(self, name, None)
+
     # What a family says
 
     @abstractmethod
@@ -145,7 +158,7 @@ class Curve(Immutable, ABC):
 
     @property
     def breaks(self) -> FloatArray:
-        """Where derivatives may jump, ascending, the ends included; shape (k,)."""
+        """The parameters at which derivatives may jump, ascending, the ends included; shape (k,)."""
         return self._parameters[[0, -1]]
 
     # What the data are
@@ -154,11 +167,6 @@ class Curve(Immutable, ABC):
     def points(self) -> FloatArray:
         """The points p_i, shape (n, dim)."""
         return self.jets[:, 0]
-
-    @property
-    def joints(self) -> FloatArray:
-        """c(t_i), shape (n, dim): the points, where the curve runs through them."""
-        return self.points if self.interpolates else self.evaluate(self._parameters)
 
     @property
     def parameters(self) -> FloatArray:
@@ -184,13 +192,6 @@ class Curve(Immutable, ABC):
     def pieces(self) -> tuple[Curve, ...]:
         """The curves that this one is a chain of: itself, unless it is a `Chain`."""
         return (self,)
-
-    @property
-    def row_of_parameter(self) -> IntArray:
-        """For each row of `jets` the index of its parameter; a `Chain` has two rows at its inner ends."""
-        rows = np.arange(len(self._parameters))
-        rows.setflags(write=False)
-        return rows
 
     @classmethod
     def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
@@ -256,14 +257,16 @@ class Curve(Immutable, ABC):
         basis = self.basis(at.values, rank)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             data = self.jets.reshape(-1, self.jets.shape[2])
-            curve = basis.reshape(len(basis), len(data)) @ data
-        if not np.isfinite(curve).all():
-            np.nan_to_num(curve, copy=False, nan=LARGEST)
+            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
         if rank == 0 and self.interpolates:
-            joint = np.minimum(np.searchsorted(self._parameters, at.values), len(self._parameters) - 1)
-            hit = at.values == self._parameters[joint]
-            curve[hit] = self.points[joint[hit]]
+            self._put_points(curve, at.values)
         return curve[0] if at.is_scalar else curve
+
+    def _put_points(self, curve: FloatArray, t: FloatArray) -> None:
+        """Put p_i into rows of `curve` where t is t_i."""
+        joint = np.minimum(np.searchsorted(self._parameters, t), len(self._parameters) - 1)
+        hit = t == self._parameters[joint]
+        curve[hit] = self.points[joint[hit]]
 
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
         """Return derivatives of several orders at many places, where that takes less than one by one.
@@ -342,7 +345,7 @@ class Curve(Immutable, ABC):
             data = self.jets.reshape(basis.shape[1], -1)
             values.append(basis @ data)
             scale.append((np.abs(basis) @ np.abs(data)).max(axis=1))
-        joints = self.joints
+        joints = self.evaluate(self._parameters)
         values[0] = joints[1:] if before else joints[:-1]
         return JointDerivatives(np.stack(values, axis=1), np.stack(scale, axis=1))
 

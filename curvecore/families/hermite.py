@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import data_array, point_array
-from curvecore.families.curve import JointDerivatives
+from curvecore.arrays import stacked_jets
 from curvecore.families.hermite_basis import CUBIC
 from curvecore.families.piecewise_hermite import PiecewiseHermite
-from curvecore.vectors import vector_lengths
-
-__all__ = ["HermiteCurve"]
 
 
 class HermiteCurve(PiecewiseHermite):
@@ -27,19 +22,6 @@ class HermiteCurve(PiecewiseHermite):
         v_i = c'(t_i), per unit of t. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
-
-    Attributes
-    ----------
-    points : ndarray, shape (n, dim)
-        Read-only.
-    parameters : ndarray, shape (n,)
-        Read-only.
-    jets : ndarray, shape (n, 2, dim)
-        Points and velocities; read-only.
-    domain : (float, float)
-        t_0 and t_(n-1).
-    degree : int
-        3.
 
     Raises
     ------
@@ -62,17 +44,4 @@ class HermiteCurve(PiecewiseHermite):
     _functions = CUBIC
 
     def __init__(self, points: ArrayLike, velocities: ArrayLike, parameters: ArrayLike) -> None:
-        position = point_array(points)
-        velocity = data_array(velocities, "velocities", position.shape)
-        self._set(np.stack((position, velocity), axis=1), parameters)
-
-    def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments: points and velocities exactly."""
-        jets, h = self._jets, np.diff(self._parameters)[:, None]
-        here = jets[1:] if before else jets[:-1]
-        chord = 6.0 * (np.diff(jets[:, 0], axis=0) / h) / h
-        own, other = 4.0 * here[:, 1] / h, 2.0 * (jets[:-1] if before else jets[1:])[:, 1] / h
-        acceleration = own + other - chord if before else chord - own - other
-        scale = vector_lengths(chord) + vector_lengths(own) + vector_lengths(other)
-        values = np.stack((here[:, 0], here[:, 1], acceleration), axis=1)
-        return JointDerivatives(values, np.column_stack((vector_lengths(here), scale)))
+        self._keep(stacked_jets(points, velocities=velocities), parameters)

@@ -27,11 +27,9 @@ import numpy as np
 from curvecore.arrays import FloatArray
 from curvecore.double_double import DoubleDouble, add, difference, multiply, rescaled, times
 
-__all__ = ["CUBIC", "QUINTIC", "LeftFunctions", "LocalCoordinates", "local_coordinates"]
-
 
 class LocalCoordinates(NamedTuple):
-    """Where parameters lie in their segments.
+    """Places of parameters within their segments.
 
     Attributes
     ----------

@@ -11,8 +11,6 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-__all__ = ["Immutable"]
-
 
 class Immutable:
     """An object with slots whose arrays are read-only, in itself, in copies and after unpickling.

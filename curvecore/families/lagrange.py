@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Self
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import (
-    FloatArray,
-    integer,
-    jet_array,
-    parameter_array,
-    parameter_values,
-    point_array,
-    read_only,
-)
+from curvecore.arrays import FloatArray, integer, parameter_values, stacked_jets
 from curvecore.families.curve import Curve, Interpolant
 from curvecore.families.nodal_derivatives import derivatives_at_nodes, nodes_serve
 from curvecore.families.product_form import Nodes
 from curvecore.scaling import Scaled, normalise, scale_by_power
-
-__all__ = ["LagrangeCurve"]
 
 
 class LagrangeCurve(Curve):
@@ -34,19 +26,6 @@ class LagrangeCurve(Curve):
         p_i, finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
-
-    Attributes
-    ----------
-    points : ndarray, shape (n, dim)
-        Read-only.
-    parameters : ndarray, shape (n,)
-        Read-only.
-    jets : ndarray, shape (n, 1, dim)
-        The data in the form that all families share; read-only.
-    domain : (float, float)
-        t_0 and t_(n-1).
-    degree : int
-        n - 1.
 
     Raises
     ------
@@ -77,11 +56,10 @@ class LagrangeCurve(Curve):
     title = "Lagrange"
     is_one_polynomial = True
 
+    _prepared: Nodes | None
+
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
-        data = point_array(points)
-        self._jets = read_only(data[:, None, :])
-        self._parameters = read_only(parameter_array(parameters, len(data)))
-        self._prepared: Nodes | None = None
+        self._keep(stacked_jets(points), parameters)
 
     @property
     def _nodes(self) -> Nodes:
@@ -144,25 +122,7 @@ class LagrangeCurve(Curve):
         return moves
 
     def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t.
-
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            Any finite values; outside the domain the same polynomial.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (dim,) or (m, dim)
-            At a parameter t_i and order 0 exactly p_i.
-
-        Raises
-        ------
-        CurveError
-            If t is not finite or has another shape, or order is negative.
-        """
+        """Return the curve, or a derivative with respect to t; outside the domain the same polynomial."""
         at = parameter_values(t)
         rank = integer(order, "order", 0)
         # Bringing the points near 1 keeps a sum of large terms that cancel in range.
@@ -183,20 +143,7 @@ class LagrangeCurve(Curve):
         return curve[0] if at.is_scalar else curve
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t.
-
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            As for `evaluate`; a scalar counts as m = 1.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (m, n, 1)
-            ``[k, i, 0]`` is L_i at t_k. Each function lies contiguous in memory.
-        """
+        """Return all basis functions, or their derivatives; each function lies contiguous in memory."""
         at = parameter_values(t)
         rank = integer(order, "order", 0)
         result = np.empty((len(self._parameters), at.values.size))
@@ -206,21 +153,8 @@ class LagrangeCurve(Curve):
                     result[:, part.where] = scale_by_power(part.values, part.exponent)
         return result.T[:, :, None]
 
-    def with_jets(self, jets: ArrayLike) -> LagrangeCurve:
-        """Return the curve with the same parameters and other points.
-
-        Parameters
-        ----------
-        jets : array_like, shape (n, 1, dim)
-            Finite numbers.
-
-        Returns
-        -------
-        LagrangeCurve
-            Shares everything that depends on the parameters alone.
-        """
-        curve = object.__new__(LagrangeCurve)
-        curve._jets = read_only(jet_array(jets, (len(self._parameters), 1)))
-        curve._parameters = self._parameters
+    def with_jets(self, jets: ArrayLike) -> Self:
+        """Return the curve with other points; it shares everything that depends on the parameters."""
+        curve = super().with_jets(jets)
         curve._prepared = self._nodes
         return curve

@@ -16,8 +16,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-__all__ = ["derivatives_at_nodes", "nodes_serve"]
-
 _MOST = 64  # nodes
 _WORST = 1e5  # Lebesgue function above which the short cut loses more digits than a picture has
 _LIMIT = 1e100

@@ -11,20 +11,17 @@ from curvecore.arrays import (
     FloatArray,
     IntArray,
     integer,
-    parameter_array,
     parameter_values,
     read_only,
     unit_values,
 )
 from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
-from curvecore.families.curve import Curve, Interpolant, LocalBasis, Slopes
+from curvecore.families.curve import Curve, Interpolant, JointDerivatives, LocalBasis, Slopes
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
-from curvecore.families.hermite_ends import next_derivative, slopes_of
-from curvecore.scaling import LARGEST
+from curvecore.families.hermite_ends import next_derivative_terms, slopes_of
+from curvecore.scaling import LIMIT, made_finite
+from curvecore.vectors import vector_lengths
 
-__all__ = ["PiecewiseHermite"]
-
-_SAFE = 1e300
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
@@ -60,26 +57,10 @@ class PiecewiseHermite(Curve):
         return len(self._functions) - 1
 
     def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t.
+        """Return the curve, or a derivative with respect to t; see `Curve.evaluate`.
 
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            Any finite values. Outside the domain the polynomial of the
-            first or last segment continues; at a joint the segment to the
-            right counts, at the last joint the one to the left.
-        order : int, optional
-            Order of the derivative, at least 0; zeros above the degree.
-
-        Returns
-        -------
-        ndarray, shape (dim,) or (m, dim)
-            At a joint t_i and order 0 exactly p_i.
-
-        Raises
-        ------
-        CurveError
-            If t is not finite or has another shape, or order is negative.
+        Outside the domain the polynomial of the first or last segment continues; at a joint the segment to
+        the right counts, at the last joint the one to the left.
         """
         at = parameter_values(t)
         rank = integer(order, "order", 0)
@@ -89,20 +70,7 @@ class PiecewiseHermite(Curve):
         return curve[0] if at.is_scalar else curve
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
-        """Return the 2 R basis functions that live on each t's segment.
-
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            As for `evaluate`; a scalar counts as m = 1.
-        order : int, optional
-            Order of the derivative with respect to t, at least 0.
-
-        Returns
-        -------
-        LocalBasis
-            Everything else in `basis` is zero.
-        """
+        """Return the 2 R basis functions that live on each t's segment; see `Curve.local_basis`."""
         at = parameter_values(t)
         rank = integer(order, "order", 0)
         local = self._scaled_basis(at.values, rank)
@@ -114,25 +82,13 @@ class PiecewiseHermite(Curve):
                     values[:, :, k] *= h
                 for _ in range(rank - k):
                     values[:, :, k] /= h
-        if not np.isfinite(values).all():
-            np.nan_to_num(values, copy=False, nan=LARGEST)
+        made_finite(values)
         return local
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t.
+        """Return all basis functions, or their derivatives with respect to t; see `Curve.basis`.
 
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            As for `evaluate`; a scalar counts as m = 1.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (m, n, R)
-            ``[k, i, r]`` is B_ir at t_k. All but 2 R entries of a row are
-            zero; `local_basis` leaves those out.
+        All but 2 R entries of a row are zero; `local_basis` leaves those out.
         """
         local = self.local_basis(t, order)
         m, _, width = local.values.shape
@@ -144,11 +100,6 @@ class PiecewiseHermite(Curve):
             result[first + column] = values
         return result.reshape(m, n, width)
 
-    def _set(self, jets: FloatArray, parameters: ArrayLike) -> None:
-        self._parameters = read_only(parameter_array(parameters, len(jets)))
-        self._jets = read_only(jets)
-        self._columns = None
-
     def bezier_pieces(self) -> FloatArray:
         """Return the Bezier control points of all segments, shape (n - 1, 2 R, dim).
 
@@ -159,12 +110,22 @@ class PiecewiseHermite(Curve):
 
     def bezier_slopes(self, exponent: int) -> Slopes | None:
         """Return the control points of the derivatives, from the data; see `Curve.bezier_slopes`."""
-        return slopes_of(np.ldexp(self._jets, -exponent), np.diff(self._parameters)[:, None])
+        return slopes_of(np.ldexp(self._jets, -exponent), self._parameters)
 
     def interpolants(self) -> list[Interpolant]:
         """Return the data of both ends of each segment."""
         t, jets = self._parameters, self._jets
         return [Interpolant(t[i : i + 2], jets[i : i + 2]) for i in range(len(t) - 1)]
+
+    def joint_derivatives(self, *, before: bool) -> JointDerivatives:
+        """Return c, c', c'' at the ends of all segments: what is given exactly."""
+        values = self._jets[1:] if before else self._jets[:-1]
+        scale = vector_lengths(values)
+        if values.shape[1] == 2:
+            terms = next_derivative_terms(self._jets, self._parameters, int(before))
+            values = np.concatenate((values, terms.sum(axis=0)[:, None]), axis=1)
+            scale = np.column_stack((scale, vector_lengths(terms).sum(axis=0)))
+        return JointDerivatives(values, scale)
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i at fixed data, - sum over r of B_ir(t) c^(r+1)(t_i), shape (m, n, dim)."""
@@ -183,8 +144,8 @@ class PiecewiseHermite(Curve):
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             for end in (0, 1):
                 given = self._jets[segment + end][:, 1:]
-                beyond = next_derivative(self._jets, self._parameters, end)[segment]
-                slopes = np.concatenate([given, beyond[:, None]], axis=1)
+                beyond = next_derivative_terms(self._jets, self._parameters, end).sum(axis=0)
+                slopes = np.concatenate([given, beyond[segment, None]], axis=1)
                 moves[:, end] = -np.einsum("mr,mrd->md", values[:, end], slopes)
         return segment, moves
 
@@ -214,17 +175,13 @@ class PiecewiseHermite(Curve):
         weights = np.stack(bernstein_weights(places, 1.0 - places, self.degree), axis=1)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             curve = weights @ columns.reshape(len(columns), -1)
-        if not np.isfinite(curve).all():
-            np.nan_to_num(curve, copy=False, nan=LARGEST)
-        return curve.reshape(places.size, columns.shape[1], -1).transpose(2, 0, 1)
+        return made_finite(curve).reshape(places.size, columns.shape[1], -1).transpose(2, 0, 1)
 
     def _weighted_controls(self) -> FloatArray:
         if self._columns is None:
             with np.errstate(over="ignore", under="ignore", invalid="ignore"):
                 columns = weighted_columns(control_points(self._jets, self._parameters))
-            if not np.isfinite(columns).all():
-                np.nan_to_num(columns, copy=False, nan=LARGEST)
-            self._columns = read_only(columns)
+            self._columns = read_only(made_finite(columns))
         return self._columns
 
     def _is_inside(self, t: FloatArray) -> bool:
@@ -245,7 +202,7 @@ class PiecewiseHermite(Curve):
             return None
         columns = self._weighted_controls()
         # Near the end of the floating point range the general method is the safe one.
-        if np.abs(columns).max() >= _SAFE:
+        if np.abs(columns).max() >= LIMIT:
             return None
         return evaluate_inside(t, self._segments(t), self._parameters, columns)
 
@@ -264,12 +221,9 @@ class PiecewiseHermite(Curve):
                     curve += local.values[:, end, k, None] * term
             for _ in range(order):
                 curve /= h
-        if not np.isfinite(curve).all():
-            np.nan_to_num(curve, copy=False, nan=LARGEST)
+        made_finite(curve)
         if order == 0:
-            joint = local.segment + (t == self._parameters[local.segment + 1])
-            hit = t == self._parameters[joint]
-            curve[hit] = self.points[joint[hit]]
+            self._put_points(curve, t)
         return curve
 
     def _scaled_basis(self, t: FloatArray, order: int) -> LocalBasis:

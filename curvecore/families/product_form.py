@@ -35,8 +35,6 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.families.product_series import leave_one_out
 from curvecore.scaling import ExponentArray, Scaled
 
-__all__ = ["BasisPart", "Hits", "Nodes"]
-
 _CHUNK = 1 << 18  # entries of one working array: 2 MB, so that a slice is worth its dozen calls
 _BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
 _MANY = 64  # nodes, above which roundings that do not average out are worth half the time again
@@ -45,7 +43,7 @@ _FAR = 2.0**60  # so do those above
 
 
 class Hits(NamedTuple):
-    """Where parameters equal nodes: t[columns] == node[nodes]."""
+    """Places at which parameters equal nodes: t[columns] == node[nodes]."""
 
     columns: IntArray
     nodes: IntArray
@@ -73,7 +71,7 @@ class BasisPart(NamedTuple):
 
 
 class Nodes(NamedTuple):
-    """What the basis functions need to know about the parameters.
+    """Parameters, prepared for their basis functions.
 
     Attributes
     ----------

@@ -21,9 +21,6 @@ from curvecore.arrays import FloatArray, IntArray32
 from curvecore.double_double import DoubleDouble, add, difference, multiply, rescaled
 from curvecore.scaling import ExponentArray, Scaled
 
-__all__ = ["leave_one_out"]
-
-
 _FAR_BITS = 60
 
 

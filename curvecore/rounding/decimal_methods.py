@@ -19,8 +19,6 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.errors import CurveError
 from curvecore.scaling import LARGEST
 
-__all__ = ["HERMITE_METHODS", "LAGRANGE_METHODS", "Arithmetic", "Data", "Form", "Prepared", "exact_context"]
-
 _GUARD = 40
 _MOST_GUARDED = 3000
 """Digits of an arithmetic that counts as exact, at most: 60 parameters may come as close as 1e-40."""
@@ -101,7 +99,7 @@ def exact_context(data: Data, t: FloatArray) -> Context:
 
 
 class Prepared(NamedTuple):
-    """What a method computes once, for one polynomial.
+    """Results that a method computes once for one polynomial.
 
     Attributes
     ----------
@@ -142,12 +140,13 @@ class Form(NamedTuple):
         return rows
 
 
-def _exact(values: FloatArray) -> Row:
+def decimals(values: FloatArray) -> Row:
+    """Return numbers as Decimals, exactly."""
     return [Decimal(float(x)) for x in values]
 
 
 def _columns(points: FloatArray) -> list[Row]:
-    return [_exact(column) for column in points.T]
+    return [decimals(column) for column in points.T]
 
 
 def _horner(coefficients: Row, t: Decimal, a: Arithmetic) -> Decimal:
@@ -187,10 +186,13 @@ def _size(value: Decimal) -> Decimal:
     return value.copy_abs() if not value.is_nan() else Decimal(-1)
 
 
-def _monomial(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes = _exact(data.parameters)
-    matrix = [_powers(node, len(nodes), a) for node in nodes]
-    right = [_exact(point) for point in data.jets[:, 0]]
+def _monomial(data: Data, segment: int, a: Arithmetic) -> Prepared:
+    parameters, jets = data.stretch(segment)
+    matrix, right = [], []
+    for t, jet in zip(decimals(parameters), jets, strict=True):
+        powers = _powers(t, jets.shape[0] * jets.shape[1], a)
+        matrix += [_derivative_row(powers, order, a) for order in range(len(jet))]
+        right += [decimals(each) for each in jet]
     return Prepared(_solve(matrix, right, a), [])
 
 
@@ -206,7 +208,7 @@ def _powers(t: Decimal, count: int, a: Arithmetic) -> Row:
 
 
 def _newton(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes = _exact(data.parameters)
+    nodes = decimals(data.parameters)
     tables = _columns(data.jets[:, 0])
     for column in tables:
         for order in range(1, len(nodes)):
@@ -246,7 +248,7 @@ def _dot(weights: Row, column: Row, a: Arithmetic) -> Decimal:
 
 
 def _lagrange(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes = _exact(data.parameters)
+    nodes = decimals(data.parameters)
     below = [_product_without(node, nodes, i, a) for i, node in enumerate(nodes)]
     return Prepared(_columns(data.jets[:, 0]), [nodes, below])
 
@@ -258,7 +260,7 @@ def _lagrange_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
 
 
 def _barycentric(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes, one = _exact(data.parameters), Decimal(1)
+    nodes, one = decimals(data.parameters), Decimal(1)
     weights = [a.divide(one, _product_without(node, nodes, i, a)) for i, node in enumerate(nodes)]
     return Prepared([weights, *_columns(data.jets[:, 0])], [nodes])
 
@@ -276,24 +278,9 @@ def _barycentric_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
     return [a.divide(_dot(shares, column, a), total) for column in columns]
 
 
-def _hermite_monomial(data: Data, segment: int, a: Arithmetic) -> Prepared:
-    return Prepared(_segment_coefficients(data, segment, a), [])
-
-
-def _segment_coefficients(data: Data, segment: int, a: Arithmetic) -> list[Row]:
-    width = data.jets.shape[1]
-    matrix, right = [], []
-    for joint in (segment, segment + 1):
-        powers = _powers(Decimal(float(data.parameters[joint])), 2 * width, a)
-        for order in range(width):
-            matrix.append(_derivative_row(powers, order, a))
-            right.append(_exact(data.jets[joint, order]))
-    return _solve(matrix, right, a)
-
-
 def _derivative_row(powers: Row, order: int, a: Arithmetic) -> Row:
     if order == 0:
-        return list(powers)
+        return powers.copy()
     row = [Decimal(0)] * order
     for k in range(order, len(powers)):
         factor = k if order == 1 else k * (k - 1)
@@ -303,7 +290,7 @@ def _derivative_row(powers: Row, order: int, a: Arithmetic) -> Row:
 
 def _hermite_basis(data: Data, segment: int, _a: Arithmetic) -> Prepared:
     nodes, jets = data.stretch(segment)
-    return Prepared([_exact(axis) for axis in jets.reshape(-1, jets.shape[2]).T], [_exact(nodes)])
+    return Prepared([decimals(axis) for axis in jets.reshape(-1, jets.shape[2]).T], [decimals(nodes)])
 
 
 def _hermite_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
@@ -349,6 +336,6 @@ LAGRANGE_METHODS = {
     "barycentric": Form(_barycentric, _barycentric_value),
 }
 HERMITE_METHODS = {
-    "monomial": Form(_hermite_monomial, _power_value),
+    "monomial": Form(_monomial, _power_value),
     "basis": Form(_hermite_basis, _hermite_value),
 }

@@ -53,13 +53,11 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import (
     FloatArray,
-    IntArray,
-    data_array,
     integer,
     number_array,
     parameter_array,
     parameter_values,
-    point_array,
+    stacked_jets,
 )
 from curvecore.errors import CurveError
 from curvecore.rounding.decimal_methods import (
@@ -67,27 +65,19 @@ from curvecore.rounding.decimal_methods import (
     LAGRANGE_METHODS,
     Data,
     Form,
+    decimals,
     exact_context,
 )
-from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated
+from curvecore.rounding.exact import interpolated
 from curvecore.rounding.rounded_data import decimal_context, digit_count, round_significant
-
-__all__ = [
-    "Method",
-    "Rounding",
-    "available_methods",
-    "digits_lost",
-    "evaluate_rounded",
-    "exact_values",
-    "rounded_decimals",
-]
+from curvecore.scaling import LARGEST
 
 _SHOWN = 20
 """Digits of a result that was computed exactly: four more than any computation rounds to."""
 
 
 class Method(StrEnum):
-    """How a curve is computed from its data; see the module."""
+    """Methods to compute a curve from its data; see the module."""
 
     MONOMIAL = "monomial"
     NEWTON = "newton"
@@ -97,7 +87,7 @@ class Method(StrEnum):
 
 
 class Rounding(StrEnum):
-    """What is rounded to k digits; see the module."""
+    """Numbers that are rounded to k digits; see the module."""
 
     EVERY_STEP = "every_step"
     COEFFICIENTS = "coefficients"
@@ -106,9 +96,7 @@ class Rounding(StrEnum):
 
 def available_methods(derivatives: int) -> tuple[Method, ...]:
     """Return the methods for data with that many derivatives: 0, 1 or 2."""
-    if integer(derivatives, "derivatives", 0) > 0:
-        return (Method.MONOMIAL, Method.BASIS)
-    return (Method.MONOMIAL, Method.NEWTON, Method.LAGRANGE, Method.BARYCENTRIC)
+    return tuple(map(Method, _forms(integer(derivatives, "derivatives", 0))))
 
 
 def evaluate_rounded(
@@ -170,9 +158,9 @@ def evaluate_rounded(
     rows = rounded_decimals(
         points, parameters, t, method, digits, velocities, accelerations, rounding=rounding
     )
-    largest = Decimal(float(np.finfo(np.float64).max))
-    dim = np.shape(points)[1]
-    return np.array([[_as_float(x, largest) for x in row] for row in rows]).reshape(len(rows), dim)
+    values = np.array([[float(x) if x.is_finite() else np.nan for x in row] for row in rows])
+    limited: FloatArray = np.clip(values, -LARGEST, LARGEST)
+    return limited.reshape(len(rows), np.shape(points)[1])
 
 
 def rounded_decimals(
@@ -195,15 +183,15 @@ def rounded_decimals(
     where = parameter_values(t).values
     match _known(rounding):
         case Rounding.EVERY_STEP:
-            return form(data, _decimals(where), context)
+            return form(data, decimals(where), context)
         case Rounding.COEFFICIENTS:
             exact = exact_context(data, where)
-            rows = form(data, _decimals(where), exact, context.plus)
+            rows = form(data, decimals(where), exact, context.plus)
         case Rounding.DATA:
             data = _rounded(data, digits)
             # In exact arithmetic they are all the same; these two need the least of it.
             form = _form(data, Method.BASIS if data.jets.shape[1] > 1 else Method.NEWTON)
-            rows = form(data, _decimals(where), exact_context(data, where))
+            rows = form(data, decimals(where), exact_context(data, where))
     shown = Context(prec=_SHOWN, rounding=ROUND_HALF_EVEN, traps=[])
     return [[shown.plus(x) for x in row] for row in rows]
 
@@ -235,13 +223,14 @@ def exact_values(
     """
     data = _data(points, parameters, velocities, accelerations)
     where = parameter_values(t).values
-    dim = data.jets.shape[2]
-    result = np.empty((len(where), dim))
-    for segment, chosen in _by_segment(data, where):
+    segments = data.segments(where)
+    result = np.empty((len(where), data.jets.shape[2]))
+    for segment in sorted(set(segments.tolist())):
+        chosen = segments == segment
         nodes, jets = data.stretch(segment)
-        for axis in range(dim):
-            polynomial = interpolated(nodes.tolist(), jets[:, :, axis].tolist())
-            result[chosen, axis] = [_value(polynomial, float(x)) for x in where[chosen]]
+        for axis, values in enumerate(jets.transpose(2, 0, 1).tolist()):
+            polynomial = interpolated(nodes.tolist(), values)
+            result[chosen, axis] = [polynomial.value(x) for x in where[chosen].tolist()]
     return result
 
 
@@ -285,25 +274,22 @@ def _finite_rows(values: ArrayLike) -> FloatArray:
     return array
 
 
-def _value(polynomial: CommonPolynomial, t: float) -> float:
-    return as_float(*polynomial.value(t))
-
-
 def _data(
     points: ArrayLike, parameters: ArrayLike, velocities: ArrayLike | None, accelerations: ArrayLike | None
 ) -> Data:
-    position = point_array(points)
-    jets = [position]
-    for name, values in (("velocities", velocities), ("accelerations", accelerations)):
-        if values is not None:
-            jets.append(data_array(values, name, position.shape))
+    given = {"velocities": velocities, "accelerations": accelerations}
+    jets = stacked_jets(points, **{name: values for name, values in given.items() if values is not None})
     if velocities is None and accelerations is not None:
         raise CurveError("accelerations need velocities beside them")
-    return Data(parameter_array(parameters, len(position)), np.stack(jets, axis=1))
+    return Data(parameter_array(parameters, len(jets)), jets)
+
+
+def _forms(derivatives: int) -> dict[str, Form]:
+    return HERMITE_METHODS if derivatives else LAGRANGE_METHODS
 
 
 def _form(data: Data, method: Method | str) -> Form:
-    table = HERMITE_METHODS if data.jets.shape[1] > 1 else LAGRANGE_METHODS
+    table = _forms(data.jets.shape[1] - 1)
     if str(method) not in table:
         raise CurveError(f"method must be one of {', '.join(sorted(table))} for these data, not {method!r}")
     return table[str(method)]
@@ -323,18 +309,3 @@ def _rounded(data: Data, digits: int) -> Data:
         first = int(equal[0])
         raise CurveError(f"to {digits} digits parameters[{first}] and parameters[{first + 1}] are equal")
     return Data(parameters, round_significant(data.jets, digits))
-
-
-def _by_segment(data: Data, t: FloatArray) -> list[tuple[int, IntArray]]:
-    segments = data.segments(t)
-    return [(int(i), np.flatnonzero(segments == i)) for i in np.unique(segments)]
-
-
-def _decimals(values: FloatArray) -> list[Decimal]:
-    return [Decimal(float(x)) for x in values]
-
-
-def _as_float(value: Decimal, largest: Decimal) -> float:
-    if not value.is_finite():
-        return float("nan")
-    return float(max(-largest, min(largest, value)))

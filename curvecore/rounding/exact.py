@@ -19,8 +19,6 @@ from typing import NamedTuple
 
 from curvecore.scaling import LARGEST
 
-__all__ = ["CommonPolynomial", "as_float", "interpolated", "newton_coefficients", "scaled_integers"]
-
 
 class CommonPolynomial(NamedTuple):
     """A polynomial sum a_k t**k / b with integers a_k and b.
@@ -36,14 +34,14 @@ class CommonPolynomial(NamedTuple):
     coefficients: tuple[int, ...]
     denominator: int
 
-    def value(self, t: float) -> tuple[int, int]:
-        """Return the value at t as numerator and denominator."""
+    def value(self, t: float) -> float:
+        """Return the value at t, rounded once and limited to the largest finite number."""
         top, bottom = t.as_integer_ratio()
         result, power = self.coefficients[-1], 1
         for coefficient in reversed(self.coefficients[:-1]):
             power *= bottom
             result = result * top + coefficient * power
-        return result, self.denominator * power
+        return as_float(result, self.denominator * power)
 
 
 def scaled_integers(values: Sequence[float]) -> tuple[list[int], int]:

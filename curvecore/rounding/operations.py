@@ -1,4 +1,4 @@
-"""What the methods of `rounding` cost, counted and not measured.
+"""Cost of the methods of `rounding`, counted and not measured.
 
 References
 ----------
@@ -12,8 +12,6 @@ from typing import NamedTuple
 
 from curvecore.arrays import integer
 from curvecore.errors import CurveError
-
-__all__ = ["OperationCounts", "operation_counts"]
 
 
 class OperationCounts(NamedTuple):

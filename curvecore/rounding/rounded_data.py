@@ -13,8 +13,6 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, integer, number_array, parameter_values
 from curvecore.errors import CurveError
 
-__all__ = ["decimal_context", "digit_count", "round_data", "round_significant"]
-
 MOST_DIGITS = 16
 
 

@@ -33,6 +33,7 @@ from curvecore import (
     zero_accelerations,
 )
 from curvecore.analysis.stability import lebesgue_constants
+from curvecore.families.chain import joint_of_row
 
 # Two groups of near points and a long way between them, those of the lesson on chord length.
 UNEVEN = np.array([(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)])
@@ -267,7 +268,7 @@ def test_without_estimates_they_are_the_functions_of_the_family(rng):
         cardinal = CardinalBasis(curve)
         values = curve.basis(at)[:, :, 0]
         folded = np.zeros((len(at), 7))
-        for row, column in enumerate(getattr(curve, "row_of_parameter", range(7))):
+        for row, column in enumerate(joint_of_row(curve)):
             folded[:, column] += values[:, row]
         assert (cardinal.basis(at) == folded).all()
         assert lebesgue_constant(cardinal) == lebesgue_constant(curve)

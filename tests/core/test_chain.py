@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from curvecore import Chain, CurveError, HermiteCurve, LagrangeCurve, cubic_path, flatten_parameters
+from curvecore.families.chain import joint_of_row
 
 T = np.array([0.0, 1.0, 2.5, 3.0, 4.0])
 POINTS = np.array([[0, 0], [1, 2], [3, 1], [4, 4], [5, 0]], dtype=float)
@@ -38,7 +39,7 @@ def test_the_basis_and_the_data_give_the_curve_also_at_a_corner():
         together = np.einsum("mir,ird->md", chain.basis(t, order), chain.jets)
         # Both sum the same few terms of size up to some hundred in another order.
         assert together == pytest.approx(chain.evaluate(t, order), abs=1e-12)
-    assert chain.row_of_parameter.tolist() == [0, 1, 2, 2, 3, 4]
+    assert joint_of_row(chain).tolist() == [0, 1, 2, 2, 3, 4]
 
 
 def test_at_a_corner_the_piece_after_it_counts():

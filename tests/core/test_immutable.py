@@ -46,7 +46,7 @@ def arrays_of(thing, seen=None):
         for each in thing:
             yield from arrays_of(each)
     elif hasattr(type(thing), "__slots__"):
-        for name in ("points", "parameters", "jets", "row_of_parameter", "pieces", "_arcs", "_at"):
+        for name in ("points", "parameters", "jets", "pieces", "_arcs", "_at"):
             # A chain puts its points together anew whenever asked; the only piece of others is itself.
             if name == ("points" if isinstance(thing, Chain) else "pieces"):
                 continue

@@ -17,7 +17,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.bend import Bend, BendWith
 from app.view_model.curve_view import view_of
 from curvecore import LagrangeCurve, bezier_segments, chord_length
-from curvecore.bezier.flatten import segment_distance
+from curvecore.bezier.polylines import segment_distance
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier

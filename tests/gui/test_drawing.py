@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.plotting.drawing import MARGIN, Stroke, thinned, visible_segments
-from curvecore.bezier.flatten import segment_distance
+from curvecore.bezier.polylines import segment_distance
 
 WIDTH, HEIGHT = 300, 200
 

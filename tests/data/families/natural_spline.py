@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, integer, parameter_array, parameter_values, point_array, read_only
 from curvecore.families.curve import Curve
 
-__all__ = ["NaturalSplineCurve"]
-
 
 class NaturalSplineCurve(Curve):
     """Cubic pieces that bend as little as can be.

@@ -1,8 +1,0 @@
-"""Controllers: by them what the person did in a panel becomes a change of the document.
-
-A panel holds no session: it shows a value and emits what the person meant. Its controller connects that to
-`Session.change`, and tells the panel why something was refused. Those of a feature are in its package.
-
-- ``parametrization``: the rule for the t_i.
-- ``slider_gesture``: a slider that changes the document live.
-"""
