@@ -16,7 +16,7 @@ TITLE = "Errors of the methods"
 def error_plot(trial: Trial) -> PlotData:
     """Return a plot of the errors of a trial."""
     lines = [
-        analysis.plot_lines.PlotLine(each.calculation.label, each.t, each.errors, each.calculation.style)
-        for each in analysis.laboratory.error_lines(trial)
+        analysis.plot_lines.PlotLine(each.calculation.label, trial.t, each.errors, each.calculation.style)
+        for each in trial.outcomes
     ]
     return analysis.plot_lines.plot_of(TITLE, lines, analysis.plot_lines.Scale.LOG)
