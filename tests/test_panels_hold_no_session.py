@@ -25,7 +25,9 @@ def shows_something(path: Path) -> bool:
 
 
 FOUND = filter(shows_something, (path for room in ROOMS for path in room.glob("*.py") if path != BUILDS))
-PANELS = sorted([*(ROOT / "app/panels").glob("*.py"), *(ROOT / "app/widgets").glob("*.py"), *FOUND])
+SHOW = ["app/widgets", "app/features/basis", "app/features/plots"]
+READ = {path for room in SHOW for path in (ROOT / room).glob("*.py") if path.stem != "commands"}
+PANELS = sorted(READ.union(FOUND))
 
 
 def names_in(tree: ast.AST) -> set[str]:
