@@ -17,7 +17,7 @@ from curvecore.bezier.bernstein_algebra import halves, weights
 from curvecore.bezier.pieces import BezierPieces
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
-_NODES = 16
+_GAUSS_POINTS = 16
 _ROUNDS = 60
 _MOST = 1 << 14  # arcs, or 8 a piece; a curve that needs more gets a larger error bound
 _AT_ONCE = 1 << 12  # quadratures, of 16 sets of weights each: a few megabytes
@@ -145,7 +145,7 @@ def _bounds(slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
     rest = coefficients[:, 1:] @ growth.T
     free = rest < coefficients[:, :1]
     largest = np.sqrt(coefficients[:, :1] + rest)
-    factor = 64.0 * _RHO ** (-2.0 * _NODES) / (15.0 * (1.0 - _RHO**-2.0))
+    factor = 64.0 * _RHO ** (-2.0 * _GAUSS_POINTS) / (15.0 * (1.0 - _RHO**-2.0))
     # Half, because s runs over an interval of length 1.
     proved = np.where(free, 0.5 * largest * factor, np.inf).min(axis=1)
     return np.minimum(proved, rough), polygon
@@ -158,9 +158,9 @@ def integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatAr
 
 
 def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    nodes, gauss = _gauss()
+    places, gauss = _gauss()
     length = end - start
-    s = start[:, None] + length[:, None] * nodes
+    s = start[:, None] + length[:, None] * places
     degree = slopes.shape[1] - 1
     bernstein = weights(s.ravel(), degree).reshape(*s.shape, degree + 1)
     speeds = np.linalg.norm(bernstein @ slopes, axis=2)
@@ -189,8 +189,8 @@ def places_of(slopes: FloatArray, wanted: FloatArray, whole: FloatArray) -> Floa
 
 @cache
 def _gauss() -> tuple[FloatArray, FloatArray]:
-    nodes, gauss = np.polynomial.legendre.leggauss(_NODES)
-    return read_only(0.5 * (nodes + 1.0)), read_only(0.5 * gauss)
+    places, gauss = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+    return read_only(0.5 * (places + 1.0)), read_only(0.5 * gauss)
 
 
 @cache

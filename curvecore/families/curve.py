@@ -45,13 +45,13 @@ class Interpolant(NamedTuple):
 
     Attributes
     ----------
-    nodes : ndarray, shape (k,)
+    parameters : ndarray, shape (k,)
         The piece lies between the first and the last.
     jets : ndarray, shape (k, R, dim)
         Its value and R - 1 derivatives there.
     """
 
-    nodes: FloatArray
+    parameters: FloatArray
     jets: FloatArray
 
 
