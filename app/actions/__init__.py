@@ -2,6 +2,7 @@
 
 - ``declaration``: the decorators `action` and `action_for_each`, and what they say of an action.
 - ``sections``: the menus, and the sections in which actions stand.
+- ``strips``: where else they stand: toolbar, context menus, buttons.
 - ``needs``: what must be there before an action can be used, in words and as a predicate.
 - ``situation``: what actions are enabled, checked and named by.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.  ``clipboard_watch``: the clipboard.

@@ -25,8 +25,10 @@ from msgspec.structs import replace
 from app.actions.needs import NOTHING, Need
 from app.actions.sections import Section
 from app.actions.situation import Situation
+from app.actions.strips import Place
 
 _DECLARED, _AT_PLACE = "declared_actions", "place_action"
+_ALSO, _WIDGET = "places_in_strips", "widget_in_strip"
 
 _Handler = TypeVar("_Handler", bound=Callable[..., object])
 _Record = TypeVar("_Record")
@@ -61,6 +63,8 @@ class Action(msgspec.Struct, frozen=True):
         Name of the group of which one is on; empty for a switch of its own.
     title
         Its text where that changes.
+    short
+        What a button says of it beside its icon where there is little room; else it has its icon alone.
     during_gesture
         Whether it leaves a gesture in flight alone, in a menu whose actions interrupt.
     """
@@ -76,6 +80,7 @@ class Action(msgspec.Struct, frozen=True):
     checked: Callable[[Situation], bool] | None = None
     group: str = ""
     title: Callable[[Situation], str] | None = None
+    short: str = ""
     during_gesture: bool = False
 
     @property
@@ -99,6 +104,12 @@ class Declared(msgspec.Struct, frozen=True):
     commands: type
     handler: Callable[..., object]
     record: tuple[object, ...] = ()
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """Where the action stands besides its menu."""
+        places = getattr(self.handler, _ALSO, ())
+        return tuple(places(*self.record)) if callable(places) else places
 
     def bound_to(self, commands: object) -> Callable[[], object]:
         """Return what the action does, for one command set."""
@@ -127,6 +138,41 @@ def _decorator_of(make: Callable[_Fields, Action]) -> Callable[_Fields, Decorato
 
 action = _decorator_of(Action)
 """Declare the decorated method as the handler of an action; takes the fields of `Action`."""
+
+
+def also(*places: Place) -> Callable[[_Handler], _Handler]:
+    """Let the actions of the decorated handler stand in strips, too: toolbar, context menus, buttons."""
+    return _also(places)
+
+
+def also_for_each(places: Callable[[Any], Iterable[Place]]) -> Callable[[_Handler], _Handler]:
+    """Let each action of the decorated handler stand where `places` says of its record."""
+    return _also(places)
+
+
+def widget_at(place: Place) -> Callable[[_Handler], _Handler]:
+    """Let what the decorated method returns stand in a strip."""
+
+    def mark(build: _Handler) -> _Handler:
+        setattr(build, _WIDGET, place)
+        return build
+
+    return mark
+
+
+def declared_widgets(kind: type, commands: object) -> Iterator[tuple[Place, Any]]:
+    """Yield what a command set puts into strips besides actions, with its place."""
+    for build, place in marked(kind, _WIDGET):
+        yield place, build(commands)
+
+
+def _also(places: object) -> Callable[[_Handler], _Handler]:
+
+    def mark(handler: _Handler) -> _Handler:
+        setattr(handler, _ALSO, places)
+        return handler
+
+    return mark
 
 
 def action_for_each(

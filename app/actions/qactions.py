@@ -10,8 +10,9 @@ from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import Action, all_declared
 from app.actions.keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
-from app.actions.sections import Menu
+from app.actions.sections import Menu, Section
 from app.actions.situation import Situation
+from app.actions.strips import Strip
 from app.appearance.icons import icon
 from app.appearance.theme import Theme
 
@@ -65,6 +66,18 @@ class Actions:
     def __contains__(self, name: str) -> bool:
         return name in self._actions
 
+    def in_section(self, section: Section) -> list[QAction]:
+        """Return the actions of a section of a menu, in order."""
+        return [self._actions[name] for name, each in self._declared.items() if each.section is section]
+
+    def in_strip(self, strip: Strip) -> dict[int, list[QAction]]:
+        """Return the actions of a strip by the tens of their places, in order."""
+        places = ((place, each) for each in self._handlers for place in each.places if place.strip is strip)
+        found: dict[int, list[QAction]] = {}
+        for place, each in sorted(places, key=lambda pair: pair[0].number):
+            found.setdefault(place.number // 10, []).append(self[each.action.name])
+        return found
+
     def of_menu(self, menu: Menu) -> Iterator[tuple[Action, QAction]]:
         """Yield the actions that stand in `menu`, in order."""
         for each in self._declared.values():
@@ -79,6 +92,11 @@ class Actions:
             if keys and action.isEnabled():
                 rows.append((keys, each.tip or each.text))
         return rows
+
+    def words_of(self, action: QAction, *, short: bool) -> str:
+        """Return what a button says of an action beside its icon; empty where that is enough."""
+        each = self._declared[action.objectName()]
+        return each.short if short or not each.short else each.text
 
     def is_on(self, name: str) -> bool:
         """Whether what an action switches is on; False of what is no switch."""

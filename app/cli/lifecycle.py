@@ -22,6 +22,7 @@ from app.diagnostics.crash_report import versions
 from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document
 from app.features.recovery.autosave import Autosave, snapshot_folder, state_folder
+from app.features.recovery.commands import RecoveryCommands
 from app.session import Session
 from app.window.main_window import MainWindow
 
@@ -66,8 +67,8 @@ class Lifecycle(QObject):
     def _watch(self, window: MainWindow) -> None:
         autosave = self._autosaves[window] = Autosave(window.session, snapshot_folder(), self)
         SlowFrames(window.session.document_changed, window.canvas.painted, window)
-        window.keep_with(autosave, self._open_beside)
-        window.open_others_with(self._open_window)
+        window.commands[RecoveryCommands].keep_with(autosave, self._open_beside)
+        window.commands.drops.open_window = self._open_window
         window.closed.connect(lambda: self._finish(window))
         # Who goes on working has called the end of the system off.
         window.session.history_changed.connect(window.ask_before_closing)
@@ -103,7 +104,7 @@ class Lifecycle(QObject):
 
     def _offer(self) -> None:
         for window in list(self._autosaves)[:1]:
-            window.offer_unsaved_work()
+            window.commands[RecoveryCommands].offer_unsaved_work()
 
     def _open_log_file(self) -> None:
         with suppress(OSError):

@@ -46,36 +46,33 @@ def _unit(text: str) -> str:
 
 def add_picture_options(parser: argparse.ArgumentParser) -> None:
     """Let a command take the options of pictures."""
-    parser.add_argument(
-        "--width", type=whole_number, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
-    )
-    parser.add_argument(
+    add = parser.add_argument
+    add("--width", type=whole_number, metavar="N", help="in pixels; in points of 1/72 inch for a PDF")
+    add(
         "--unit",
         type=_unit,
         metavar="U",
         help=f"what a length of one is ({', '.join(MILLIMETRES)}): without --width an SVG or PDF then has "
         "true size; TikZ has, and a PNG by its pixels per inch; a DXF names it",
     )
-    parser.add_argument(
+    add(
         "--scale",
         type=positive_number,
         default=1.0,
         metavar="X",
         help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
     )
-    parser.add_argument(
-        "--theme", choices=STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
-    )
-    parser.add_argument("--transparent", action="store_true", help="leave the paper out")
-    parser.add_argument(
+    add("--theme", choices=STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)")
+    add("--transparent", action="store_true", help="leave the paper out")
+    add(
         "--points",
         action=argparse.BooleanOptionalAction,
         default=False,
         help="draw the points too; in a DXF as well",
     )
-    parser.add_argument("--handles", action="store_true", help="draw the Bézier control points")
-    parser.add_argument("--grid", action="store_true", help="draw a grid")
-    parser.add_argument(
+    add("--handles", action="store_true", help="draw the Bézier control points")
+    add("--grid", action="store_true", help="draw a grid")
+    add(
         "--basis",
         type=whole_number,
         nargs="?",
@@ -87,20 +84,14 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
 
 def add_motion_options(render: argparse.ArgumentParser) -> None:
     """Let `render` make films."""
-    motion = render.add_argument_group(
+    add = render.add_argument_group(
         "motion",
         "A dot that runs along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
-    )
-    motion.add_argument(
-        "--motion", choices=("once", "loop", "ping-pong"), help="what happens at the end (default: loop)"
-    )
-    motion.add_argument(
-        "--pace", choices=("t", "length"), default="t", help="what grows evenly with time (default: t)"
-    )
-    motion.add_argument(
-        "--fps", type=whole_number, default=25, metavar="N", help="frames a second (default: 25)"
-    )
-    motion.add_argument(
+    ).add_argument
+    add("--motion", choices=("once", "loop", "ping-pong"), help="what happens at the end (default: loop)")
+    add("--pace", choices=("t", "length"), default="t", help="what grows evenly with time (default: t)")
+    add("--fps", type=whole_number, default=25, metavar="N", help="frames a second (default: 25)")
+    add(
         "--seconds",
         type=positive_number,
         metavar="S",
@@ -110,16 +101,17 @@ def add_motion_options(render: argparse.ArgumentParser) -> None:
 
 def add_convert_options(convert: argparse.ArgumentParser) -> None:
     """Let `convert` take its files, the options of tables and those of pictures."""
+    add = convert.add_argument
     read, written = (", ".join(endings_of(each)) for each in (FORMATS.read, FORMATS.written))
-    convert.add_argument("file", metavar="IN", help=f"what to read; ends in {read}")
-    convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {written}")
-    convert.add_argument(
+    add("file", metavar="IN", help=f"what to read; ends in {read}")
+    add("output", metavar="OUT", help=f"what to write; ends in {written}")
+    add(
         "--tolerance",
         type=positive_number,
         metavar="X",
         help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
     )
-    convert.add_argument(
+    add(
         "--only",
         action="append",
         default=[],
@@ -129,7 +121,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     )
     _add_table_options(convert)
     for option in _own():
-        convert.add_argument(option.flag, dest=option.name, help=option.help, **_typed(option))
+        add(option.flag, dest=option.name, help=option.help, **_typed(option))
     add_picture_options(convert)
 
 
@@ -159,24 +151,25 @@ def own_options(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _add_table_options(convert: argparse.ArgumentParser) -> None:
-    convert.add_argument(
+    add = convert.add_argument
+    add(
         "--thin",
         type=positive_number,
         metavar="X",
         help="leave out the rows of a table that a curve comes this near",
     )
-    convert.add_argument(
+    add(
         "--corners",
         action="store_true",
         help="with --thin: the rows that a polyline this near turns at (Douglas-Peucker)",
     )
-    convert.add_argument(
+    add(
         "--family",
         choices=[family.name for family in FAMILIES],
         default=HERMITE.name,
         help="of a curve through the rows of a table (default: %(default)s)",
     )
-    convert.add_argument(
+    add(
         "--columns",
         action="append",
         default=[],
@@ -184,7 +177,7 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         help="of a table to read, which column is what, by title or number: t=time,x=pos_x,y=3; of one of "
         "samples to write, which columns: t, x, y, vx, vy, ax, ay, curvature, length",
     )
-    convert.add_argument(
+    add(
         "--missing",
         choices=("refuse", "skip", "split"),
         default="refuse",

@@ -14,6 +14,7 @@ from app.cli.display import has_display, missing_library
 from app.cli.documents import load_document
 from app.cli.refusals import RefusalError
 from app.families import FAMILIES
+from app.features.lessons.commands import LessonCommands
 from app.storage.files import StorageError
 from app.storage.open_file import is_large
 from app.window.given import given
@@ -40,7 +41,7 @@ def edit(files: Sequence[str], lesson: str = "") -> int:
         sentences = [*FAMILIES.problems, *(f"{str(each).removesuffix('.')}." for each in problems.values())]
         windows = cli.windows.open_windows(able, sentences)
         if lesson:
-            windows[0].open_lesson(lesson)
+            windows[0].commands[LessonCommands].open(lesson)
     return cli.windows.run(application, windows)
 
 

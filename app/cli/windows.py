@@ -34,7 +34,7 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[Mai
     for window, path in zip(windows, documents, strict=False):
         if path in large:
             window.open_file(path)
-    windows[0].take_files(replace(others, documents=()), problems)
+    windows[0].commands.drops.take(replace(others, documents=()), problems)
     return windows
 
 

@@ -3,6 +3,5 @@
 A panel holds no session: it shows a value and emits what the person meant. Its controller connects that to
 `Session.change`, and tells the panel why something was refused. Those of a feature are in its package.
 
-- ``parametrization``, ``rail``: the rule for the t_i, and a t typed at its tick.
-- ``slider_gesture``: a slider that changes the document live.
+- ``rail``: a t typed at its tick.
 """

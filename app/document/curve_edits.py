@@ -43,21 +43,6 @@ def fresh_curve(document: Document, model: Curve, parametrization: Parametrizati
     )
 
 
-def set_visible(document: Document, curve: int, visible: bool) -> Document:
-    """Show or hide a curve."""
-    return document.with_curve(curve, replace(document.curves[curve], visible=visible))
-
-
-def set_locked(document: Document, curve: int, locked: bool) -> Document:
-    """Keep a curve safe from changes, or free it."""
-    return document.with_curve(curve, replace(document.curves[curve], locked=locked))
-
-
-def set_colour(document: Document, curve: int, colour: str) -> Document:
-    """Draw a curve in a colour, "#rrggbb"; empty for the ink of the theme."""
-    return document.with_curve(curve, replace(document.curves[curve], colour=colour))
-
-
 def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:
     """Run through a curve the other way; its shape stays.
 

@@ -7,7 +7,7 @@ them takes them as `parameters`. What cannot be done raises `EditError` with a s
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from itertools import pairwise
 
 from msgspec.structs import replace
@@ -86,22 +86,31 @@ def append_point(document: Document, curve: int, point: Point, *, parameter_scal
 
 def move_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move the points at `indices` by the vector `by`; their handles go along, those of others stay."""
+    return with_each_changed(
+        document, curve, indices, lambda point: placed(point, (point.x + by[0], point.y + by[1]))
+    )
+
+
+def with_each_changed(
+    document: Document, curve: int, indices: Collection[int], change: Callable[[Point], Point]
+) -> Document:
+    """Put what `change` makes of them in the place of the points at `indices`, which go together."""
     points = list(document.curves[curve].points)
     for index in indices:
-        points[index] = _moved(points[index], by)
+        points[index] = change(points[index])
     return with_points_elsewhere(document, curve, points, indices)
 
 
-def _moved(point: Point, by: Vector) -> Point:
-    x, y = checked_vector((point.x + by[0], point.y + by[1]), "the point")
+def placed(point: Point, position: Vector, what: str = "the point") -> Point:
+    """Return a point at another position, if a document may hold that."""
+    x, y = checked_vector(position, what)
     return replace(point, x=x, y=y)
 
 
 def set_position(document: Document, curve: int, index: int, position: Vector) -> Document:
     """Put point `index` at `position`."""
-    x, y = checked_vector(position, f"point {index}")
     points = list(document.curves[curve].points)
-    points[index] = replace(points[index], x=x, y=y)
+    points[index] = placed(points[index], position, f"point {index}")
     return with_points_elsewhere(document, curve, points)
 
 

@@ -6,7 +6,7 @@ import math
 
 from msgspec.structs import replace
 
-from app.document.edits import EditError, checked
+from app.document.limits import EditError, checked, checked_vector
 from app.document.model import Document, ReferenceImage, Vector
 
 _LEAST_SIZE = 1e-9
@@ -29,13 +29,11 @@ def place_image(document: Document, corner: Vector | None = None, width: float |
     What is not given stays, too.
     """
     image = _image(document)
-    corner = (image.x, image.y) if corner is None else corner
-    width = image.width if width is None else width
-    width = checked(width, "The width of the image")
+    width = checked(image.width if width is None else width, "The width of the image")
     height = checked(width * (image.height / image.width), "The height of the image")
     if not min(width, height) >= _LEAST_SIZE:
         raise EditError("The image must be wider and higher than nothing.")
-    x, y = checked(corner[0], "The x of the image"), checked(corner[1], "The y of the image")
+    x, y = checked_vector((image.x, image.y) if corner is None else corner, "the image")
     return replace(document, image=replace(image, x=x, y=y, width=width, height=height))
 
 

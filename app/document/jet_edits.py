@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import msgspec
 from msgspec.structs import replace
 
-from app.document.edits import checked
+from app.document.limits import checked_vector
 from app.document.model import Curve, Vector
 
 _NAMES = ("position", "velocity", "acceleration")
@@ -29,12 +29,9 @@ def with_jet_values(curve: Curve, values: Iterable[JetValue]) -> Curve:
     """Return `curve` with these values set; derivatives among them are explicit from then on."""
     points = list(curve.points)
     for each in values:
-        what = f"the {_NAMES[each.order]} of point {each.index}"
-        x, y = checked(each.value[0], f"The x of {what}"), checked(each.value[1], f"The y of {what}")
-        point = points[each.index]
-        if each.order == 0:
-            points[each.index] = replace(point, x=x, y=y)
-        else:
-            side = "_after" if point.corner and each.ahead else ""
-            points[each.index] = replace(point, **{f"{_NAMES[each.order]}{side}": (x, y)})
+        name, point = _NAMES[each.order], points[each.index]
+        x, y = vector = checked_vector(each.value, f"the {name} of point {each.index}")
+        side = "_after" if point.corner and each.ahead else ""
+        changed = {"x": x, "y": y} if each.order == 0 else {f"{name}{side}": vector}
+        points[each.index] = replace(point, **changed)
     return replace(curve, points=tuple(points))

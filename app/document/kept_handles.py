@@ -19,12 +19,7 @@ from msgspec.structs import replace
 from app.document.limits import checked_vector
 from app.document.model import Curve, ParametrizationKind, Point
 
-DERIVATIVES = (
-    (1, "velocity"),
-    (2, "acceleration"),
-    (1, "velocity_after"),
-    (2, "acceleration_after"),
-)
+DERIVATIVES = ((1, "velocity"), (2, "acceleration"), (1, "velocity_after"), (2, "acceleration_after"))
 """The derivatives of a point: their orders and names."""
 
 _NOISE = 1e-12

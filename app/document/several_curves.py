@@ -162,18 +162,16 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
 
 def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Document:
     """Add copies after the last of `curves`, in their order, in these colours, visible and free."""
-    after = max(curves) + 1
-    originals = [document.curves[curve] for curve in sorted(curves)]
     copies = [
-        replace(copy, colour=colour)
-        for copy, colour in zip(renamed(originals, _names(document)), colours, strict=True)
+        replace(document.curves[curve], colour=colour)
+        for curve, colour in zip(sorted(curves), colours, strict=True)
     ]
-    return replace(document, curves=(*document.curves[:after], *copies, *document.curves[after:]))
+    return add_curves(document, copies, max(curves) + 1)
 
 
 def add_curves(document: Document, curves: Sequence[Curve], at: int) -> Document:
     """Add curves from elsewhere at place `at` of the order, visible and free, under names of their own."""
-    fresh = renamed(curves, _names(document))
+    fresh = renamed(curves, {curve.name for curve in document.curves})
     return replace(document, curves=(*document.curves[:at], *fresh, *document.curves[at:]))
 
 
@@ -187,10 +185,6 @@ def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
         used.add(name)
         fresh.append(replace(curve, name=name, visible=True, locked=False))
     return fresh
-
-
-def _names(document: Document) -> set[str]:
-    return {curve.name for curve in document.curves}
 
 
 def named(document: Document, curves: Collection[int]) -> str:

@@ -15,10 +15,10 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
-from app.document.edits import EditError, checked, with_points_elsewhere
+from app.document.edits import EditError, placed, with_each_changed, with_points_elsewhere
+from app.document.kept_handles import DERIVATIVES
+from app.document.limits import checked_vector
 from app.document.model import Document, Point, Vector
-
-_DERIVATIVES = ("velocity", "acceleration", "velocity_after", "acceleration_after")
 
 
 class Linear(msgspec.Struct, frozen=True):
@@ -69,33 +69,26 @@ def rotation(degrees: float, centre: Vector) -> Linear:
 
 def transform_points(document: Document, curve: int, indices: Collection[int], by: Linear) -> Document:
     """Map the points at `indices` and the handles set there."""
-    old = document.curves[curve]
-    points = [_mapped(point, by) if index in indices else point for index, point in enumerate(old.points)]
-    return with_points_elsewhere(document, curve, points, indices)
+    return with_each_changed(document, curve, indices, lambda point: _mapped(point, by))
 
 
 def _mapped(point: Point, by: Linear) -> Point:
-    x, y = _checked(by.point(point.position), "the point")
     vectors = {
-        name: _checked(by.vector(vector), "a derivative")
-        for name in _DERIVATIVES
+        name: checked_vector(by.vector(vector), "a derivative")
+        for _, name in DERIVATIVES
         if (vector := getattr(point, name)) is not None
     }
-    return replace(point, x=x, y=y, **vectors)
-
-
-def _checked(vector: Vector, what: str) -> Vector:
-    return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))
+    return replace(placed(point, by.point(point.position)), **vectors)
 
 
 def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
-    old = document.curves[curve]
-    points = [
-        _at(point, (decimal_sum(point.x, by[0]), decimal_sum(point.y, by[1]))) if index in indices else point
-        for index, point in enumerate(old.points)
-    ]
-    return with_points_elsewhere(document, curve, points, indices)
+    return with_each_changed(
+        document,
+        curve,
+        indices,
+        lambda point: placed(point, (decimal_sum(point.x, by[0]), decimal_sum(point.y, by[1]))),
+    )
 
 
 def decimal_sum(a: float, b: float) -> float:
@@ -106,11 +99,6 @@ def decimal_sum(a: float, b: float) -> float:
 def decimal_product(a: float, b: float) -> float:
     """Return a · b as the decimal numbers that they are written as."""
     return float(Decimal(repr(a)) * Decimal(repr(b)))
-
-
-def _at(point: Point, position: Vector) -> Point:
-    x, y = _checked(position, "the point")
-    return replace(point, x=x, y=y)
 
 
 def _middle(values: Sequence[float]) -> float:
@@ -171,9 +159,7 @@ def distribute_points(document: Document, curve: int, indices: Collection[int], 
 
 def with_coordinates(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:
     """Set the x (axis 0) or the y (axis 1) of some points."""
-    old, name = document.curves[curve], ("x", "y")[axis]
-    points = [
-        replace(point, **{name: values[index]}) if index in values else point
-        for index, point in enumerate(old.points)
-    ]
+    points, name = list(document.curves[curve].points), ("x", "y")[axis]
+    for index, value in values.items():
+        points[index] = replace(points[index], **{name: value})
     return with_points_elsewhere(document, curve, points, values)

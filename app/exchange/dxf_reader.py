@@ -16,10 +16,7 @@ from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
 from app.exchange.cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
 from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.errors import ExchangeError
-from app.exchange.parts import (
-    bezier_values,
-    one_line,
-)
+from app.exchange.parts import bezier_values, one_line
 from curvecore import LagrangeCurve, chebyshev, cubic_path
 from curvecore.arrays import FloatArray
 

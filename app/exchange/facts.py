@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -157,7 +157,7 @@ def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> 
     growths = dict(zip(quick, _growths([each.view for each in quick.values()]), strict=True))
     for index, (curve, shape) in enumerate(zip(curves, shapes, strict=True)):
         if isinstance(shape, str):
-            yield _facts_without_curve(curve, shape)
+            yield replace(_facts_of_points(curve), warnings=(shape,))
         else:
             yield _facts_with_curve(shape, boxes[index], lengths.get(index), growths.get(index))
 
@@ -165,11 +165,8 @@ def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> 
 def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth: Growth | None) -> CurveFacts:
     curve, core = shape.curve, shape.core
     box, warnings = _edges(curve, around)
-    return CurveFacts(
-        name=curve.name,
-        family=curve.family,
-        parametrization=curve.parametrization,
-        points=len(curve.points),
+    return replace(
+        _facts_of_points(curve),
         degree=core.degree,
         domain=core.domain,
         length=length if length is not None and length.value < np.finfo(float).max else None,
@@ -178,18 +175,13 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
         warnings=(*warnings, *_amplification(growth)),
         closed=curve.is_closed,
         corners=len(shape.view.corners),
-        visible=curve.visible,
     )
 
 
-def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
+def _facts_of_points(curve: Curve) -> CurveFacts:
+    """Return the facts that need no more than the document's value."""
     return CurveFacts(
-        curve.name,
-        curve.family,
-        curve.parametrization,
-        len(curve.points),
-        warnings=(reason,),
-        visible=curve.visible,
+        curve.name, curve.family, curve.parametrization, len(curve.points), visible=curve.visible
     )
 
 

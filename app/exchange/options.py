@@ -152,32 +152,18 @@ DARK_PAPER = OneOf(
     choices={False: "Light", True: "Dark"},
 )
 TRANSPARENT = Check(name="transparent", title="Transparent", tip="Leave the paper out", default=False)
-POINTS = Check(
-    name="points", label="Show", title="Points", tip="Draw the points", widget="export_points", default=False
-)
-HANDLES = Check(
-    name="handles",
-    label="Show",
-    title="Handles",
-    tip="Draw the Bézier control points beside the points",
-    widget="export_handles",
-    default=False,
-)
-GRID = Check(
-    name="grid",
-    label="Show",
-    title="Grid",
-    tip="Draw a grid behind the curves",
-    widget="export_grid",
-    default=False,
-)
-BASIS = Check(
-    name="basis",
-    label="Show",
-    title="Basis functions",
-    tip="Draw the basis functions of the curve that is edited below the picture",
-    widget="export_basis",
-    default=False,
+
+
+def _shown(name: str, title: str, tip: str) -> Check:
+    """Return the option to draw something with the curves; the check boxes share a row."""
+    return Check(name=name, label="Show", title=title, tip=tip, widget=f"export_{name}", default=False)
+
+
+POINTS = _shown("points", "Points", "Draw the points")
+HANDLES = _shown("handles", "Handles", "Draw the Bézier control points beside the points")
+GRID = _shown("grid", "Grid", "Draw a grid behind the curves")
+BASIS = _shown(
+    "basis", "Basis functions", "Draw the basis functions of the curve that is edited below the picture"
 )
 TOLERANCE = Tolerance(
     name="tolerance",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from decimal import ROUND_UP, Context
 from fractions import Fraction
 from functools import cached_property
-from math import comb
+from math import comb, isnan
 from typing import NamedTuple
 
 import numpy as np
@@ -27,9 +27,6 @@ HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
 
 _SAMPLES = 33
-
-# A bound that was rounded to the nearest would not be one.
-_ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
 
 
 class Polynomials(NamedTuple):
@@ -144,16 +141,16 @@ def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:
     return tolerance
 
 
-def rounded_up(deviation: float) -> float:
-    """Return a deviation with three digits, never less than it is."""
-    return float(_ROUNDING_UP.create_decimal_from_float(deviation))
+def rounded_up(deviation: float, digits: int = 3) -> float:
+    """Return a deviation with so many digits, never less than it is: a bound stays one."""
+    return float(Context(prec=digits, rounding=ROUND_UP).create_decimal_from_float(deviation))
 
 
-def accuracy(deviation: float, comment: str = "") -> str:
+def accuracy(deviation: float) -> str:
     """Return the sentence that says how far a file is from the true curves."""
     return (
         f"Curvebench {__version__}. Largest deviation from the true curves: {rounded_up(deviation):g}, "
-        f"in the unit of the document{comment}."
+        "in the unit of the document."
     )
 
 
@@ -174,6 +171,11 @@ def cell_of_name(name: str, separator: str) -> str:
     name = f"'{name}" if name[:1] in ("=", "+", "-", "@", "'") else name
     quoted = name.replace('"', '""')
     return f'"{quoted}"' if separator in name or '"' in name or "#" in name else quoted
+
+
+def cell_of_number(value: float) -> str:
+    """Return a number as a cell of a table; nothing for NaN."""
+    return "" if isnan(value) else repr(value + 0.0)
 
 
 def samples_of(piece: CoreCurve) -> FloatArray:
@@ -275,11 +277,12 @@ def _lagrange_controls(piece: CoreCurve) -> FloatArray:
         sums = [
             sum(Fraction(comb(k, j), comb(degree, j)) * a[j] for j in range(k + 1)) for k in range(degree + 1)
         ]
-        columns.append([_as_float(value) for value in sums])
+        columns.append([as_float(value) for value in sums])
     return np.array(columns).T[None]
 
 
-def _as_float(value: Fraction | int) -> float:
+def as_float(value: Fraction | int) -> float:
+    """Return the float that is nearest, or an infinite one."""
     try:
         return float(value)
     except OverflowError:

@@ -11,14 +11,7 @@ from typing import TYPE_CHECKING
 from app import exchange
 from app.exchange import table
 from app.exchange.errors import ExchangeError
-from app.exchange.formats import (
-    FORMATS,
-    ContentKind,
-    Format,
-    ending_in,
-    format_of,
-    is_document,
-)
+from app.exchange.formats import FORMATS, ContentKind, Format, ending_in, format_of, is_document
 from app.families import HERMITE, Family
 from app.storage.files import read
 from app.storage.format import FormatError, decode

@@ -2,7 +2,8 @@
 
 - ``files``: new, open, save.  ``import_export``: other formats.  ``clipboard``: copy, cut and paste.
 - ``view``: tools, zoom, panels, theme.  ``snapping``: snapping, grid and unit.
-- ``editing``, ``curves``, ``tangents``, ``transform``: what is done to points and curves.
+- ``rules``: family and parameters.
+- ``points``, ``curves``, ``tangents``, ``transform``: what is done to points and curves.
 - ``basis``: the functions over t.  ``plots``: other plots over t.  ``teaching``: warnings that teach.
 - ``point_table``: the points as numbers.  ``curve_list``: the curves.  ``curve_settings``: the active one in
   numbers and rules.  ``history``: undo, as a list.  ``reference_image``: the picture to trace.
@@ -28,7 +29,8 @@ FEATURES = (
     "curves",
     "tangents",
     "plots",
-    "editing",
+    "rules",
+    "points",
     "transform",
     "clipboard",
     "basis",

@@ -4,7 +4,6 @@
   ``basis_panel``: the gestures on it.  ``basis_hits``: what lies under the pointer.  ``tick_edit``: a t typed
   at its tick.  ``basis_layers``, ``function_lines``, ``crest_names``: functions, t-rail, scrub line, painted.
 - ``plot_panel``, ``plot_pane``, ``plot_canvas``, ``plot_layers``, ``value_scale``: plots over t.
-- ``parametrization_bar``: the rule for the t_i and its α.
 """
 
 import lazy_loader as lazy

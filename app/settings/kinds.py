@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Mapping
 from enum import Enum
@@ -220,16 +221,9 @@ class Folder(Setting[Path]):
     """A folder; the home folder when nothing is remembered, or it is no longer there."""
 
     def _read(self, file: SettingsFile) -> Path:
+        # A drive that is gone, or a name with a NUL in it, is no folder either.
         stored = file.text(self.key)
-        folder = Path(stored) if stored else Path.home()
-        return folder if _is_folder(folder) else Path.home()
+        return Path(stored) if os.path.isdir(stored) else Path.home()  # noqa: PTH112
 
     def _stored(self, value: Path) -> object:
         return str(value.absolute())
-
-
-def _is_folder(path: Path) -> bool:
-    try:
-        return path.is_dir()
-    except (OSError, ValueError):  # a drive that is gone, a name with a NUL in it
-        return False

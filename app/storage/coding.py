@@ -6,14 +6,7 @@ from types import NoneType
 
 from app.families import FAMILIES, Family
 
-_JSON_NAMES = {
-    bool: "bool",
-    int: "int",
-    float: "float",
-    list: "array",
-    dict: "object",
-    NoneType: "null",
-}
+_JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
 """What msgspec calls the values of JSON in its own refusals."""
 
 

@@ -25,24 +25,7 @@ from app.storage.format import VERSION, decode, encode, version_of
 from app.storage.image_path import relative_to, resolved
 from app.storage.reasons import quoted, reason_of, why_unreadable, why_unwritable
 from app.storage.system_lock import folder_lock
-from app.storage.temporary import TEMPORARY_PREFIX, temporary_name
-
-__all__ = [
-    "MAX_BYTES",
-    "TEMPORARY_PREFIX",
-    "ChangedOnDiskError",
-    "Content",
-    "NewerVersionError",
-    "Stamp",
-    "StorageError",
-    "UnconfirmedError",
-    "document_in",
-    "load",
-    "read",
-    "read_content",
-    "save",
-    "write",
-]
+from app.storage.temporary import temporary_name
 
 _log = logging.getLogger("curvebench.storage")
 

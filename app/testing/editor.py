@@ -11,11 +11,12 @@ from typing import Protocol
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDockWidget, QWidget
+from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
 
 from app.cli.display import has_display
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.families import FAMILIES, Family
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
 from app.features.file_on_disk.bar import FileBar
 from app.session import Session
@@ -171,7 +172,8 @@ class Editor(InputDriver):
 
     def choose_parametrization(self, kind: ParametrizationKind) -> None:
         """Choose the rule for the parameters in the toolbar's box, by keyboard."""
-        box = self.window.parametrization_bar.box
+        box = self.window.findChild(QComboBox, "parametrizationBox")
+        assert box is not None
         require_reachable(box)
         box.setFocus()
         QTest.keyClick(box, Qt.Key.Key_Home)
@@ -286,7 +288,7 @@ class Editor(InputDriver):
     def click_in_list(self, row: int, spot: Spot = Spot.NAME) -> None:
         """Click a part of a row in the list of curves; `row` is the curve's place in the document."""
         self.show_dock("curvesDock")
-        view = self.window.curve_list.view
+        view = self.window.commands[CurveListCommands].panel.view
         place = spot_rect(view.row_rect(row), spot).center()
         require_under_mouse(view.viewport(), place)
         QTest.mouseClick(view.viewport(), _LEFT, pos=place)
@@ -309,9 +311,9 @@ class Editor(InputDriver):
     def wait_for_work(self, seconds: float = 30.0) -> None:
         """Wait until nothing is read or written beside the window."""
         deadline = time.monotonic() + seconds
-        while self.window.jobs.is_busy:
+        while self.window.context.work.jobs.is_busy:
             if time.monotonic() > deadline:
-                raise TimeoutError(f"{self.window.jobs.title} takes longer than {seconds:g} s.")
+                raise TimeoutError(f"{self.window.context.work.jobs.title} takes longer than {seconds:g} s.")
             spin(5)
         self.settle()
 

@@ -197,4 +197,5 @@ ADD = ToolRecord(
     key="P",
     icon="add",
     tip="Click to add points; drag to set a velocity",
+    in_menu=True,
 )

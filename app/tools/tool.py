@@ -196,6 +196,8 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     action, title, full_name, key, icon, tip
         What the action has by which it is selected: object name, text in a menu and where no menu stands
         around it, keys, icon, tooltip. Empty where a feature has an action of its own for it.
+    in_menu
+        Whether the menu of the canvas offers it.
     """
 
     name: str
@@ -207,3 +209,4 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     key: str = ""
     icon: str = ""
     tip: str = ""
+    in_menu: bool = False

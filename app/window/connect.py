@@ -7,21 +7,21 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import Action, all_declared
+from app.actions.declaration import Action, all_declared, declared_widgets
+from app.actions.strips import Place
 from app.appearance.theme import Theme
 from app.document.edits import EditError
 from app.features import command_sets
-from app.features.import_export.commands import ExchangeCommands
-from app.features.reference_image.commands import ImageCommands
 from app.tasks.owner import TaskOwner, close_all
 from app.view_model.curve_view import CurveView
+from app.widgets.toolbar_widget import ToolbarWidget
 from app.window.context_menus import ContextMenus
 from app.window.drops import Drops
 from app.window.focus_commands import FocusCommands
 from app.window.fresh_hints import FreshHints
 from app.window.messages import Messages
 from app.window.program_commands import ProgramCommands
-from app.workbench.context import Closes, Follows, Renders, Themed, WindowContext
+from app.workbench.context import Closes, Follows, Renders, StepsBack, Themed, WindowContext
 from app.workbench.docks import declared_panels
 
 COMMAND_SETS: tuple[type, ...] = (FocusCommands, *command_sets(), ProgramCommands)
@@ -53,8 +53,7 @@ class Commands:
         self._sets = {kind: kind(context) for kind in command_sets}
         self._live = [each for each in self._sets.values() if isinstance(each, Follows)]
         self._slow = [each for each in self._sets.values() if isinstance(each, Renders)]
-        images = self[ImageCommands]
-        self.drops = Drops(context, self[ExchangeCommands].import_files, images.add)
+        self.drops = Drops(context, self._sets.values())
         self.context_menus = ContextMenus(context, self._sets, self.attempt)
         self._had_scrub = False
         for each in self._sets.values():
@@ -73,6 +72,10 @@ class Commands:
         # A switch that was clicked shows what is, also where nothing changed.
         self._context.actions.render()
 
+    def widgets(self) -> dict[Place, ToolbarWidget]:
+        """Return what stands in the toolbar besides actions."""
+        return dict(pair for kind, each in self._sets.items() for pair in declared_widgets(kind, each))
+
     def follow_scrub(self, t: float | None) -> None:
         """Show whether there is a scrub line; where it stands is no matter of actions."""
         if (t is not None) != self._had_scrub:
@@ -86,9 +89,13 @@ class Commands:
         except EditError as reason:
             self._context.session.refuse(str(reason))
 
-    def leave_panel(self) -> bool:
-        """Take a gesture back, or go to the canvas from a panel; return whether there was either."""
-        return self._context.cancel_gesture() or self[FocusCommands].back_to_canvas()
+    def escape(self) -> None:
+        """Take a gesture back, or go to the canvas from a panel, or else step back."""
+        if self._context.cancel_gesture() or self[FocusCommands].back_to_canvas():
+            return
+        for each in self._sets.values():
+            if isinstance(each, StepsBack):
+                each.escape()
 
     def build_dock(self, name: str, *parent: QWidget) -> QWidget:
         """Return what stands in a dock; called when the window is built, or when it is first shown."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QDialog,
     QMainWindow,
+    QTableView,
     QWidget,
 )
 
@@ -26,37 +27,23 @@ from app.actions.clipboard_watch import ClipboardWatch
 from app.actions.qactions import Actions
 from app.actions.situation import Situation
 from app.appearance.icons import app_icon
-from app.appearance.theme import Theme, ThemeMode, apply_theme, theme_of
-from app.controllers.parametrization import ParametrizationController
-from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_settings.commands import CurveSettingsCommands
-from app.features.history.commands import HistoryCommands
-from app.features.import_export.commands import ExchangeCommands
-from app.features.lessons.commands import LessonCommands
-from app.features.point_table.commands import PointTableCommands
-from app.features.recovery.autosave import Autosave
-from app.features.recovery.commands import OpenBeside, RecoveryCommands
-from app.features.reference_image.commands import ImageCommands
-from app.features.view.commands import ViewCommands
-from app.panels.parametrization_bar import ParametrizationBar
+from app.appearance.theme import Theme, apply_theme, theme_of
 from app.qt.overrides import Guarded
 from app.session import Message, MessageKind, Session
 from app.settings.preferences import Preferences
 from app.state.analysis import Analysis
 from app.state.window_state import WindowState, WindowStore
-from app.tasks.single_task import SingleTask
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 from app.window.connect import COMMAND_SETS, Commands
-from app.window.drops import OpenWindow, accepted
-from app.window.given import Given
+from app.window.drops import accepted
 from app.window.menus import Menus
 from app.window.toolbar import Toolbar
 from app.window.window_layout import hide_floating, restore_layout, when_first_shown
 from app.workbench.central_area import CentralArea
 from app.workbench.context import WindowContext
 from app.workbench.docks import Docks, declared_panels
-from app.workbench.document_files import FileCommands, title_of
+from app.workbench.document_files import DocumentFiles, title_of
 from app.workbench.file_work import FileWork
 from app.workbench.status_line import StatusLine
 
@@ -72,10 +59,10 @@ class MainWindow(Guarded, QMainWindow):
 
     Attributes
     ----------
+    context, commands
+        Its parts; what can be done with them.
     canvas, basis_panel
         The two plots.
-    point_table
-        The QTableView with the numbers.
     asks_before_closing
         Whether closing asks about unsaved changes; not where the system is about to end.
 
@@ -117,11 +104,13 @@ class MainWindow(Guarded, QMainWindow):
         self._build_bars()
         self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
         self._panels_due.timeout.connect(self._render_panels)
-        self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
-        self._work = FileWork(session, self.message_bar.warn, self)
-        self._files.beside = self._work.start
-        self._commands = Commands(self._context(), self._command_sets)
-        self._fill_docks()
+        files = DocumentFiles(session, self.preferences, self, self.message_bar.warn)
+        work = FileWork(session, self.message_bar.warn, self)
+        files.beside = work.start
+        self.context = self._make_context(files, work)
+        self.commands = Commands(self.context, self._command_sets)
+        self.toolbar.fill(self.commands.widgets())
+        self._docks.fill()
         self._connect()
         self._connect_end()
         restore_layout(self, self.splitter, self.preferences)
@@ -132,7 +121,7 @@ class MainWindow(Guarded, QMainWindow):
         self._render_file()
         if self.session.path is None and not self.session.files.beginning.title:
             # Who opens a document came to work on it.
-            self._commands.messages.greet()
+            self.commands.messages.greet()
         if self.preferences.complaint:
             self.status_line.refuse(self.preferences.complaint)
         self.actions_by_name.attach(self)
@@ -151,47 +140,41 @@ class MainWindow(Guarded, QMainWindow):
     def _build_docks(self) -> None:
         panels = [panel for each in self._command_sets for panel, _build in declared_panels(each)]
         self._docks = Docks(self, panels, self._build_dock)
-        self.docks = self._docks.side
-        self.image_dock, self.lessons_dock = self._docks["imageDock"], self._docks["lessonsDock"]
 
     def _build_dock(self, name: str, *parent: QWidget) -> QWidget:
         # Commands are made later than docks; what they fill is asked of them.
-        return self._commands.build_dock(name, *parent)
-
-    def _fill_docks(self) -> None:
-        self._docks.fill()
-        commands = self._commands
-        self.table_panel = commands[PointTableCommands].panel
-        self.point_table = self.table_panel.view
-        self.curve_list, self.history = commands[CurveListCommands].panel, commands[HistoryCommands].panel
-        self.curve_settings = commands[CurveSettingsCommands].panel
-        self.image_panel = commands[ImageCommands].panel
-        self.curve_list.menu_requested.connect(commands.context_menus.open_on_list)
+        return self.commands.build_dock(name, *parent)
 
     def _build_bars(self) -> None:
-        self.parametrization_bar = ParametrizationBar()
         self.status_line = StatusLine(self)
         self.setStatusBar(self.status_line)
         self.menus = Menus(self, self.actions_by_name)
         self.menus.fill_with_panels(self._docks.all)
-        self.toolbar = Toolbar(self.actions_by_name, self.parametrization_bar, self)
+        self.toolbar = Toolbar(self.actions_by_name, self)
         self.addToolBar(self.toolbar)
 
-    def _context(self) -> WindowContext:
+    def _make_context(self, files: DocumentFiles, work: FileWork) -> WindowContext:
         return WindowContext(
             session=self.session,
             store=self.store,
             preferences=self.preferences,
             analysis=self.analysis,
             actions=self.actions_by_name,
-            files=self._files,
-            work=self._work,
+            files=files,
+            work=work,
             window=self,
             central=self._central,
             docks=self._docks,
             toolbar=self.toolbar,
             status_line=self.status_line,
         )
+
+    @property
+    def point_table(self) -> QTableView:
+        """The numbers of the points."""
+        table = self.findChild(QTableView, "pointTable")
+        assert table is not None
+        return table
 
     # Connecting
 
@@ -217,15 +200,18 @@ class MainWindow(Guarded, QMainWindow):
             plot.progress_changed.connect(self.status_line.show_progress)
             plot.gesture_began.connect(self.status_line.begin_gesture)
         self.basis_panel.drag_changed.connect(self.canvas.drawing.hold_ghost)
-        self.parametrization_bar.drag_changed.connect(self.canvas.drawing.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
-        self.menus.fill_with_files(self.preferences, self._files.open, self._files.open_example)
+        self.menus.fill_with_files(self.preferences, self.context.files.open, self.context.files.open_example)
         session.history_changed.connect(self._render_file)
-        self._parametrization = ParametrizationController(session, self.parametrization_bar)
 
     def _connect_end(self) -> None:
-        for end in (self._files.release, self._commands.close, self._remember_layout, self._close_dialogs):
+        for end in (
+            self.context.files.release,
+            self.commands.close,
+            self._remember_layout,
+            self._close_dialogs,
+        ):
             self.closed.connect(end)
 
     # Rendering: from values to widgets, never back
@@ -235,7 +221,7 @@ class MainWindow(Guarded, QMainWindow):
         self.canvas.render_view(view)
         self.canvas.render_others(self.session.views, self.session.active_index, self.session.selected_curves)
         self.basis_pane.render_view(view)
-        self._commands.follow(view)
+        self.commands.follow(view)
         if not self.session.is_previewing:
             self._render_panels()
         elif not self._panels_due.isActive():
@@ -245,9 +231,8 @@ class MainWindow(Guarded, QMainWindow):
         """Render what need not follow a drag frame by frame."""
         self._panels_due.stop()
         view = self.session.active_view
-        self.parametrization_bar.render_view(view)
         self._render_growth(view)
-        self._commands.render(view)
+        self.commands.render(view)
 
     def _render_growth(self, view: CurveView) -> None:
         """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
@@ -271,13 +256,13 @@ class MainWindow(Guarded, QMainWindow):
         """Check and enable actions; those of a document that the panels do not show yet, together with it."""
         view = self.session.active_view
         if view is self._rendered:
-            self._commands.render(view)
+            self.commands.render(view)
 
     def _render_scrub(self, t: float | None) -> None:
         self.canvas.drawing.set_scrub(t)
         self.basis_panel.drawing.set_scrub(t)
         self.status_line.show_scrub(t)
-        self._commands.follow_scrub(t)
+        self.commands.follow_scrub(t)
 
     def _render_file(self) -> None:
         path = self.session.path
@@ -301,7 +286,7 @@ class MainWindow(Guarded, QMainWindow):
     def _offer(self, text: str, action: str) -> None:
         self._render_commands()
         self.status_line.clear_message()
-        self._commands.messages.offer(text, self.actions_by_name[action])
+        self.commands.messages.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:
         self._central.fit()
@@ -323,60 +308,11 @@ class MainWindow(Guarded, QMainWindow):
 
     def open_file(self, path: Path) -> None:
         """Open a document, or say why not."""
-        self._files.open(path)
-
-    def take_files(self, files: Given, problems: Iterable[str] = ()) -> None:
-        """Do with files what a drop does, and say what was wrong with others."""
-        self._commands.drops.take(files, problems)
-
-    def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
-        """Keep with `autosave` what is restored in this window; where it is in use, open another."""
-        self._commands[RecoveryCommands].keep_with(autosave, open_beside)
-
-    def open_others_with(self, open_window: OpenWindow) -> None:
-        """Open by `open_window` all documents of a drop but the first."""
-        self._commands.drops.open_window = open_window
-
-    def offer_unsaved_work(self) -> None:
-        """Offer what was not saved when the program last ended, if there is any."""
-        self._commands[RecoveryCommands].look()
-
-    def open_lesson(self, name: str) -> None:
-        """Begin a lesson."""
-        self._commands[LessonCommands].open(name)
-
-    def export_file(self, path: Path) -> None:
-        """Write the document in the format that the ending names, or say why not."""
-        self._commands[ExchangeCommands].export(path)
-
-    def import_file(self, path: Path) -> None:
-        """Take in the curves of a file of another format, or say why not."""
-        self._commands[ExchangeCommands].import_file(path)
+        self.context.files.open(path)
 
     def ask_before_closing(self) -> None:
         """Ask about unsaved changes when the window is closed, from now on."""
         self.asks_before_closing = True
-
-    @property
-    def jobs(self) -> SingleTask:
-        """What is being read or written beside the window."""
-        return self._work.jobs
-
-    def apply_preferences(self) -> None:
-        """Take over what the preferences say now."""
-        self.store.read_preferences()
-
-    def add_image(self, path: Path) -> None:
-        """Put a picture behind the curves, to trace it, or say why not."""
-        self._commands[ImageCommands].add(str(path.absolute()))
-
-    def find_image(self, path: Path) -> None:
-        """Show this picture in the place of one that is missing, or say why not."""
-        self._commands[ImageCommands].find(str(path.absolute()))
-
-    def set_theme_mode(self, mode: ThemeMode) -> None:
-        """Use light or dark colours, or follow the system, from now on."""
-        self.store.change(theme_mode=mode)
 
     def _apply_theme(self) -> None:
         app = QApplication.instance()
@@ -391,7 +327,7 @@ class MainWindow(Guarded, QMainWindow):
             return
         self._theme = theme
         self.actions_by_name.set_theme(theme)
-        for part in (self.canvas, self.basis_panel, self.basis_pane, self.message_bar, self._commands):
+        for part in (self.canvas, self.basis_panel, self.basis_pane, self.message_bar, self.commands):
             part.set_theme(theme)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -418,8 +354,7 @@ class MainWindow(Guarded, QMainWindow):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
-            if not self._commands.leave_panel():
-                self._commands[ViewCommands].escape()
+            self.commands.escape()
             return
         # What has been used by nobody: the keys of an action that is disabled, for one.
         if why_not := self.actions_by_name.keymap.why_not(event.keyCombination()):
@@ -442,10 +377,10 @@ class MainWindow(Guarded, QMainWindow):
         self.status_line.show_tip("")
         files = accepted(event)
         if files is not None:
-            self._commands.drops.take(files)
+            self.commands.drops.take(files)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self.asks_before_closing and not self._files.may_discard():
+        if self.asks_before_closing and not self.context.files.may_discard():
             event.ignore()
             return
         event.accept()

@@ -41,10 +41,8 @@ class Menus:
         return self._submenus[section.menu, section.submenu]
 
     def _fill(self, bar_menu: QMenu, menu: Menu) -> None:
-        entries = list(self._actions.of_menu(menu))
         for section in menu.sections:
-            place = self._place_of(section, bar_menu)
-            actions = [action for each, action in entries if each.section is section]
+            place, actions = self._place_of(section, bar_menu), self._actions.in_section(section)
             if actions and section.is_separated and not place.isEmpty():
                 place.addSeparator()
             place.addActions(actions)

@@ -2,54 +2,51 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QResizeEvent, QShowEvent
+from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
 from app.actions.qactions import Actions
-from app.families import FAMILIES
-from app.panels.parametrization_bar import ParametrizationBar
+from app.actions.strips import TOOLBAR, Place
 from app.qt.overrides import Guarded
+from app.widgets.toolbar_widget import ToolbarWidget
 
-_SEPARATOR, _FAMILIES, _PARAMETERS = "", "FAMILIES", "PARAMETERS"
-_ORDER = (
-    "newDocument", "openDocument", "saveDocument", _SEPARATOR,
-    "undo", "redo", _SEPARATOR,
-    "selectTool", "addTool", "measureTool", _SEPARATOR,
-    _FAMILIES, _SEPARATOR,
-    _PARAMETERS, _SEPARATOR,
-    "fitView", "toggleGrid", "toggleSnap", "toggleScrub", "playMotion",
-)  # fmt: skip
 _BESIDE = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 
 
 class Toolbar(Guarded, QToolBar):
     """Shortens its words in a narrow window, so that nothing is cut off at 1024 pixels."""
 
-    def __init__(self, actions: Actions, parameters: ParametrizationBar, parent: QWidget) -> None:
+    def __init__(self, actions: Actions, parent: QWidget) -> None:
         super().__init__("Toolbar", parent)
         self.setObjectName("mainToolbar")
         self.setMovable(False)
         self.setIconSize(QSize(20, 20))
-        self._actions, self._parameters = actions, parameters
-        for name in _ORDER:
-            self._add(name)
+        self._actions = actions
+        self._in_words: list[QToolButton] = []
+        self._widgets: list[ToolbarWidget] = []
         self._full_width: int | None = None
 
-    def _add(self, name: str) -> None:
-        if name == _SEPARATOR:
-            self.addSeparator()
-        elif name == _PARAMETERS:
-            self.addWidget(self._parameters)
-        elif name == _FAMILIES:
-            for family in FAMILIES:
-                self.addAction(self._actions[family.action_name])
-                self._button(family.action_name).setToolButtonStyle(_BESIDE)
-        else:
-            self.addAction(self._actions[name])
+    def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
+        """Add the actions of the strip, and `widgets` at their places."""
+        entries = self._actions.in_strip(TOOLBAR)
+        at = {place.number // 10: widget for place, widget in widgets.items()}
+        self._widgets = list(at.values())
+        for ten in sorted({*entries, *at}):
+            if self.actions():
+                self.addSeparator()
+            for action in entries.get(ten, ()):
+                self.addAction(action)
+                if self._actions.words_of(action, short=True):
+                    self._in_words.append(self._button(action))
+            if ten in at:
+                self.addWidget(at[ten])
+        self._fit_words()
 
-    def _button(self, name: str) -> QToolButton:
-        button = self.widgetForAction(self._actions[name])
+    def _button(self, action: QAction) -> QToolButton:
+        button = self.widgetForAction(action)
         assert isinstance(button, QToolButton)
         return button
 
@@ -66,9 +63,9 @@ class Toolbar(Guarded, QToolBar):
 
     def _fit_words(self) -> None:
         compact = self._full_width is not None and self.width() < self._full_width
-        self._parameters.set_compact(compact)
-        for family in FAMILIES:
-            self._actions[family.action_name].setIconText(family.short if compact else family.label)
-            self._button(family.action_name).setToolButtonStyle(
-                Qt.ToolButtonStyle.ToolButtonTextOnly if compact else _BESIDE
-            )
+        for widget in self._widgets:
+            widget.set_compact(compact)
+        for button in self._in_words:
+            action = button.defaultAction()
+            action.setIconText(self._actions.words_of(action, short=compact))
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly if compact else _BESIDE)

@@ -6,5 +6,5 @@
   ``dock_room``: room for one that needs more than its share.
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
 - ``status_line``: hints, messages and places.  ``clipboard``: what is put there.
-- ``slider_gesture``: a live change of the document by a slider.
+- ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
 """

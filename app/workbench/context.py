@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from pathlib import Path
 from typing import Protocol, runtime_checkable
 
 import msgspec
@@ -16,7 +18,7 @@ from app.state.window_state import WindowStore
 from app.view_model.curve_view import CurveView
 from app.workbench.central_area import CentralArea
 from app.workbench.docks import Docks
-from app.workbench.document_files import FileCommands
+from app.workbench.document_files import DocumentFiles
 from app.workbench.file_work import FileWork
 from app.workbench.status_line import StatusLine
 
@@ -43,7 +45,7 @@ class WindowContext(msgspec.Struct, frozen=True):
     preferences: Preferences
     analysis: Analysis
     actions: Actions
-    files: FileCommands
+    files: DocumentFiles
     work: FileWork
     window: QMainWindow
     central: CentralArea
@@ -70,6 +72,30 @@ class Renders(Protocol):
 
     def render(self, view: CurveView) -> None:
         """Show what the active curve and the selection have it."""
+
+
+@runtime_checkable
+class Imports(Protocol):
+    """A command set that imports files of other formats."""
+
+    def import_files(self, paths: Iterable[Path]) -> None:
+        """Import these, one after the other."""
+
+
+@runtime_checkable
+class Traces(Protocol):
+    """A command set that puts pictures behind the curves."""
+
+    def trace(self, path: Path) -> None:
+        """Put this picture there, or say why not."""
+
+
+@runtime_checkable
+class StepsBack(Protocol):
+    """A command set that knows where Escape leads, where nothing else takes it."""
+
+    def escape(self) -> None:
+        """Step back."""
 
 
 @runtime_checkable

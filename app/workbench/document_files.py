@@ -41,7 +41,7 @@ _LONGEST_STEM = 80
 _DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
 
 
-class FileCommands:
+class DocumentFiles:
     """What the File menu does.
 
     Parameters

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import ThemeMode
 from app.families import HERMITE
+from app.features.lessons.commands import LessonCommands
 from app.settings.preferences import Preferences
 from app.testing import Editor
 
@@ -48,7 +49,7 @@ def main() -> None:
 
 def take(app: QApplication, editor: Editor, name: str, mode: ThemeMode) -> None:
     """Take a picture once everything has settled."""
-    editor.window.set_theme_mode(mode)
+    editor.window.store.change(theme_mode=mode)
     end = monotonic() + 1.5
     while monotonic() < end:
         app.processEvents()
@@ -75,7 +76,7 @@ def analysis(app: QApplication, editor: Editor) -> None:
 
 def laboratory(app: QApplication, editor: Editor) -> None:
     """The lesson about digits, with four of them."""
-    editor.window.open_lesson("04_decimal_accuracy")
+    editor.window.commands[LessonCommands].open("04_decimal_accuracy")
     analysis = editor.window.analysis
     analysis.change(laboratory=replace(analysis.settings.laboratory, digits=4))
     take(app, editor, "laboratory", ThemeMode.DARK)

@@ -110,7 +110,7 @@ class KeptEditor:
         self._reset_settings()
         self._reset_drawing()
         self._reset_layout()
-        window._commands.messages.greet()
+        window.commands.messages.greet()
         window.actions_by_name["fitView"].trigger()
         window.activateWindow()
         # Not as one who came by the keyboard.
@@ -131,7 +131,7 @@ class KeptEditor:
         for sheet in (*window.children(), *window.canvas.children()):
             if isinstance(sheet, ShortcutSheet | CommandPalette):
                 sheet.hide()
-        window.jobs.give_up()
+        window.context.work.jobs.give_up()
         for plot in (window.canvas, window.basis_panel):
             # Of a press of the right button that took a gesture back, in a test that opens no menu.
             plot._menu_refused = False
@@ -148,7 +148,7 @@ class KeptEditor:
 
     def _keep_without_autosave(self) -> None:
         """Let a new window's work be kept by nobody, where a test has had it kept and has ended that."""
-        recovery = self._editor.window._commands[RecoveryCommands]
+        recovery = self._editor.window.commands[RecoveryCommands]
         recovery.leave()
         if recovery._autosave is not None and recovery._autosave._is_closed:
             recovery._set_aside.leave()
@@ -165,7 +165,7 @@ class KeptEditor:
         settings: QSettings = self._editor.window.preferences.file._settings
         if settings.allKeys():
             settings.clear()
-            self._editor.window.apply_preferences()
+            self._editor.window.store.read_preferences()
 
     def _reset_drawing(self) -> None:
         """Take back what is neither a setting nor shown by an action that is checked."""
@@ -173,7 +173,7 @@ class KeptEditor:
         if window.store.state.scale != 1.0:
             window.actions_by_name["usualSize"].trigger()
         window.plot_panel.kept_height = USUAL_HEIGHT
-        if (stage := window._commands[MotionCommands]._stage) is not None:
+        if (stage := window.commands[MotionCommands]._stage) is not None:
             stage.player.change(**msgspec.structs.asdict(MotionSettings()))
             stage.player.clock = time.perf_counter
 

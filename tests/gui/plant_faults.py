@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayou
 from app.appearance.icons import _IconEngine, icon
 from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.view import _RowDelegate
 from app.features.point_table.delegate import PointTableDelegate
@@ -38,8 +39,8 @@ from app.session.history import UndoStep
 from app.tasks.debounced_task import DebouncedTask, Task
 from app.testing import Editor
 from app.widgets.elided_label import ElidedLabel, SteadyLabel
-from app.window.command_palette import CommandPalette, _CommandDelegate
 from app.window import MainWindow
+from app.window.command_palette import CommandPalette, _CommandDelegate
 from app.window.preferences_dialog import PreferencesDialog
 from app.window.toolbar import Toolbar
 
@@ -134,6 +135,10 @@ def repaint_header(editor: Editor) -> None:
     editor.window.point_table.horizontalHeader().viewport().repaint()
 
 
+def curve_list(editor):
+    return editor.window.commands[CurveListCommands].panel
+
+
 def resize_table(editor: Editor) -> None:
     table = editor.window.point_table
     table.resize(table.width() + 1, table.height())
@@ -170,9 +175,17 @@ PLACES = (
     Place(PointTableDelegate, "paint", repaint_table),
     Place(PointTableDelegate, "createEditor", lambda editor: editor.window.point_table.edit(cell(editor))),
     Place(PointTableView, "resizeEvent", resize_table),
-    Place(CurveListModel, "data", lambda editor: editor.window.curve_list.view.model().index(0, 0).data()),
+    Place(
+        CurveListModel,
+        "data",
+        lambda editor: curve_list(editor).view.model().index(0, 0).data(),
+    ),
     Place(_RowDelegate, "paint", lambda editor: editor.show_dock("curvesDock")),
-    Place(_RowDelegate, "sizeHint", lambda editor: editor.window.curve_list.view.doItemsLayout()),
+    Place(
+        _RowDelegate,
+        "sizeHint",
+        lambda editor: curve_list(editor).view.doItemsLayout(),
+    ),
     Place(_CommandDelegate, "paint", lambda editor: editor.window.findChild(CommandPalette).grab()),
     Place(WeightBars, "paintEvent", lambda _editor: WeightBars().grab()),
     Place(ElidedLabel, "minimumSizeHint", lay_a_label_out),

@@ -19,6 +19,7 @@ from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.features.recovery.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
 from app.features.recovery.bar import RecoveryBar
+from app.features.recovery.commands import RecoveryCommands
 from app.features.recovery.offers import age_in_words
 from app.session import MessageKind, Session
 from app.settings.preferences import Preferences
@@ -46,7 +47,7 @@ def kept(editor, qtbot):
         other.autosave = Autosave(session, snapshot_folder())
         return other.autosave
 
-    editor.window.keep_with(autosave, open_beside)
+    editor.window.commands[RecoveryCommands].keep_with(autosave, open_beside)
     editor.opened, editor.autosave = opened, autosave
     yield editor
     for each in (autosave, *(other.autosave for other in opened)):
@@ -302,7 +303,7 @@ def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
     move_point(kept, (2.0, 3.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     second = Editor(qtbot, Session(), Preferences(tmp_path / "settings.ini"))
-    second.window.offer_unsaved_work()
+    second.window.commands[RecoveryCommands].offer_unsaved_work()
     assert bar(second) is None
     second.trigger("recoverWork")
     assert second.status == "There is no unsaved work."
@@ -315,7 +316,7 @@ def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=Origin(path, stamp))
-    kept.window.offer_unsaved_work()
+    kept.window.commands[RecoveryCommands].offer_unsaved_work()
     assert bar(kept).isVisible()
     labels = [each.text() for each in bar(kept).findChildren(QLabel)]
     assert "mine.curve.json" in labels
@@ -337,7 +338,7 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=Origin(path, stamp))
     kept.window.open_file(path)
-    kept.window.offer_unsaved_work()
+    kept.window.commands[RecoveryCommands].offer_unsaved_work()
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
     assert not kept.session.files.is_read_only
@@ -355,7 +356,7 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
     else:
         path.unlink()
     leave_behind(origin=origin)
-    kept.window.offer_unsaved_work()
+    kept.window.commands[RecoveryCommands].offer_unsaved_work()
     assert any(f"file {fate}" in each.text() for each in bar(kept).findChildren(QLabel))
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
@@ -375,7 +376,7 @@ def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
         (tmp_path / folder).mkdir()
         other = tmp_path / folder / "other.curve.json"
         leave_behind(SKETCH, Origin(other, save(other, document)))
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     labels = [each.text() for each in bar(editor).findChildren(QLabel) if each.text()]
     assert [each for each in labels if "curve.json" in each] == [
         str(Path("two", "other.curve.json")),
@@ -396,7 +397,7 @@ def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
 def test_discard_deletes_and_later_keeps(editor):
     leave_behind()
     leave_behind()
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     assert bar(editor).text == "2 documents with unsaved work from last time:"
     press(editor, "discardWork0")
     assert bar(editor).text == "A document with unsaved work from last time:"
@@ -425,7 +426,7 @@ def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
     leave_behind()
     move_point(editor, (2.0, 3.0))
     present = editor.session.document
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     answer(monkeypatch, QMessageBox.StandardButton.Cancel)
     press(editor, "restoreWork0")
     assert editor.session.document == present
@@ -438,7 +439,7 @@ def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, q
     leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
     move_point(kept, (2.0, 3.0))
     present = kept.session.document
-    kept.window.offer_unsaved_work()
+    kept.window.commands[RecoveryCommands].offer_unsaved_work()
     press(kept, "restoreWork1")
     assert kept.session.document == present
     (other,) = kept.opened
@@ -450,7 +451,7 @@ def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, q
 
 def test_closing_the_window_decides_nothing(qtbot, editor):
     leave_behind()
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     editor.window.close()
     (snapshot,) = list_snapshots(snapshot_folder()).snapshots
     snapshot.leave()
@@ -459,7 +460,7 @@ def test_closing_the_window_decides_nothing(qtbot, editor):
 def test_a_damaged_one_is_a_sentence_and_no_more(editor):
     snapshot_folder().mkdir(parents=True)
     (snapshot_folder() / f"x{SUFFIX}").write_bytes(b"\x00" * 10)
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     assert "set aside as x.snapshot.json.damaged" in bar(editor).text
     press(editor, "closeRecovery")
     move_point(editor, (2.0, 3.0))
@@ -468,7 +469,7 @@ def test_a_damaged_one_is_a_sentence_and_no_more(editor):
 
 def test_work_goes_on_behind_the_offer(editor):
     leave_behind()
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     editor.click((2.95, 3.3))
     editor.drag_point(0, to=(3.3, 3.6))
     assert editor.point(0) == pytest.approx((3.3, 3.6), abs=editor.pixel)
@@ -479,9 +480,9 @@ def test_nothing_is_cut_off_and_the_theme_is_followed(qtbot, tmp_path):
     editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"), size=(1024, 700))
     for _ in range(5):
         leave_behind()
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
-        editor.window.set_theme_mode(mode)
+        editor.window.store.change(theme_mode=mode)
         editor.settle()
         shown = bar(editor)
         assert editor.window.canvas.rect().contains(shown.geometry())
@@ -493,7 +494,7 @@ def test_nothing_is_cut_off_and_the_theme_is_followed(qtbot, tmp_path):
 
 def test_every_button_says_what_it_does(editor):
     leave_behind()
-    editor.window.offer_unsaved_work()
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
     buttons = bar(editor).findChildren(QAbstractButton)
     names = {each.objectName() for each in buttons if each.isVisible()}
     assert names == {"restoreWork0", "discardWork0", "laterWork0", "closeRecovery"}

@@ -13,7 +13,9 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import QUINTIC_HERMITE
 from app.features.clipboard.curve_clipboard import CURVES
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
+from app.features.import_export.commands import ExchangeCommands
 from app.tools.snapping import SnapKind, Snapping
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -60,7 +62,7 @@ def choose(editor, letters):
 
 
 def click_row(editor, row, keys=NO_KEYS, spot=Spot.NAME):
-    view = editor.window.curve_list.view
+    view = editor.window.commands[CurveListCommands].panel.view
     QTest.mouseClick(view.viewport(), LEFT, keys, spot_rect(view.row_rect(row), spot).center())
     editor.settle()
 
@@ -125,7 +127,7 @@ def test_shift_click_extends_from_the_edited_curve(five):
 
 
 def test_shift_and_arrows_extend_and_shrink(five):
-    view = five.window.curve_list.view
+    view = five.window.commands[CurveListCommands].panel.view
     view.setFocus()
     for key, expected in (
         ("Up", "BC"),
@@ -146,7 +148,7 @@ def test_shift_and_arrows_extend_and_shrink(five):
 def test_delete_in_the_list_deletes_all_that_are_chosen(five):
     choose(five, "BD")
     steps = five.session.undo_stack.count()
-    QTest.keyClick(five.window.curve_list.view, Qt.Key.Key_Delete)
+    QTest.keyClick(five.window.commands[CurveListCommands].panel.view, Qt.Key.Key_Delete)
     five.settle()
     assert names(five) == "ACE"
     assert (five.session.undo_stack.count(), five.session.undo_stack.undoText()) == (
@@ -156,7 +158,7 @@ def test_delete_in_the_list_deletes_all_that_are_chosen(five):
 
 
 def test_control_a_in_the_list_chooses_all_and_on_the_canvas_the_points(five):
-    view = five.window.curve_list.view
+    view = five.window.commands[CurveListCommands].panel.view
     view.setFocus()
     QTest.keyClick(view, Qt.Key.Key_A, CTRL)
     five.settle()
@@ -177,7 +179,7 @@ def test_the_actions_choose_all_and_one(five):
 
 def test_the_list_tells_a_screen_reader(five):
     choose(five, "BD")
-    model = five.window.curve_list.model
+    model = five.window.commands[CurveListCommands].panel.model
     told = [model.data(model.index_of(row), Qt.ItemDataRole.AccessibleTextRole) for row in (0, 1, 3)]
     assert [text.partition("points")[2] for text in told] == ["", ", chosen, edited", ", chosen"]
 
@@ -526,7 +528,7 @@ def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
 def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
     choose(five, "BC")
     five.window.preferences.grid_spacing = 0.3
-    five.window.apply_preferences()
+    five.window.store.read_preferences()
     five.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.GRID})))
     x, y = five.grip(1, 0)
     five.drag((x, y), (x + 0.62, y))
@@ -645,7 +647,7 @@ def test_what_is_not_dragged_is_not_painted_anew(five):
 
 
 def test_choosing_drops_no_row_drag(five):
-    view = five.window.curve_list.view
+    view = five.window.commands[CurveListCommands].panel.view
     place = spot_rect(view.row_rect(3), Spot.NAME).center()
     QTest.mousePress(view.viewport(), LEFT, CTRL, place)
     QTest.mouseMove(view.viewport(), QPoint(place.x(), 4))
@@ -702,7 +704,7 @@ def test_what_is_no_curve_on_the_clipboard_is_told(five):
 def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
     path = tmp_path / "drawing.svg"
     path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/><path d="M0 9L9 0"/></svg>')
-    five.window.import_file(path)
+    five.window.commands[ExchangeCommands].import_file(path)
     five.wait_for_work()
     QTest.mouseClick(five.window.findChild(QPushButton, "importDrawing"), LEFT)
     five.settle()
@@ -727,7 +729,7 @@ def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
 
 def test_chosen_rows_are_dragged_together(five):
     five.session.select_curves({1, 2}, 1)
-    view = five.window.curve_list.view
+    view = five.window.commands[CurveListCommands].panel.view
     start, end = view.row_rect(2).center(), view.row_rect(4).top()
     QTest.mousePress(view.viewport(), LEFT, pos=start)
     for y in (start.y() - 8, end - 1):

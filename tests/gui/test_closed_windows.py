@@ -41,7 +41,7 @@ def use(window):
     editor.escape()
     for name in ("preferences", "showShortcuts"):
         editor.trigger(name)
-    for dock in window.docks:
+    for dock in window.context.docks.side:
         dock.show()
     window.session.undo_stack.setClean()
 

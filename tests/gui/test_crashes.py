@@ -152,7 +152,7 @@ def test_the_same_fault_is_shown_once(guarded, qtbot):
 def test_a_fault_that_keeps_the_window_open_is_told_each_time(guarded, qtbot, qapp, monkeypatch):
     """It was told once; from then on the × did nothing, without a word."""
     guarded.drag_point(1, to=(2, 3))
-    monkeypatch.setattr(guarded.window._files, "may_discard", lambda: int("x"))
+    monkeypatch.setattr(guarded.window.context.files, "may_discard", lambda: int("x"))
     crashes = guarded.lifecycle.crashes
     for _ in range(3):
         assert not guarded.window.close()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from pixels import is_colour
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 
 from app.appearance.colours import CURVE_COLOURS, curve_colour
@@ -16,13 +16,14 @@ from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice
 from app.exchange.drawing.animation import Film
-from app.exchange.drawing.image import png_image
+from app.exchange.drawing.image import png_file
 from app.exchange.drawing.motion_frames import FrameMaker
 from app.exchange.drawing.styles import DARK as DARK_STYLE
 from app.exchange.drawing.styles import INK
 from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
 from app.features.import_export.export_dialog import ExportDialog
 from app.view_model.palette import adjustment_of, colour_on
@@ -105,7 +106,7 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     canvas = editor.window.canvas
     drawn = colour_on(theme.paper.name(), dim)
     assert drawn != dim
-    picture = png_image(document, Options(width=400, style=style))
+    picture = QImage.fromData(png_file(document, Options(width=400, style=style)).data)
     shot = canvas.viewport().grab().toImage()
     row = canvas.to_pixel(5.0, 5.0)
     # Not edited: thinner, but not mixed with the paper by 38 %, as it was.
@@ -120,7 +121,7 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     # It is told, in the list and before it is written.
     how = "lighter" if theme is DARK else "darker"
     editor.show_dock("curvesDock")
-    view = editor.window.curve_list.view
+    view = editor.window.commands[CurveListCommands].panel.view
     tip = view.tip_at(spot_rect(view.row_rect(1), Spot.SWATCH).center())
     assert f"drawn {how} than its {dim}" in tip
     assert how not in view.tip_at(spot_rect(view.row_rect(0), Spot.SWATCH).center())

@@ -15,8 +15,8 @@ from app.document.edits import EditError
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.session import Session
 from app.testing import Editor
-from app.window.connect import COMMAND_SETS, all_actions
 from app.window import MainWindow
+from app.window.connect import COMMAND_SETS, all_actions
 from app.window.shortcut_editor import ShortcutEditor
 from app.workbench.docks import LatePanel
 
@@ -112,7 +112,7 @@ def test_it_stands_in_its_menu_and_says_what_it_does(counting):
 
 
 def test_it_is_enabled_by_what_it_needs_and_done_by_its_key(counting, qtbot):
-    commands = counting.window._commands[CountingCommands]
+    commands = counting.window.commands[CountingCommands]
     held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
     qtbot.keyClick(counting.window.canvas, Qt.Key.Key_F7, held)
     assert commands.counted == []
@@ -127,7 +127,7 @@ def test_it_is_enabled_by_what_it_needs_and_done_by_its_key(counting, qtbot):
 
 
 def test_what_its_handler_refuses_stands_in_the_status_line(counting):
-    counting.window._commands[CountingCommands].refuses = True
+    counting.window.commands[CountingCommands].refuses = True
     counting.select([1])
     counting.trigger("countPoints")
     assert counting.window.status_line.text == "These points are not counted."
@@ -146,7 +146,7 @@ def test_the_menu_of_a_place_on_the_curve_has_what_is_declared_for_it(counting):
     at = tuple(counting.session.active_view.curve.evaluate(0.43))
     counting.open_menu(at)
     counting.choose("countHere")
-    (t,) = counting.window._commands[CountingCommands].counted
+    (t,) = counting.window.commands[CountingCommands].counted
     assert t == pytest.approx(0.43, abs=0.02)
 
 

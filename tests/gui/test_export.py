@@ -201,7 +201,7 @@ def test_cancelling_writes_and_remembers_nothing(editor, dialog, monkeypatch):
 def test_no_file_is_written_without_a_name(editor, dialog, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
     QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
 
 
 def test_the_look_follows_the_document(editor, dialog):

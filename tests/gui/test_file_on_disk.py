@@ -790,7 +790,7 @@ def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
 def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
     editor = Editor(qtbot, size=(1024, 700))
     editor.session.save(path)
-    editor.window.set_theme_mode(mode)
+    editor.window.store.change(theme_mode=mode)
     edit(editor)
     save(path, THEIRS)
     editor.trigger("saveDocument")
@@ -809,7 +809,7 @@ def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
     editor.window.message_bar.hide()
     editor.settle()
     assert bar.y() == 10
-    editor.window.set_theme_mode(ThemeMode.SYSTEM)
+    editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
 def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path):

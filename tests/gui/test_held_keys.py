@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMenuBar
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import HERMITE
+from app.features.reference_image.commands import ImageCommands
 
 Key = Qt.Key
 FLAGS = {
@@ -179,7 +180,7 @@ def test_the_picture_keeps_to_an_axis_at_once(arch, tmp_path):
     image = QImage(60, 80, QImage.Format.Format_RGB32)
     image.fill(QColor("#ff0000"))
     assert image.save(str(tmp_path / "red.png"))
-    arch.window.add_image(tmp_path / "red.png")
+    arch.window.commands[ImageCommands].trace(tmp_path / "red.png")
     arch.trigger("moveImage")
     assert arch.window.canvas.tools.tool.finds_image
     before = arch.session.document.image

@@ -63,7 +63,7 @@ def dialog_of(editor, name):
 
 def opened(editor, path, name="importTableDialog"):
     """The dialog of an import, when nothing is going on any more."""
-    editor.window.import_file(path)
+    editor.window.commands[ExchangeCommands].import_file(path)
     editor.wait_for_work()
     dialog = dialog_of(editor, name)
     assert dialog is not None, editor.message
@@ -400,7 +400,10 @@ def test_many_rows_are_thinned_out_unless_the_person_wants_them_all(editor, tmp_
 
 def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monkeypatch):
     # The dialog first: its imports, should they be the first, must find the limit as it is.
-    for name in ("panels.import_table_dialog.MOST_POINTS", "exchange.table.thinning.MOST_KEPT"):
+    for name in (
+        "features.import_export.import_table_dialog.MOST_POINTS",
+        "exchange.table.thinning.MOST_KEPT",
+    ):
         monkeypatch.setattr(f"app.{name}", 400)
     x, y = np.linspace(0, 1, 2_000), np.random.default_rng(3).uniform(-0.02, 0.02, 2_000)
     rows = "\n".join(map("{:.6f},{:.6f}".format, x.tolist(), y.tolist()))
@@ -527,7 +530,7 @@ def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
 
 @pytest.mark.usefixtures("drawings_read_here")
 def test_our_own_svg_comes_back_as_the_same_curves(editor, tmp_path):
-    editor.window.export_file(tmp_path / "out.svg")
+    editor.window.commands[ExchangeCommands].export(tmp_path / "out.svg")
     editor.wait_for_work()
     press(opened(editor, tmp_path / "out.svg", "importDrawingDialog"), "importDrawing")
     original, copy = (view_of(curve).curve for curve in editor.session.document.curves)
@@ -562,7 +565,7 @@ def test_another_document_comes_in_too(editor, tmp_path):
 @pytest.mark.usefixtures("drawings_read_here")
 def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reason):
     before = editor.session.document
-    editor.window.import_file(write(tmp_path / name, content))
+    editor.window.commands[ExchangeCommands].import_file(write(tmp_path / name, content))
     editor.wait_for_work()
     assert editor.message.count(name) == 1
     assert reason in editor.message
@@ -570,7 +573,7 @@ def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reaso
 
 
 def test_a_file_that_is_not_there(editor, tmp_path):
-    editor.window.import_file(tmp_path / "gone.csv")
+    editor.window.commands[ExchangeCommands].import_file(tmp_path / "gone.csv")
     editor.wait_for_work()
     assert "gone.csv" in editor.message
 
@@ -601,7 +604,8 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     assert [len(curve.points) for curve in editor.session.document.curves] == [0]
     assert not editor.session.is_modified
     assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
-    editor.window.import_file(path)  # and one that is read for a document that has gone
+    # And one that is read for a document that has gone.
+    editor.window.commands[ExchangeCommands].import_file(path)
     editor.new()
     editor.wait_for_work()
     editor.settle()
@@ -645,8 +649,8 @@ def until_collected():
 
 def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     before, height = editor.session.document, editor.window.canvas.height()
-    editor.window.import_file(busy)
-    assert editor.window.jobs.is_busy
+    editor.window.commands[ExchangeCommands].import_file(busy)
+    assert editor.window.context.work.jobs.is_busy
     bar = shown_bar(editor)
     assert bar.text == "Reading busy.svg"
     # It is no higher than what stands beside it: the drawing stays where it is (it lost two pixels).
@@ -660,7 +664,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     editor.select_point(0)
     assert editor.session.selected == 0
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
     assert not bar.isVisible()
     assert editor.status == "Reading busy.svg was stopped; nothing has changed."
     assert editor.session.document is before
@@ -668,12 +672,12 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
 
 
 def test_one_thing_at_a_time(editor, busy, tmp_path):
-    editor.window.import_file(busy)
-    editor.window.import_file(tmp_path / "other.csv")
+    editor.window.commands[ExchangeCommands].import_file(busy)
+    editor.window.commands[ExchangeCommands].import_file(tmp_path / "other.csv")
     assert editor.status == "Reading busy.svg is still going on; stop it first."
     shown_bar(editor)
     QTest.keyClick(editor.window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
     # And the next begins at once.
     write(tmp_path / "other.csv", "1,2\n3,4\n")
     opened(editor, tmp_path / "other.csv").close()
@@ -681,11 +685,11 @@ def test_one_thing_at_a_time(editor, busy, tmp_path):
 
 def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
-    editor.window._commands[ExchangeCommands].export(old, Options(own={"samples": 100_000}))
-    assert editor.window.jobs.is_busy
+    editor.window.commands[ExchangeCommands].export(old, Options(own={"samples": 100_000}))
+    assert editor.window.context.work.jobs.is_busy
     shown_bar(editor)
     editor.trigger("cancelWork")
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
     assert "nothing has changed" in editor.status
     until_collected()
     assert old.read_text(encoding="utf-8") == "mine"
@@ -693,19 +697,19 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
 
 
 def test_closing_the_window_drops_the_work(editor, busy):
-    editor.window.import_file(busy)
+    editor.window.commands[ExchangeCommands].import_file(busy)
     shown_bar(editor)
     editor.session.files.give_up_changes()
-    task = editor.window.jobs._task
+    task = editor.window.context.work.jobs._task
     assert editor.window.close()
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
     until_collected()
     assert not task.thread.is_alive()
     assert task.result is task.problem is None
 
 
 def test_closing_the_dialog_of_a_table_drops_the_work(editor, tmp_path):
-    editor.window.import_file(spiral(tmp_path / "spiral.csv", 200_000))
+    editor.window.commands[ExchangeCommands].import_file(spiral(tmp_path / "spiral.csv", 200_000))
     editor.wait_for_work()
     dialog = dialog_of(editor, "importTableDialog")
     assert dialog.jobs.is_busy
@@ -726,7 +730,7 @@ def test_very_many_rows_never_block_the_window(editor, tmp_path, record_property
     timer = QTimer(interval=1, timerType=Qt.TimerType.PreciseTimer)
     timer.timeout.connect(lambda: turns.append(time.thread_time()))
     timer.start()
-    editor.window.import_file(path)
+    editor.window.commands[ExchangeCommands].import_file(path)
     editor.wait_for_work()
     dialog = dialog_of(editor, "importTableDialog")
     settle(editor, dialog, 60)

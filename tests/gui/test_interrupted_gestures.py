@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
+from app.features.curve_list.commands import CurveListCommands
+from app.features.reference_image.commands import ImageCommands
 from app.window.command_palette import CommandPalette
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -81,7 +83,7 @@ def test_a_dialog_takes_a_drag_of_the_picture_back(arch, tmp_path):
     image = QImage(60, 80, QImage.Format.Format_RGB32)
     image.fill(QColor("#ff0000"))
     assert image.save(str(tmp_path / "red.png"))
-    arch.window.add_image(tmp_path / "red.png")
+    arch.window.commands[ImageCommands].trace(tmp_path / "red.png")
     arch.trigger("moveImage")
     before = arch.session.document.image
     arch.press((before.x + before.width / 2, before.y + before.height / 2))
@@ -124,7 +126,7 @@ def test_a_dialog_ends_panning(arch):
 def test_a_dialog_takes_the_drag_of_a_row_back(arch):
     arch.trigger("duplicateCurve")
     arch.show_dock("curvesDock")
-    document, view = arch.session.document, arch.window.curve_list.view
+    document, view = arch.session.document, arch.window.commands[CurveListCommands].panel.view
     start, end = (view.row_rect(row).center() for row in (0, 1))
     left = Qt.MouseButton.LeftButton
     QTest.mousePress(view.viewport(), left, pos=start)

@@ -7,6 +7,7 @@ from fingerprint import Fingerprint, differences
 from PySide6.QtWidgets import QLabel
 
 from app.families import HERMITE
+from app.features.lessons.commands import LessonCommands
 
 
 def test_what_is_planted_is_found(editor, monkeypatch):
@@ -49,7 +50,7 @@ def test_what_is_planted_is_found(editor, monkeypatch):
 _WAYS = {
     "another family": lambda editor: editor.choose_family(HERMITE),
     "a dark theme": lambda editor: editor.trigger("themeDark"),
-    "a lesson": lambda editor: editor.window.open_lesson("01_basis_functions"),
+    "a lesson": lambda editor: editor.window.commands[LessonCommands].open("01_basis_functions"),
     "a motion": lambda editor: editor.trigger("playMotion"),
     "a palette": lambda editor: editor.find_command("fit"),
     "a press": lambda editor: editor.press((1.0, 1.0)),

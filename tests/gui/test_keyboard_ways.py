@@ -11,6 +11,7 @@ from shiboken6 import Shiboken
 
 from app.actions.mnemonics import plain, with_mnemonics
 from app.appearance.theme import theme_of
+from app.features.curve_list.commands import CurveListCommands
 from app.features.lessons.panel import LessonPanel
 from app.window.focus_commands import first_in
 
@@ -81,7 +82,7 @@ def test_f6_walks_every_panel_in_sight_and_back(editor):
     window = editor.window
     window.activateWindow()
     window.canvas.setFocus()
-    seen = [dock for dock in window.docks if not dock.visibleRegion().isEmpty()]
+    seen = [dock for dock in window.context.docks.side if not dock.visibleRegion().isEmpty()]
     assert len(seen) == 2
     round_trip = [window.basis_panel, *seen, window.toolbar, window.canvas]
     for panel in round_trip:
@@ -152,8 +153,8 @@ def test_escape_leaves_a_panel_for_the_canvas_and_then_steps_back(editor):
     QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
     assert not editor.session.selection
     editor.show_dock("curvesDock")
-    window.curve_list.view.setFocus()
-    QTest.keyClick(window.curve_list.view, Qt.Key.Key_Escape)
+    window.commands[CurveListCommands].panel.view.setFocus()
+    QTest.keyClick(window.commands[CurveListCommands].panel.view, Qt.Key.Key_Escape)
     assert window.canvas.hasFocus()
 
 

@@ -56,7 +56,7 @@ def lab(editor, quick, qtbot):
 
 
 def commands(editor):
-    return editor.window._commands[LaboratoryCommands]
+    return editor.window.commands[LaboratoryCommands]
 
 
 def settled(editor, qtbot):

@@ -34,13 +34,13 @@ def test_a_large_document_is_opened_beside_the_window(editor, large, qtbot):
     """The window's thread made each view and flattened it: frozen for 3.9 s with 5,000 curves."""
     told = []
     before = editor.session.document
-    editor.window.jobs.progressed.connect(lambda share, word: told.append((share, word)))
+    editor.window.context.work.jobs.progressed.connect(lambda share, word: told.append((share, word)))
     editor.window.open_file(large)
-    assert editor.window.jobs.is_busy
+    assert editor.window.context.work.jobs.is_busy
     assert editor.session.document is before
     qtbot.waitUntil(editor.action("cancelWork").isEnabled)
     editor.trigger("cancelWork")
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
     assert editor.session.document is before
     assert "Opening many.curve.json was stopped; nothing has changed." in editor.status
 
@@ -69,7 +69,7 @@ def test_a_large_document_named_at_the_start_is_read_beside_its_window(large, tm
     for window in windows:
         qtbot.addWidget(window)
         assert window.isVisible()
-        assert window.jobs.is_busy
+        assert window.context.work.jobs.is_busy
         assert window.session.path is None
     first, second = map(Editor.on, windows)
     second.wait_for_work()

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+from app.features.lessons.commands import LessonCommands
 from app.features.lessons.lesson import LessonError, lesson_names, load_lesson, parse_lesson
 from app.panels.basis_layers import rail_height
 from app.session import Session
@@ -26,8 +27,8 @@ from app.view_model.analysis.overlays.ensemble import COUNT
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
 from app.view_model.goals import standing_of
-from app.window.connect import all_actions
 from app.window import MainWindow
+from app.window.connect import all_actions
 
 NAMES = lesson_names()
 NAMED = {each.name for each in all_actions()}
@@ -56,7 +57,7 @@ def click(qtbot, widget):
 
 def open_step(editor, qtbot, name, number):
     """Open a lesson and press Next so often."""
-    editor.window.open_lesson(name)
+    editor.window.commands[LessonCommands].open(name)
     for _ in range(number):
         click(qtbot, find(editor, QPushButton, "lessonNext"))
 
@@ -78,7 +79,7 @@ def test_a_lesson_is_chosen_stepped_through_and_left(editor, qtbot):
     click(qtbot, find(editor, QPushButton, "lessonGallery"))
     assert find(editor, QPushButton, "lesson1").isVisible()
     editor.trigger("toggleLessons")
-    assert not editor.window.lessons_dock.isVisible()
+    assert not editor.window.context.docks["lessonsDock"].isVisible()
 
 
 def test_a_goal_ticks_when_the_curve_meets_it_and_stays_ticked(editor, qtbot):
@@ -101,7 +102,7 @@ def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
 
 
 def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbot):
-    editor.window.open_lesson("01_basis_functions")
+    editor.window.commands[LessonCommands].open("01_basis_functions")
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert editor.session.scrub is not None
     click(qtbot, find(editor, QPushButton, "lessonNext"))
@@ -292,7 +293,7 @@ def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
 def test_work_is_kept_whatever_is_opened_next(editor, qtbot):
     """From the list of lessons, which asked with a dialog; an example; and the same lesson begun again."""
     session = editor.session
-    editor.window.open_lesson("08_cost")
+    editor.window.commands[LessonCommands].open("08_cost")
 
     def from_the_list():
         click(qtbot, find(editor, QPushButton, "lessonGallery"))
@@ -319,8 +320,8 @@ def test_work_is_kept_whatever_is_opened_next(editor, qtbot):
 
 
 def test_a_lesson_that_nothing_was_done_in_leaves_no_trace(editor, qtbot):
-    editor.window.open_lesson("08_cost")
-    editor.window.open_lesson("07_cubic_or_quintic")
+    editor.window.commands[LessonCommands].open("08_cost")
+    editor.window.commands[LessonCommands].open("07_cubic_or_quintic")
     assert editor.session.undo_stack.count() == 0
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     click(qtbot, find(editor, QPushButton, "lessonAgain"))
@@ -330,12 +331,12 @@ def test_a_lesson_that_nothing_was_done_in_leaves_no_trace(editor, qtbot):
 
 def test_a_lesson_begins_with_a_clear_desk(editor, qtbot):
     """What lesson 5 and 6 had switched on used to stay on in lesson 8."""
-    editor.window.open_lesson("06_errors_along_t")
+    editor.window.commands[LessonCommands].open("06_errors_along_t")
     editor.window.analysis.set_value(COUNT, 7)
     editor.window.analysis.change(laboratory=LaboratorySettings(on=True, shift=100.0))
     editor.trigger("overlayEnsemble")
     editor.drag_point(1, to=(1.2, 1.5))
-    editor.window.open_lesson("01_basis_functions")
+    editor.window.commands[LessonCommands].open("01_basis_functions")
     assert editor.window.analysis.settings == AnalysisSettings()
     assert not editor.action("toggleLaboratory").isChecked()
     assert not editor.action("plotErrors").isChecked()
@@ -343,10 +344,10 @@ def test_a_lesson_begins_with_a_clear_desk(editor, qtbot):
 
 
 def test_a_step_sets_the_numbers_it_speaks_of(editor, qtbot):
-    editor.window.open_lesson("04_decimal_accuracy")
+    editor.window.commands[LessonCommands].open("04_decimal_accuracy")
     laboratory = editor.window.analysis.settings.laboratory
     assert (laboratory.on, laboratory.digits, len(laboratory.methods)) == (True, 16, 5)
-    editor.window.open_lesson("05_sensitivity")
+    editor.window.commands[LessonCommands].open("05_sensitivity")
     assert editor.window.analysis.settings.value(POINT_ERROR) == 0.03
 
 
@@ -359,7 +360,7 @@ def test_the_end_of_a_lesson_leads_to_the_next(editor, qtbot):
 
 
 def test_another_document_ends_the_lesson(editor, qtbot):
-    editor.window.open_lesson("08_cost")
+    editor.window.commands[LessonCommands].open("08_cost")
     assert find(editor, QLabel, "lessonPlace").isVisible()
     editor.session.new()
     assert find(editor, QPushButton, "lesson1").isVisible()
@@ -372,7 +373,7 @@ def test_a_setting_that_is_none_is_refused(settings):
 
 
 def test_a_lesson_can_be_presented_with_its_laboratory_and_larger_type(editor, qtbot):
-    editor.window.open_lesson("04_decimal_accuracy")
+    editor.window.commands[LessonCommands].open("04_decimal_accuracy")
     editor.settle()
     text, slider = find(editor, QTextBrowser, "lessonText"), find(editor, QSlider, "digitsSlider")
     before = text.font().pointSizeF()
@@ -407,11 +408,11 @@ def test_a_start_with_a_lesson_shows_all_of_its_functions(qtbot, is_shown_first)
     qtbot.addWidget(window)
     if is_shown_first:
         window.show()
-    window.open_lesson("03_chord_length")
+    window.commands[LessonCommands].open("03_chord_length")
     window.show()
     qtbot.waitExposed(window)
     qtbot.waitUntil(lambda: not [each for each in window.children() if type(each).__name__ == "_FirstShow"])
-    assert window.lessons_dock.isVisible()
+    assert window.context.docks["lessonsDock"].isVisible()
     low, high = window.basis_panel.drawing.basis.extent(frozenset((0, 1, 2)))
     _, bottom, _, top = window.basis_panel.pixel_map.box
     assert low < -0.5

@@ -348,7 +348,7 @@ def export(editor, motion, path, **fields):
         box = dialog.findChild(kinds[name], name)
         box.selectAll()
         QTest.keyClicks(box, str(value))
-    stage = editor.window._commands[MotionCommands].stage
+    stage = editor.window.commands[MotionCommands].stage
     stage.export.ask_name = lambda _window, _start, _kinds: str(path)
     QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
 
@@ -356,8 +356,8 @@ def export(editor, motion, path, **fields):
 def test_a_motion_is_exported(editor, motion, qtbot, tmp_path):
     path = tmp_path / "film.gif"
     export(editor, motion, path, filmWidth=160, filmFps=10, filmSeconds=2)
-    assert editor.window.jobs.title == "Writing film.gif"
-    qtbot.waitUntil(lambda: not editor.window.jobs.is_busy)
+    assert editor.window.context.work.jobs.title == "Writing film.gif"
+    qtbot.waitUntil(lambda: not editor.window.context.work.jobs.is_busy)
     with Image.open(path) as film:
         assert (film.n_frames, film.width, film.info["duration"]) == (20, 160, 100)
     assert "Wrote film.gif, 20 frames." in editor.status
@@ -381,7 +381,7 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
     timer.timeout.connect(beat.set)
     timer.start()
     export(editor, motion, tmp_path / "film.apng", filmWidth=64, filmSeconds=1)
-    qtbot.waitUntil(lambda: not editor.window.jobs.is_busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not editor.window.context.work.jobs.is_busy, timeout=60_000)
     timer.stop()
     assert len(frames) > 10
     assert (tmp_path / "film.apng").exists()
@@ -390,7 +390,7 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
 @pytest.fixture
 def shown_at_once(editor):
     """Have the window show at once what takes long: while it waits the film is written in vain."""
-    patience = editor.window.jobs._patience
+    patience = editor.window.context.work.jobs._patience
     usual = patience.interval()
     patience.setInterval(0)
     yield
@@ -402,7 +402,7 @@ def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, qtbot,
     qtbot.waitUntil(lambda: editor.window.findChild(QToolButton, "cancelJobButton") is not None)
     stop = editor.window.findChild(QToolButton, "cancelJobButton")
     QTest.mouseClick(stop, LEFT)
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
     assert editor.status == "Writing film.gif was stopped; nothing has changed."
     assert not stop.isVisible()
     assert list(tmp_path.iterdir()) == []
@@ -410,7 +410,7 @@ def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, qtbot,
 
 def test_a_failed_export_says_why(editor, motion, qtbot, tmp_path):
     export(editor, motion, tmp_path / "no" / "film.gif", filmWidth=64, filmSeconds=1)
-    qtbot.waitUntil(lambda: not editor.window.jobs.is_busy)
+    qtbot.waitUntil(lambda: not editor.window.context.work.jobs.is_busy)
     assert editor.message.startswith("film.gif was not written. The folder of")
 
 
@@ -419,7 +419,7 @@ def test_closing_the_window_ends_the_export(editor, motion, tmp_path):
     editor.session.files.give_up_changes()
     editor.window.close()
     assert list(tmp_path.iterdir()) == []
-    assert not editor.window.jobs.is_busy
+    assert not editor.window.context.work.jobs.is_busy
     assert not [each for each in threading.enumerate() if each.name == "work"]
 
 

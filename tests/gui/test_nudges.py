@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.document.model import Document, make_curve
+from app.features.history.commands import HistoryCommands
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 RIGHT, LEFT, UP = Qt.Key.Key_Right, Qt.Key.Key_Left, Qt.Key.Key_Up
@@ -33,7 +34,7 @@ def arch(editor):
 
 def history(editor):
     """The rows of the history panel."""
-    model = editor.window.history.view.model()
+    model = editor.window.commands[HistoryCommands].panel.view.model()
     return [model.data(model.index(row, 0)) for row in range(1, model.rowCount())]
 
 

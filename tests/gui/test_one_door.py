@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDockWidget, QLabel, QLineEdit, QStyle, QStyleOptionSlider
+from PySide6.QtWidgets import QDockWidget, QLabel, QLineEdit, QSlider, QStyle, QStyleOptionSlider
 
 from app.document import edits
 from app.document.model import (
@@ -20,6 +20,7 @@ from app.document.model import (
 )
 from app.document.several_curves import with_looks
 from app.families import HERMITE, LAGRANGE
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot
 from app.features.point_table.delegate import CellEditor
 from app.storage.format import FormatError, validate
@@ -143,7 +144,7 @@ def test_del_in_the_list_takes_no_preview_along(two):
     before = two.session.committed
     two.select([1, 2])
     under_g(two)
-    view = two.window.curve_list.view
+    view = two.window.commands[CurveListCommands].panel.view
     view.setFocus()
     QTest.keyClick(view, Qt.Key.Key_Delete)
     assert two.session.document.curves == (before.curves[1],)
@@ -153,7 +154,7 @@ def test_del_in_the_list_takes_no_preview_along(two):
 
 def press_alpha(editor):
     """Take hold of the handle of the α slider and drag it to its middle."""
-    slider = editor.window.parametrization_bar.slider
+    slider = editor.window.findChild(QSlider, "alphaSlider")
     option = QStyleOptionSlider()
     slider.initStyleOption(option)
     handle = slider.style().subControlRect(

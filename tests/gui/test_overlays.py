@@ -296,7 +296,7 @@ def test_legend_and_dock_change_with_the_theme(dock):
     editor = dock
     editor.trigger("overlayBand")
     for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
-        editor.window.set_theme_mode(mode)
+        editor.window.store.change(theme_mode=mode)
         editor.settle()
         shown = editor.window.canvas.drawing.annotations.legend
         image = shown.grab().toImage()

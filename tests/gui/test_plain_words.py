@@ -26,6 +26,9 @@ from app.actions.mnemonics import plain
 from app.document.edits import rename_curve
 from app.document.model import Document, ReferenceImage, make_curve
 from app.families import HERMITE
+from app.features.curve_list.commands import CurveListCommands
+from app.features.import_export.commands import ExchangeCommands
+from app.features.point_table.commands import PointTableCommands
 from app.features.recovery.bar import RecoveryBar
 from app.features.recovery.offers import Offer
 from app.storage.files import save
@@ -135,10 +138,10 @@ def test_names_and_messages_are_shown_as_they_are(planted):
     planted.settle()
     check("Label messageText")
     check("Label imageFile", "tip of Label imageFile")
-    table = window.table_panel
+    table = window.commands[PointTableCommands].panel
     table.model.refused.emit(f"{NAME} is no number.")
     check("Label pointTableMessage")
-    rows = window.curve_list.view
+    rows = window.commands[CurveListCommands].panel.view
     place = rows.row_rect(0).center()
     QApplication.sendEvent(rows.viewport(), QHelpEvent(QEvent.Type.ToolTip, place, rows.mapToGlobal(place)))
     assert f"“{NAME}”" in tip_shows(QToolTip.text())
@@ -170,7 +173,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
         '<svg><style>.a{}</style><text/><path id="&lt;b>x&lt;/b>" d="M0 0L0 0"/><path d="M0 0L1 1"/></svg>',
         encoding="utf-8",
     )
-    planted.window.import_file(drawing)
+    planted.window.commands[ExchangeCommands].import_file(drawing)
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importDrawingDialog")
     remarks = dialog.findChild(QLabel, "importRemarks")
@@ -183,7 +186,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     table = tmp_path / "a.csv"
     table.write_text(f"x;y\n1;2\n3;{SHORT} is too long for its cell\n", encoding="utf-8")
-    planted.window.import_file(table)
+    planted.window.commands[ExchangeCommands].import_file(table)
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importTableDialog")
     while dialog.jobs.is_busy:

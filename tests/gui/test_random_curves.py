@@ -54,7 +54,7 @@ def test_undo_and_redo_are_exact(editor, seed, monkeypatch):
     choose, session = random.Random(seed), editor.session
     if seed:
         # Once with all panels; to draw them anew after every step takes longer than the steps.
-        for dock in editor.window.docks:
+        for dock in editor.window.context.docks.side:
             dock.close()
     editor.new()
     stack = session.undo_stack

@@ -18,6 +18,7 @@ from app.canvas.image_file import ImageFileError, read_image
 from app.canvas.page_image import inverted_lightness
 from app.document.image_edits import set_image
 from app.document.model import Document, make_curve
+from app.features.reference_image.commands import ImageCommands
 from app.storage.files import load
 from app.testing import Editor
 
@@ -32,7 +33,7 @@ def picture(path, width=60, height=80, colour="#ff0000"):
 @pytest.fixture
 def traced(editor, tmp_path):
     """An editor with a red picture to trace."""
-    editor.window.add_image(picture(tmp_path / "red.png"))
+    editor.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
     editor.settle()
     return editor
 
@@ -42,7 +43,7 @@ def image_of(editor):
 
 
 def panel_of(editor):
-    return editor.window.image_panel
+    return editor.window.commands[ImageCommands].panel
 
 
 def strip_at(editor, place, reach=0):
@@ -75,23 +76,23 @@ def test_it_is_added_in_the_middle_with_its_aspect_and_undone(traced):
     assert image.width / image.height == pytest.approx(60 / 80)
     x_min, y_min, x_max, y_max = traced.window.canvas.pixel_map.box
     assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2), abs=traced.pixel)
-    assert traced.window.image_dock.isVisible()
+    assert traced.window.context.docks["imageDock"].isVisible()
     assert traced.session.undo_stack.undoText() == "Add image"
     traced.trigger("undo")
     assert image_of(traced) is None
-    assert not traced.window.image_dock.isVisible()
+    assert not traced.window.context.docks["imageDock"].isVisible()
     traced.trigger("redo")
     assert image_of(traced) == image
-    assert traced.window.image_dock.isVisible()
+    assert traced.window.context.docks["imageDock"].isVisible()
 
 
 @pytest.mark.parametrize("name", ["curveDock", "jointsDock", "analysisDock"])
 def test_the_tab_that_was_in_front_comes_back_when_it_goes(editor, tmp_path, name):
     editor.show_dock(name)
     dock = editor.window.findChild(QDockWidget, name)
-    editor.window.add_image(picture(tmp_path / "red.png"))
+    editor.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
     editor.settle()
-    assert not editor.window.image_dock.visibleRegion().isEmpty()
+    assert not editor.window.context.docks["imageDock"].visibleRegion().isEmpty()
     editor.trigger("undo")
     assert not dock.visibleRegion().isEmpty()
     editor.trigger("redo")
@@ -125,7 +126,7 @@ def page(path):
 
 def test_a_page_lies_dark_on_dark_paper_and_its_colours_stay(editor, tmp_path):
     editor.new()
-    editor.window.add_image(page(tmp_path / "page.png"))
+    editor.window.commands[ImageCommands].trace(page(tmp_path / "page.png"))
     editor.trigger("toggleGrid")
     image = image_of(editor)
 
@@ -148,7 +149,7 @@ def test_a_page_lies_dark_on_dark_paper_and_its_colours_stay(editor, tmp_path):
 
 
 def test_a_photograph_is_no_page(editor, tmp_path):
-    editor.window.add_image(picture(tmp_path / "grey.png", colour="#808080"))
+    editor.window.commands[ImageCommands].trace(picture(tmp_path / "grey.png", colour="#808080"))
     editor.trigger("themeDark")
     place = (image_of(editor).x + 0.07, image_of(editor).y + 0.07)
     background = theme_of(editor.window.palette()).paper
@@ -283,13 +284,13 @@ def test_choosing_a_tool_gives_the_mouse_back_to_the_points(traced, tool):
 def test_a_long_name_never_widens_the_window(qtbot, tmp_path):
     editor = Editor(qtbot, size=(1024, 700))
     path = picture(tmp_path / f"{'x' * 120}.png")
-    editor.window.add_image(path)
+    editor.window.commands[ImageCommands].trace(path)
     editor.session.save(tmp_path / "a.curve.json")
     path.unlink()
     editor.window.open_file(tmp_path / "a.curve.json")
     editor.settle()
     assert editor.window.width() == 1024
-    assert editor.window.image_dock.width() < 400
+    assert editor.window.context.docks["imageDock"].width() < 400
 
 
 def test_a_locked_one_stays(traced):
@@ -340,14 +341,14 @@ def test_removing_it(traced):
     traced.trigger("moveImage")
     traced.trigger("removeImage")
     assert image_of(traced) is None
-    assert not traced.window.image_dock.isVisible()
+    assert not traced.window.context.docks["imageDock"].isVisible()
     assert not traced.window.canvas.tools.tool.finds_image
     traced.trigger("undo")
     assert image_of(traced) is not None
 
 
 def test_the_panel_follows_the_side_panel_and_the_presentation(traced):
-    dock = traced.window.image_dock
+    dock = traced.window.context.docks["imageDock"]
     traced.trigger("toggleSidePanel")
     assert not dock.isVisible()
     traced.trigger("toggleSidePanel")
@@ -401,7 +402,7 @@ def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):
     assert len(traced.curve.points) == 8
     assert panel_of(traced).findChild(QLabel, "imageProblem").isVisible()
     traced.screenshot()
-    traced.window.find_image(tmp_path / "moved.jpg")
+    traced.window.commands[ImageCommands].find(tmp_path / "moved.jpg")
     assert traced.message == ""
     assert panel_of(traced).findChild(QLabel, "imageProblem").isHidden()
     found = image_of(traced)
@@ -452,7 +453,7 @@ def test_a_huge_picture_is_refused_before_it_is_decoded(editor, tmp_path):
     path = tmp_path / "huge.png"
     path.write_bytes(png_header(50_000, 40_000))
     document = editor.session.document
-    editor.window.add_image(path)
+    editor.window.commands[ImageCommands].trace(path)
     assert "50000 × 40000 pixels" in editor.message
     assert editor.session.document is document
 
@@ -502,7 +503,7 @@ def test_a_file_is_read_once_however_often_it_is_moved(traced, monkeypatch):
 
 def test_far_zooms_draw_without_complaint(qtbot, tmp_path):
     editor = Editor(qtbot)
-    editor.window.add_image(picture(tmp_path / "red.png", 300, 400))
+    editor.window.commands[ImageCommands].trace(picture(tmp_path / "red.png", 300, 400))
     editor.trigger("moveImage")
     for notches in (-60, 110, -100):
         # Where the picture is in the end, far out of sight.
@@ -516,7 +517,7 @@ def test_far_zooms_draw_without_complaint(qtbot, tmp_path):
 )
 def test_a_new_picture_lies_at_short_numbers(editor, tmp_path, box):
     editor.window.canvas.camera.show_box(*box)
-    editor.window.add_image(picture(tmp_path / "red.png"))
+    editor.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
     image = image_of(editor)
     for value in (image.x, image.y):
         assert float(f"{value:.6g}") == value
@@ -534,7 +535,7 @@ def greys_across(editor, place, reach=5):
 
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
 def test_a_curve_that_is_not_edited_is_seen_on_a_grey_picture(editor, tmp_path, mode):
-    editor.window.set_theme_mode(mode)
+    editor.window.store.change(theme_mode=mode)
     level = make_curve([(0.0, 1.0), (4.0, 1.0)], name="Level")
     slope = make_curve([(0.0, 0.0), (4.0, 3.0)], name="Slope")
     editor.session.commit(Document((level, slope)), "Begin", active=1)
@@ -543,7 +544,7 @@ def test_a_curve_that_is_not_edited_is_seen_on_a_grey_picture(editor, tmp_path, 
     before = greys_across(editor, place)
     session = editor.session
     for grey in ("808080", "a0a0a0", "606060"):
-        editor.window.add_image(picture(tmp_path / f"{grey}.png", 400, 400, f"#{grey}"))
+        editor.window.commands[ImageCommands].trace(picture(tmp_path / f"{grey}.png", 400, 400, f"#{grey}"))
         large = replace(image_of(editor), x=-20.0, y=-20.0, width=40.0, height=40.0, opacity=0.86)
         session.commit(set_image(session.document, large), "Enlarge")
         across = greys_across(editor, place)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLabel, QLineEdit
 from app.appearance.theme import DARK, LIGHT, ThemeMode
 from app.document.model import Document, make_curve
 from app.families import HERMITE
+from app.features.curve_list.commands import CurveListCommands
 
 CTRL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 KEYPAD = Qt.KeyboardModifier.KeypadModifier
@@ -59,7 +60,7 @@ def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expecte
 
 def test_they_say_so_from_the_panels_too(line):
     line.show_dock("curvesDock")
-    view = line.window.curve_list.view
+    view = line.window.commands[CurveListCommands].panel.view
     view.setFocus()
     QTest.keyClick(view, Qt.Key.Key_J, CTRL)
     assert line.status == "“Join Curve End to Start” needs a second curve."
@@ -120,7 +121,7 @@ def test_what_has_no_need_says_a_plain_sentence(line):
 
 @pytest.mark.parametrize(("mode", "theme"), [(ThemeMode.LIGHT, LIGHT), (ThemeMode.DARK, DARK)])
 def test_a_refusal_has_a_sign_and_the_colour_of_warnings(line, mode, theme):
-    line.window.set_theme_mode(mode)
+    line.window.store.change(theme_mode=mode)
     line.session.say("Copied 3 points.")
     line.settle()
     assert label(line).text() == "Copied 3 points."

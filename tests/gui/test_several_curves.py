@@ -10,9 +10,10 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.document.curve_edits import set_colour
 from app.document.model import Document, make_curve
+from app.document.several_curves import with_looks
 from app.families import HERMITE, LAGRANGE
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
 from app.view_model import flattener
 
@@ -39,14 +40,18 @@ def names(editor):
     return "".join(curve.name for curve in editor.session.document.curves)
 
 
+def list_of(editor):
+    return editor.window.commands[CurveListCommands].panel
+
+
 def row_place(editor, row, spot=Spot.NAME):
-    view = editor.window.curve_list.view
+    view = list_of(editor).view
     return spot_rect(view.row_rect(row), spot).center()
 
 
 def drag_row(editor, row, y, *, release=True):
     """Drag a row to a height in the list's viewport."""
-    port = editor.window.curve_list.view.viewport()
+    port = list_of(editor).view.viewport()
     start = row_place(editor, row)
     QTest.mousePress(port, LEFT, pos=start)
     for share in (0.3, 0.7, 1.0):
@@ -66,11 +71,11 @@ def test_a_click_in_the_list_edits_another_curve(three):
     assert three.curve.name == "C"
     assert three.session.selection == frozenset()
     assert three.window.point_table.model().rowCount() == 4
-    assert three.window.curve_list.view.active == 2
+    assert list_of(three).view.active == 2
 
 
 def test_arrows_walk_the_list(three):
-    view = three.window.curve_list.view
+    view = list_of(three).view
     view.setFocus()
     for key, expected in ((Qt.Key.Key_Up, "C"), (Qt.Key.Key_Up, "C"), (Qt.Key.Key_Down, "B")):
         QTest.keyClick(view, key)
@@ -187,8 +192,8 @@ def test_a_colour_is_chosen_from_the_palette_by_keys(three):
 
 
 def test_a_copy_has_the_next_colour_that_is_free(three):
-    three.session.commit(set_colour(three.session.document, 1, "#0072b2"), "Blue")
-    three.session.commit(set_colour(three.session.document, 0, "#d55e00"), "Vermillion")
+    three.session.commit(with_looks(three.session.document, {1}, colour="#0072b2"), "Blue")
+    three.session.commit(with_looks(three.session.document, {0}, colour="#d55e00"), "Vermillion")
     three.session.activate(1)
     three.trigger("duplicateCurve")
     assert three.curve.colour == "#009e73"
@@ -220,7 +225,7 @@ def test_escape_leaves_the_palette_and_the_colour(three):
 
 @pytest.mark.parametrize("how", ["double click", "F2", "menu"])
 def test_a_name_is_edited_in_place(three, how):
-    view = three.window.curve_list.view
+    view = list_of(three).view
     if how == "double click":
         QTest.mouseDClick(view.viewport(), LEFT, pos=row_place(three, 1))
     elif how == "F2":
@@ -239,7 +244,7 @@ def test_a_name_is_edited_in_place(three, how):
 
 def test_escape_leaves_the_name_as_it_was(three):
     three.trigger("renameCurve")
-    editor = three.window.curve_list.view.viewport().findChild(object, "curveNameEditor")
+    editor = list_of(three).view.viewport().findChild(object, "curveNameEditor")
     three.type_text(editor, "No")
     QTest.keyClick(editor, Qt.Key.Key_Escape)
     three.settle()
@@ -248,7 +253,7 @@ def test_escape_leaves_the_name_as_it_was(three):
 
 
 def test_an_empty_name_is_refused(three):
-    model = three.window.curve_list.model
+    model = list_of(three).model
     assert not model.setData(model.index_of(0), "  ")
     assert three.status == "A curve needs a name."
     assert names(three) == "ABC"
@@ -256,7 +261,7 @@ def test_an_empty_name_is_refused(three):
 
 @pytest.mark.parametrize(("row", "after", "expected"), [(0, 2, "BCA"), (2, 0, "CAB"), (0, 1, "BAC")])
 def test_a_row_is_dragged_to_another_place(three, row, after, expected):
-    rect = three.window.curve_list.view.row_rect(after)
+    rect = list_of(three).view.row_rect(after)
     drag_row(three, row, rect.top() if after > row else rect.bottom())
     assert names(three) == expected
     assert three.curve.name == "ABC"[row]
@@ -265,7 +270,7 @@ def test_a_row_is_dragged_to_another_place(three, row, after, expected):
 
 
 def test_escape_takes_back_the_drag_of_a_row(three):
-    view = three.window.curve_list.view
+    view = list_of(three).view
     drag_row(three, 0, view.row_rect(2).top(), release=False)
     assert view.is_dragging
     QTest.keyClick(view, Qt.Key.Key_Escape)
@@ -276,7 +281,7 @@ def test_escape_takes_back_the_drag_of_a_row(three):
 
 
 def test_a_row_dropped_where_it_was_changes_nothing(three):
-    rect = three.window.curve_list.view.row_rect(1)
+    rect = list_of(three).view.row_rect(1)
     drag_row(three, 1, rect.top() + rect.height() // 3 + 12)
     assert three.session.undo_stack.undoText() == "Begin"
 
@@ -293,18 +298,22 @@ def test_keys_move_a_curve_in_the_order(three):
 
 
 def test_the_curve_in_front_is_at_the_top_and_raise_goes_up(three):
-    view = three.window.curve_list.view
+    view = list_of(three).view
     tops = [view.row_rect(place).top() for place in range(3)]
     assert tops == sorted(tops, reverse=True)
-    assert three.window.curve_list.model.index(0).data() == "C"
+    assert list_of(three).model.index(0).data() == "C"
     three.trigger("raiseCurve")
-    assert [three.window.curve_list.model.index(row).data() for row in range(3)] == ["B", "C", "A"]
+    assert [list_of(three).model.index(row).data() for row in range(3)] == [
+        "B",
+        "C",
+        "A",
+    ]
     assert view.row_rect(three.session.active_index).top() == 0
     assert not three.action("raiseCurve").isEnabled()
 
 
 def test_a_copy_and_a_new_curve_stand_right_above(three):
-    model = three.window.curve_list.model
+    model = list_of(three).model
     three.trigger("duplicateCurve")
     assert [model.index(row).data() for row in range(4)] == ["C", "B copy", "B", "A"]
     three.trigger("undo")
@@ -316,7 +325,7 @@ def test_a_copy_and_a_new_curve_stand_right_above(three):
 def test_delete_in_the_list_deletes_the_curve_and_not_its_points(three, key):
     three.click_in_list(0)
     three.select([1, 2])
-    QTest.keyClick(three.window.curve_list.view, key)
+    QTest.keyClick(list_of(three).view, key)
     three.settle()
     assert names(three) == "BC"
     assert three.session.undo_stack.undoText() == "Delete A"
@@ -326,7 +335,7 @@ def test_delete_in_the_list_deletes_the_curve_and_not_its_points(three, key):
 
 
 def test_delete_while_a_name_is_typed_is_for_the_name(three):
-    view = three.window.curve_list.view
+    view = list_of(three).view
     view.setFocus()
     QTest.keyClick(view, Qt.Key.Key_F2)
     editor = view.viewport().findChild(object, "curveNameEditor")
@@ -340,7 +349,7 @@ def test_delete_while_a_name_is_typed_is_for_the_name(three):
 
 
 def test_every_part_of_a_row_says_what_a_click_does(three):
-    view = three.window.curve_list.view
+    view = list_of(three).view
     tips = [view.tip_at(row_place(three, 1, spot)) for spot in Spot]
     assert tips == [
         "Choose the colour of “B”",
@@ -353,12 +362,12 @@ def test_every_part_of_a_row_says_what_a_click_does(three):
 
 def test_the_list_is_read_aloud(three):
     three.click_in_list(1, Spot.LOCK)
-    model = three.window.curve_list.model
+    model = list_of(three).model
     assert model.data(model.index_of(1), Qt.ItemDataRole.AccessibleTextRole) == "B, Hermite, 4 points, locked"
 
 
 def test_the_menu_of_a_row_is_for_that_curve(three):
-    port, place = three.window.curve_list.view.viewport(), row_place(three, 2)
+    port, place = list_of(three).view.viewport(), row_place(three, 2)
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
     QApplication.sendEvent(port, event)
     three.settle()

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
+from app.features.reference_image.commands import ImageCommands
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing import wait_for_rest
@@ -47,7 +48,7 @@ def in_sight(editor, low, high):
 
 def test_fit_shows_the_picture_while_there_are_no_points(editor, picture):
     editor.new()
-    editor.window.add_image(picture)
+    editor.window.commands[ImageCommands].trace(picture)
     image = editor.session.document.image
     corners = (image.x, image.y), (image.x + image.width, image.y + image.height)
     editor.window.canvas.camera.show_box((1000, 1010), (1000, 1010))
@@ -117,7 +118,7 @@ def test_the_first_words_fit_the_tool(editor):
 
 def test_a_missing_picture_is_said_before_the_first_words(editor, picture, tmp_path):
     editor.new()
-    editor.window.add_image(picture)
+    editor.window.commands[ImageCommands].trace(picture)
     path = tmp_path / "a.curve.json"
     editor.session.save(path)
     picture.unlink()
@@ -132,7 +133,7 @@ def test_a_missing_picture_is_said_before_the_first_words(editor, picture, tmp_p
 
 
 def test_no_tool_for_points_is_lit_while_the_picture_is_moved(arch, picture):
-    arch.window.add_image(picture)
+    arch.window.commands[ImageCommands].trace(picture)
     arch.trigger("addTool")
     arch.trigger("moveImage")
     for name in ("selectTool", "addTool", "measureTool", "explainWiggle"):
@@ -144,7 +145,7 @@ def test_no_tool_for_points_is_lit_while_the_picture_is_moved(arch, picture):
 
 @pytest.mark.parametrize("name", ["selectTool", "addTool", "measureTool"])
 def test_a_tool_takes_the_mouse_back_from_the_picture(arch, picture, name):
-    arch.window.add_image(picture)
+    arch.window.commands[ImageCommands].trace(picture)
     arch.trigger("moveImage")
     arch.trigger(name)
     assert not arch.action("moveImage").isChecked()
@@ -155,7 +156,7 @@ def test_a_tool_takes_the_mouse_back_from_the_picture(arch, picture, name):
 
 
 def test_escape_leaves_moving_the_picture_and_lights_the_tool_again(arch, picture):
-    arch.window.add_image(picture)
+    arch.window.commands[ImageCommands].trace(picture)
     arch.trigger("addTool")
     arch.trigger("moveImage")
     arch.escape()
@@ -181,11 +182,11 @@ def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, pict
 
 
 def test_folding_the_side_does_not_bring_it_back(arch, picture):
-    arch.window.add_image(picture)
+    arch.window.commands[ImageCommands].trace(picture)
     arch.trigger("toggleSidePanel")
     arch.trigger("undo")
     arch.trigger("toggleSidePanel")
-    assert arch.window.image_dock.isHidden()
+    assert arch.window.context.docks["imageDock"].isHidden()
 
 
 def test_a_locked_curve_has_no_box_to_scale_it_by(arch):

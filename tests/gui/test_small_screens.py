@@ -9,8 +9,11 @@ import pytest
 from PySide6.QtCore import QSize, QTimer
 from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 
+import app.diagnostics
 import app.features
-import app.panels
+import app.widgets
+import app.window
+import app.workbench
 from app.diagnostics.crash_dialog import CrashDialog
 from app.document.edits import set_position
 from app.document.model import Document, make_curve
@@ -22,6 +25,7 @@ from app.exchange.table.text import preview_table
 from app.features.import_export.export_dialog import ExportDialog
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.features.import_export.import_table_dialog import ImportTableDialog
+from app.features.lessons.commands import LessonCommands
 from app.features.motion.dialog import MotionDialog
 from app.session import Session
 from app.storage.files import save
@@ -54,11 +58,11 @@ def test_the_window_fits_with_every_panel_and_bar(qtbot, type_size):
     assert window.size() == ROOM
     # The basis functions' header has the most to say of it.
     editor.choose_family("quintic_hermite")
-    for dock in (*window.docks, window.lessons_dock):
+    for dock in (*window.context.docks.side, window.context.docks["lessonsDock"]):
         editor.show_dock(dock.objectName())
         window.layout().activate()
         assert fits(window.minimumSizeHint()), dock.objectName()
-    window.lessons_dock.hide()
+    window.context.docks["lessonsDock"].hide()
     editor.trigger("playMotion")
     window.layout().activate()
     assert fits(window.minimumSizeHint())
@@ -125,7 +129,7 @@ def test_a_question_about_a_long_name_fits_and_is_read_to_its_end(qtbot, type_si
 
 
 def every_dialog():
-    for package in (app.panels, app.features):
+    for package in (app.widgets, app.workbench, app.features, app.window, app.diagnostics):
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             importlib.import_module(module.name)
 
@@ -141,7 +145,7 @@ def test_a_lesson_is_read_without_scrolling_sideways(qtbot):
     """A dock used to take its width from what it held before the lesson was in it: 190 pixels of 256."""
     editor = Editor(qtbot, size=(1280, 800))
     editor.show_dock("lessonsDock")
-    editor.window.open_lesson("03_chord_length")
+    editor.window.commands[LessonCommands].open("03_chord_length")
     editor.settle()
-    area = editor.window.lessons_dock.widget()
+    area = editor.window.context.docks["lessonsDock"].widget()
     assert area.horizontalScrollBar().maximum() == 0

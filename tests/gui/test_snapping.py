@@ -203,7 +203,7 @@ def test_the_corner_of_the_box_meets_another_curve(pair):
     place = pair.session.views[1].curve.evaluate(0.3)
     pair.select([0, 1])
     pair.window.preferences.snap_kinds = {SnapKind.CURVES}
-    pair.window.apply_preferences()
+    pair.window.store.read_preferences()
     at = drag_grip(pair, 1, -1, (1.03, 0.0), place)
     assert pair.window.canvas.marks.snap.label == "Base"
     assert pair.window.canvas.marks.snap.position == (pair.point(1)[0], pair.point(0)[1])
@@ -364,7 +364,7 @@ def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, 
 
 def test_measuring_changes_nothing_and_snaps(pair):
     pair.window.preferences.unit_name = "mm"
-    pair.window.apply_preferences()
+    pair.window.store.read_preferences()
     document = pair.session.document
     pair.trigger("measureTool")
     pair.press(near(pair, POINTS[0]))

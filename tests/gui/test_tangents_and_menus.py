@@ -260,9 +260,8 @@ def test_the_settings_tell_closed_and_corners(wave):
     wave.trigger("closeCurve")
     wave.select_point(1)
     wave.trigger("tangentCorner")
-    facts = (
-        wave.window.curve_settings.findChild(object, "curveFacts").text().replace("\N{NO-BREAK SPACE}", " ")
-    )
+    shown = wave.window.findChild(object, "curveFacts").text()
+    facts = shown.replace("\N{NO-BREAK SPACE}", " ")
     assert "4 pieces · closed · 1 corner" in facts
 
 

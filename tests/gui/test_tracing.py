@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.appearance.theme import theme_of
 from app.families import HERMITE, QUINTIC_HERMITE
+from app.features.reference_image.commands import ImageCommands
 
 ALT = Qt.KeyboardModifier.AltModifier
 SIZE, EDGE = 400, 150.0
@@ -37,7 +38,7 @@ def traced(editor, tmp_path):
     painter.end()
     image.save(str(tmp_path / "O.png"))
     editor.new()
-    editor.window.add_image(tmp_path / "O.png")
+    editor.window.commands[ImageCommands].trace(tmp_path / "O.png")
     editor.choose_family(QUINTIC_HERMITE)
     editor.settle()
     return editor

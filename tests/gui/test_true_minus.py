@@ -79,7 +79,7 @@ def test_what_is_painted_is_seen_by_this_test(negative):
 def test_no_hyphen_stands_for_a_minus(negative):
     editor = negative
     assert hyphened(editor) == []
-    for dock in editor.window.docks:
+    for dock in editor.window.context.docks.side:
         editor.show_dock(dock.objectName())
     editor.select_point(1)
     editor.scrub(-1.2)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from app.document.model import Document, make_curve
 from app.families import LAGRANGE
+from app.features.reference_image.commands import ImageCommands
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 Key = Qt.Key
@@ -219,7 +220,7 @@ def test_it_is_told_where_the_other_keys_are(arch):
 def test_while_the_picture_is_moved_it_says_so(arch, tmp_path):
     image = arch.window.grab()
     assert image.save(str(tmp_path / "shot.png"))
-    arch.window.add_image(tmp_path / "shot.png")
+    arch.window.commands[ImageCommands].trace(tmp_path / "shot.png")
     arch.trigger("moveImage")
     arch.key(Key.Key_G)
     assert arch.status == "The image is being moved now; Escape goes back to the points."

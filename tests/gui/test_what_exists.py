@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QLabel
 from app.document import edits
 from app.document.model import Document, Point, make_curve
 from app.families import HERMITE, LAGRANGE
+from app.features.point_table.commands import PointTableCommands
 from app.session import Session
 from app.tools.drag_machine import DragMachine
 from app.tools.pointer import Pointer
@@ -151,7 +152,7 @@ def test_what_is_refused_by_the_lock_says_so_in_the_table(editor):
     editor.trigger("curveLocked")
     editor.select([4])
     table = editor.window.point_table
-    panel = editor.window.table_panel
+    panel = editor.window.commands[PointTableCommands].panel
     QGuiApplication.clipboard().setText("1\t2\n3\t4\n5\t6\n")
     table.setCurrentIndex(table.model().index(4, 1))
     before = editor.session.document
@@ -216,17 +217,17 @@ def test_actions_are_checked_by_the_document_that_the_panels_show(editor):
     editor.session.commit(Document((many,)), "Many")
     editor.select([5])
     seen = []
-    render = editor.window._commands.render
+    render = editor.window.commands.render
 
     def noted(view):
         seen.append(view.source.family is editor.window.basis_panel.drawing._view.source.family)
         render(view)
 
-    editor.window._commands.render = noted
+    editor.window.commands.render = noted
     try:
         editor.trigger("undo")
     finally:
-        del editor.window._commands.render
+        del editor.window.commands.render
     assert editor.session.active_curve == few
     assert seen
     assert all(seen)

@@ -6,11 +6,13 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QEnterEvent, QGuiApplication, QImage, QStatusTipEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+from PySide6.QtWidgets import QApplication, QLabel, QSlider, QToolButton
 
 from app.document import edits
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
+from app.features.point_table.commands import PointTableCommands
+from app.features.reference_image.commands import ImageCommands
 
 LEFT = Qt.MouseButton.LeftButton
 WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
@@ -207,7 +209,7 @@ def test_pasting_says_so(pair):
 
 
 def test_a_refused_paste_is_forgotten_with_the_next_good_one(pair):
-    table = pair.window.table_panel
+    table = pair.window.commands[PointTableCommands].panel
     table.view.setCurrentIndex(table.model.index(0, 1))
     QGuiApplication.clipboard().setText("1\t2\n3\tx\n")
     table.paste()
@@ -243,8 +245,7 @@ def test_a_long_sentence_ends_in_dots_and_is_whole_in_the_tooltip(pair):
 
 def test_escape_gives_the_slider_its_old_value_with_the_button_down(pair):
     pair.choose_parametrization("centripetal")
-    bar = pair.window.parametrization_bar
-    slider = bar.findChild(object, "alphaSlider")
+    slider = pair.window.findChild(QSlider, "alphaSlider")
     document, old = pair.session.document, slider.value()
     middle = QPoint(slider.width() // 2, slider.height() // 2)
     QTest.mousePress(slider, LEFT, pos=middle)
@@ -277,13 +278,15 @@ def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):
     image = QImage(40, 30, QImage.Format.Format_RGB32)
     image.fill(Qt.GlobalColor.red)
     image.save(str(tmp_path / "red.png"))
-    pair.window.add_image(tmp_path / "red.png")
+    pair.window.commands[ImageCommands].trace(tmp_path / "red.png")
     pair.settle()
-    assert not pair.window.image_panel.visibleRegion().isEmpty()
+    assert not pair.window.commands[ImageCommands].panel.visibleRegion().isEmpty()
     pair.show_dock("curveDock")
     pair.trigger("undo")
     pair.trigger("redo")
-    in_front = [dock.objectName() for dock in pair.window.docks if not dock.visibleRegion().isEmpty()]
+    in_front = [
+        dock.objectName() for dock in pair.window.context.docks.side if not dock.visibleRegion().isEmpty()
+    ]
     assert in_front == ["pointsDock", "curveDock"]
 
 

@@ -34,7 +34,7 @@ def with_runge(editor):
 
 
 def commands(editor):
-    return editor.window._commands[WiggleCommands]
+    return editor.window.commands[WiggleCommands]
 
 
 def panel(editor):

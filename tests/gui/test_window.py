@@ -38,6 +38,7 @@ from app.cli.windows import open_windows
 from app.document.edits import rename_curve, set_velocity
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.features.import_export.commands import ExchangeCommands
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.storage.files import load
@@ -259,14 +260,14 @@ def test_recent_files_are_listed(editor, tmp_path):
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".dxf", ".py", ".tex", ".tikz", ".csv"])
 def test_pictures_are_exported(editor, tmp_path, suffix):
     path = tmp_path / f"curve{suffix}"
-    editor.window.export_file(path)
+    editor.window.commands[ExchangeCommands].export(path)
     editor.wait_for_work()
     assert path.stat().st_size > 500
     assert path.name in editor.status
 
 
 def test_an_export_that_cannot_be_written_is_explained(editor, tmp_path):
-    editor.window.export_file(tmp_path / "no such folder" / "curve.png")
+    editor.window.commands[ExchangeCommands].export(tmp_path / "no such folder" / "curve.png")
     editor.wait_for_work()
     assert "was not written" in editor.message
 
@@ -274,12 +275,12 @@ def test_an_export_that_cannot_be_written_is_explained(editor, tmp_path):
 @pytest.mark.qt_log_ignore("grabbing the (keyboard|mouse)")
 def test_light_and_dark(editor):
     for mode, dark in ((ThemeMode.DARK, True), (ThemeMode.LIGHT, False)):
-        editor.window.set_theme_mode(mode)
+        editor.window.store.change(theme_mode=mode)
         image = editor.screenshot()
         corner = editor.window.canvas.mapTo(editor.window, editor.window.canvas.to_pixel(-1, 4))
         assert (image.pixelColor(corner).lightnessF() < 0.5) is dark, mode
         the_entry_under_the_pointer_stands_out(editor, mode)
-    editor.window.set_theme_mode(ThemeMode.SYSTEM)
+    editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
 def the_entry_under_the_pointer_stands_out(editor, mode):
@@ -303,12 +304,12 @@ def test_presentation_hides_everything_but_the_drawing(editor):
     editor.trigger("presentation")
     window = editor.window
     assert not window.toolbar.isVisible()
-    assert not any(dock.isVisible() for dock in window.docks)
+    assert not any(dock.isVisible() for dock in window.context.docks.side)
     assert window.canvas.isVisible()
     assert window.basis_panel.isVisible()
     editor.escape()
     assert window.toolbar.isVisible()
-    assert window.docks[0].isVisible()
+    assert window.context.docks.side[0].isVisible()
 
 
 def test_the_keys_work_in_presentation(editor):
@@ -324,13 +325,13 @@ def test_the_keys_work_in_presentation(editor):
 
 def test_the_side_panel_folds_away_with_one_key(editor):
     QTest.keyClick(editor.window, Qt.Key.Key_F9)
-    assert not any(dock.isVisible() for dock in editor.window.docks)
+    assert not any(dock.isVisible() for dock in editor.window.context.docks.side)
     QTest.keyClick(editor.window, Qt.Key.Key_F9)
-    assert editor.window.docks[0].isVisible()
+    assert editor.window.context.docks.side[0].isVisible()
 
 
 def test_the_side_panel_comes_back_as_it_was_divided(editor):
-    points, curve, *_, history = editor.window.docks
+    points, curve, *_, history = editor.window.context.docks.side
     editor.window.resizeDocks([points, curve], [300, 360], Qt.Orientation.Vertical)
     history.raise_()
     editor.settle()
@@ -468,7 +469,7 @@ def test_the_side_panel_in_a_presentation_brings_no_bars_back(editor):
     editor.trigger("toggleSidePanel")
     editor.trigger("presentation")
     editor.trigger("toggleSidePanel")
-    assert editor.window.docks[0].isVisible()
+    assert editor.window.context.docks.side[0].isVisible()
     assert not editor.window.toolbar.isVisible()
     editor.escape()
     assert editor.window.toolbar.isVisible()
@@ -572,7 +573,7 @@ def test_a_start_in_dark_is_dark_everywhere(qtbot, tmp_path):
     editor = Editor(qtbot, preferences=preferences)
     note = editor.window.findChild(QWidget, "basisExtent")
     assert DARK.warning.name() in note.styleSheet()
-    editor.window.set_theme_mode(ThemeMode.SYSTEM)
+    editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
 def pixel_in(window, widget, x, y):

@@ -122,11 +122,7 @@ def _missing_for_video() -> str:
 
 
 def write_film(
-    document: Document,
-    path: str | os.PathLike[str],
-    film: Film,
-    *,
-    report: Report = silent,
+    document: Document, path: str | os.PathLike[str], film: Film, *, report: Report = silent
 ) -> None:
     """Write a motion in the format that the ending of `path` names.
 

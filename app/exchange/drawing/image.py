@@ -17,7 +17,6 @@ from PySide6.QtGui import (
     QColor,
     QGuiApplication,
     QImage,
-    QImageWriter,
     QPageLayout,
     QPageSize,
     QPainter,
@@ -57,35 +56,6 @@ _DRAWN = 0.6
 """Share of a picture that is its drawing; painting follows."""
 
 
-def png_image(document: Document, options: Options) -> QImage:
-    """Return a picture of a document, `options.width` × `options.scale` pixels wide.
-
-    Raises
-    ------
-    ExchangeError
-        If nothing can be drawn, or the picture would be too large.
-    """
-    return _png(_drawing(document, options, options.paper_style), options)
-
-
-def _png(drawing: Drawing, options: Options) -> QImage:
-    style = options.paper_style
-    width, height = _size(drawing, options)
-    with application():
-        image = _painted(drawing, (width, height), style, options)
-        image.setText("Software", f"Curvebench {__version__}")
-        image.setText("Description", accuracy_of(drawing))
-        dots = _dots_per_metre(drawing, options)
-        image.setDotsPerMeterX(dots)
-        image.setDotsPerMeterY(dots)
-    return image
-
-
-def _dots_per_metre(drawing: Drawing, options: Options) -> int:
-    """Return how dense the pixels are: for true size where that can be, else as on a screen."""
-    return _true_dots_per_metre(drawing, options) or round(_DOTS_PER_METRE * options.scale)
-
-
 def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
     """Return how dense the pixels are at true size; 0 without a unit, or where no file can say it."""
     unit = known_unit(options.unit)
@@ -119,7 +89,7 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     Raises
     ------
     ExchangeError
-        As `png_image`.
+        As `png_file`.
     """
     drawing = _drawing(document, options, options.paper_style)
     width, height = _size(drawing, options)
@@ -189,35 +159,53 @@ def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
 def _painted(drawing: Drawing, size: tuple[int, int], style: Style, options: Options) -> QImage:
     image = QImage(*size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor(0, 0, 0, 0))
-    painter = QPainter(image)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    _paint(drawing.fitted(*size), painter, style, options)
+    # However it ends, for a painter may not outlive its device.
+    with QPainter(image) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        _paint(drawing.fitted(*size), painter, style, options)
     return image
 
 
 def _paint(fitted: Drawing, painter: QPainter, style: Style, options: Options) -> None:
-    """Paint a drawing, and end the painter also where somebody stops it: it may not outlive its device."""
-    try:
-        report = part(options.report, _DRAWN, 1.0)
-        paint_drawing(fitted, painter, style, points=options.points, report=report)
-    finally:
-        painter.end()
+    report = part(options.report, _DRAWN, 1.0)
+    paint_drawing(fitted, painter, style, points=options.points, report=report)
 
 
 def png_file(document: Document, options: Options) -> Written:
-    """Return a PNG file; see `png_image`."""
-    drawing = _drawing(document, options, options.paper_style)
+    """Return a PNG file, `options.width` × `options.scale` pixels wide.
+
+    Its pixels are as dense as true size asks for where that can be, else as on a screen.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn, or the picture would be too large.
+    """
+    style = options.paper_style
+    drawing = _drawing(document, options, style)
+    size = _size(drawing, options)
     with application():
-        data = _encoded(_png(drawing, options))
-    return Written(data, drawing.deviation, drawing.remarks, _size(drawing, options))
+        return Written(_pixels(drawing, size, options, style), drawing.deviation, drawing.remarks, size)
 
 
-def _encoded(image: QImage) -> bytes:
-    buffer = QBuffer()
-    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    if not QImageWriter(buffer, QByteArray(b"png")).write(image):
+def _pixels(drawing: Drawing, size: tuple[int, int], options: Options, style: Style) -> bytes:
+    # On its own, as `_page` is.
+    image = _painted(drawing, size, style, options)
+    image.setText("Software", f"Curvebench {__version__}")
+    image.setText("Description", accuracy_of(drawing))
+    dots = _true_dots_per_metre(drawing, options) or round(_DOTS_PER_METRE * options.scale)
+    image.setDotsPerMeterX(dots)
+    image.setDotsPerMeterY(dots)
+    buffer = _buffer()
+    if not image.save(buffer, "PNG"):  # type: ignore[call-overload]  # its stub forgets devices
         raise ExchangeError("The picture could not be made; there may be too little memory.")
     return bytes(buffer.data().data())
+
+
+def _buffer() -> QBuffer:
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    return buffer
 
 
 def pdf_file(document: Document, options: Options) -> Written:
@@ -241,17 +229,16 @@ def pdf_file(document: Document, options: Options) -> Written:
 def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
     # On its own, because nothing that paints may outlive the application.
     drawing, page = _on_page(drawing, options)
-    buffer = QBuffer()
-    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    buffer = _buffer()
     writer = QPdfWriter(buffer)
     writer.setCreator(f"Curvebench {__version__}")
     writer.setTitle(", ".join(outline.name for outline in drawing.outlines))
     writer.setResolution(_PDF_RESOLUTION)
     size = QPageSize(page, QPageSize.Unit.Point, "", QPageSize.SizeMatchPolicy.ExactMatch)
     writer.setPageLayout(QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF()))
-    painter = QPainter(writer)
-    device = painter.viewport()
-    _paint(drawing.fitted(device.width(), device.height()), painter, style, options)
+    with QPainter(writer) as painter:
+        device = painter.viewport()
+        _paint(drawing.fitted(device.width(), device.height()), painter, style, options)
     return bytes(buffer.data().data())
 
 
@@ -279,8 +266,7 @@ def _on_page(drawing: Drawing, options: Options) -> tuple[Drawing, QSizeF]:
 
 
 def _drawing(document: Document, options: Options, style: Style) -> Drawing:
-    report = part(options.report, 0.0, _DRAWN)
-    return picture_of(document, options.tolerance, options.extras, style, report)
+    return picture_of(document, options, style, part(options.report, 0.0, _DRAWN))
 
 
 def paint_drawing(

@@ -66,23 +66,21 @@ class FrameMaker:
     def _paint_background(self, drawing: Drawing) -> QImage:
         image = QImage(self.width, self.height, QImage.Format.Format_RGBX8888)
         image.fill(QColor(self._paper))
-        painter = QPainter(image)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        fitted = drawing.fitted(self.width, self.height)
-        paint_drawing(fitted, painter, self._film.style, points=self._film.points)
-        painter.end()
+        with QPainter(image) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            fitted = drawing.fitted(self.width, self.height)
+            paint_drawing(fitted, painter, self._film.style, points=self._film.points)
         return image
 
     def frames(self) -> Iterator[bytes]:
         """Yield the pixels of each frame, four bytes each (red, green, blue, nothing), row by row."""
         for seconds in self._times.tolist():
             image = QImage(self._background)
-            painter = QPainter(image)
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            for dot in self._dots(seconds):
-                self._paint_trail(painter, dot)
-                self._paint_dot(painter, dot)
-            painter.end()
+            with QPainter(image) as painter:
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+                for dot in self._dots(seconds):
+                    self._paint_trail(painter, dot)
+                    self._paint_dot(painter, dot)
             yield bytes(image.constBits())
 
     @property

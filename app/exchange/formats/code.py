@@ -7,6 +7,7 @@ import keyword
 import re
 import unicodedata
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -46,7 +47,7 @@ def python_code(document: Document, options: Options = DEFAULT) -> Written:
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     deviation = max(
-        _python_deviation(piece) + source.polynomials.deviation
+        measured(piece, partial(_evaluate, [(piece.parameters, piece.jets)])) + source.polynomials.deviation
         for source in told(sources, part(options.report, 0.3, 0.7), "Comparing")
         for piece in source.polynomials.pieces
     )
@@ -74,13 +75,11 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
         If there is no curve to write.
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
-    deviation = max(map(_scipy_deviation, told(sources, part(options.report, 0.3, 0.7), "Comparing")))
-    imports = "import numpy as np\nfrom scipy import interpolate"
     named = list(zip(names_of(sources), sources, strict=True))
-    body = [
-        f"# {_title(source)}\n{_scipy_object(name, source)}"
-        for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
-    ]
+    made = [_scipy_object(*each) for each in told(named, part(options.report, 0.3, 1.0), "Comparing")]
+    deviation = max(each for _, each in made)
+    imports = "import numpy as np\nfrom scipy import interpolate"
+    body = [f"# {_title(source)}\n{code}" for source, (code, _) in zip(sources, made, strict=True)]
     return Written("\n\n".join([_head(deviation, remarks, imports), *body]) + "\n", deviation, remarks)
 
 
@@ -127,49 +126,27 @@ def _array(values: FloatArray, indent: int) -> str:
     return f"np.array([\n{rows}{margin}])"
 
 
-def _python_deviation(piece: CoreCurve) -> float:
-    return measured(piece, lambda t: _evaluate([(piece.parameters, piece.jets)], t))
-
-
-def _scipy_object(name: str, source: Source) -> str:
-    first, *others = source.polynomials.pieces
+def _scipy_object(name: str, source: Source) -> tuple[str, float]:
+    """Return the code of a curve's interpolator, and how far its formulas are from the curve."""
+    first, *others = pieces = source.polynomials.pieces
+    arrays, note = [first.parameters, first.points], ""
     if first.is_one_polynomial:
-        return (
-            f"{name} = interpolate.BarycentricInterpolator(\n    {_array(first.parameters, 4)},\n"
-            f"    {_array(first.points, 4)},\n)"
-        )
-    if first.derivatives == 1 and not others:
-        arrays = (first.parameters, first.points, first.jets[:, 1])
-        listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)
-        return f"{name} = interpolate.CubicHermiteSpline(\n{listed})"
-    controls, parameters = _chained(source)
-    return (
-        f"{name} = interpolate.BPoly(\n    # control points of every segment, (degree + 1, segments, 2)\n"
-        f"    {_array(controls.swapaxes(0, 1), 4)},\n    {_array(parameters, 4)},\n)"
-    )
-
-
-def _chained(source: Source) -> tuple[FloatArray, FloatArray]:
-    """Return the control points (k, degree + 1, 2) of all Hermite pieces, and their parameters (k + 1,)."""
-    first, *others = source.polynomials.pieces
-    controls = [bezier_segments(piece) for piece in (first, *others)]
-    return np.concatenate(controls), np.concatenate([first.breaks, *(piece.breaks[1:] for piece in others)])
-
-
-def _scipy_deviation(source: Source) -> float:
-    first, *others = source.polynomials.pieces
-    if first.is_one_polynomial:
-        own = measured(first, lambda t: _barycentric(t, first.parameters, first.points))
+        kind = "BarycentricInterpolator"
+        deviation = measured(first, lambda t: _barycentric(t, first.parameters, first.points))
     elif first.derivatives == 1 and not others:
-        own = measured(first, lambda t: _local_powers(t, first))
+        kind, arrays = "CubicHermiteSpline", [*arrays, first.jets[:, 1]]
+        deviation = measured(first, lambda t: _local_powers(t, first))
     else:
-        own = max(_bernstein_deviation(piece) for piece in (first, *others))
-    return own + source.polynomials.deviation
-
-
-def _bernstein_deviation(piece: CoreCurve) -> float:
-    controls, parameters = bezier_segments(piece), piece.breaks
-    return measured(piece, lambda t: bezier_values(controls, parameters, t))
+        kind, note = "BPoly", "    # control points of every segment, (degree + 1, segments, 2)\n"
+        controls = [bezier_segments(piece) for piece in pieces]
+        joints = np.concatenate([first.breaks, *(piece.breaks[1:] for piece in others)])
+        arrays = [np.concatenate(controls).swapaxes(0, 1), joints]
+        deviation = max(
+            measured(piece, partial(bezier_values, own, piece.breaks))
+            for piece, own in zip(pieces, controls, strict=True)
+        )
+    listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)
+    return f"{name} = interpolate.{kind}(\n{note}{listed})", deviation + source.polynomials.deviation
 
 
 def _barycentric(t: FloatArray, parameters: FloatArray, points: FloatArray) -> FloatArray:

@@ -18,6 +18,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, Options
 from app.exchange.parts import (
+    as_float,
     beziers_of,
     checked_tolerance,
     local_fractions,
@@ -144,7 +145,7 @@ def _coefficients(piece: CoreCurve) -> FloatArray:
             f"{MOST_COEFFICIENTS} points are the most. Export code instead."
         )
     exact = monomials_of(piece.points, local_fractions(piece.parameters))
-    return np.array([[_float(value) for value in column] for column in exact]).T[None]
+    return np.array([[as_float(value) for value in column] for column in exact]).T[None]
 
 
 def _from_bernstein(controls: FloatArray) -> FloatArray:
@@ -157,18 +158,11 @@ def _from_bernstein(controls: FloatArray) -> FloatArray:
             exact = [Fraction(value) for value in column]
             row = []
             for k in range(degree + 1):
-                row.append(_float(comb(degree, k) * exact[0]))
+                row.append(as_float(comb(degree, k) * exact[0]))
                 exact = [after - before for before, after in pairwise(exact)]
             columns.append(row)
         rows.append(columns)
     return np.array(rows).swapaxes(1, 2)
-
-
-def _float(value: Fraction) -> float:
-    try:
-        return float(value)
-    except OverflowError:
-        return float("inf")
 
 
 def _horner(coefficients: FloatArray, ends: FloatArray, t: FloatArray) -> FloatArray:

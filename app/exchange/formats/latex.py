@@ -12,15 +12,7 @@ from app.exchange.drawing.drawing import Frame, Outline, drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
-from app.exchange.parts import (
-    Source,
-    accuracy,
-    bezier_values,
-    beziers_of,
-    measured,
-    one_line,
-    sources_of,
-)
+from app.exchange.parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
 from app.exchange.units import MILLIMETRES, known_unit, size_in_words
 from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve

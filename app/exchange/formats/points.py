@@ -5,16 +5,14 @@ from __future__ import annotations
 from math import isnan, nan
 
 from app.document.edits import interval
-from app.document.model import Document, Vector
+from app.document.model import Document
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, Options
-from app.exchange.parts import cell_of_name, distinct_names, sources_of
+from app.exchange.parts import cell_of_name, cell_of_number, distinct_names, sources_of
 from app.exchange.table.columns import AFTER, ROLES, WORDS
 from app.exchange.table.curves import CLOSED
 from app.tasks.progress import part, told
 from app.view_model.curve_view import CurveView, view_of
-
-_NOTHING = (nan, nan)
 
 
 def points_table(document: Document, options: Options = DEFAULT) -> Written:
@@ -42,7 +40,9 @@ def points_table(document: Document, options: Options = DEFAULT) -> Written:
         rows += [(words, row) for row in _rows(view_of(curve))]
     used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
     lines = [separator.join([*WORDS, *(titles[place] for place in used)])]
-    lines += [separator.join([*words, *(_cell(row[place]) for place in used)]) for words, row in rows]
+    lines += [
+        separator.join([*words, *(cell_of_number(row[place]) for place in used)]) for words, row in rows
+    ]
     return Written("\n".join(lines) + "\n", 0.0, remarks)
 
 
@@ -51,11 +51,9 @@ def _rows(view: CurveView) -> list[tuple[float, ...]]:
     rows = []
     for index, point in enumerate(curve.points):
         t = float(view.parameters[index])
-        before = [_or_nothing(view.velocity_of(index, ahead=False)), _or_nothing(_bend(view, index, False))]
-        after = [_NOTHING, _NOTHING]
-        if point.corner and curve.family.derivatives:
-            after = [_or_nothing(view.velocity_of(index)), _or_nothing(_bend(view, index, True))]
-        rows.append((t, point.x, point.y, *(number for pair in (*before, *after) for number in pair)))
+        is_corner = point.corner and curve.family.derivatives
+        after = _derivatives(view, index, ahead=True) if is_corner else [nan] * len(AFTER)
+        rows.append((t, point.x, point.y, *_derivatives(view, index, ahead=False), *after))
     if curve.is_closed:
         first = curve.points[0]
         empty = (nan,) * (len(ROLES) + len(AFTER) - 3)
@@ -63,16 +61,10 @@ def _rows(view: CurveView) -> list[tuple[float, ...]]:
     return rows
 
 
-def _bend(view: CurveView, index: int, ahead: bool) -> Vector | None:
-    return view.acceleration_of(index, ahead=ahead)
-
-
-def _or_nothing(vector: Vector | None) -> Vector:
-    return vector if vector is not None else _NOTHING
-
-
-def _cell(value: float) -> str:
-    return "" if isnan(value) else repr(value + 0.0)
+def _derivatives(view: CurveView, index: int, *, ahead: bool) -> list[float]:
+    """Return the velocity and the acceleration on one side of a point; NaN where there is none."""
+    vectors = (view.velocity_of(index, ahead=ahead), view.acceleration_of(index, ahead=ahead))
+    return [number for vector in vectors for number in vector or (nan, nan)]
 
 
 FORMATS = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import partial
-from math import isnan
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ from app.document.words import NamedEnum
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
-from app.exchange.parts import cell_of_name, checked_tolerance, distinct_names, sources_of
+from app.exchange.parts import cell_of_name, cell_of_number, checked_tolerance, distinct_names, sources_of
 from app.tasks.progress import Report, part
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
@@ -93,7 +92,7 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
         lead = cell_of_name(name, separator) + separator if named else ""
         for rows, missed in _samples_of(source.core, options, allowed, _LENGTH in chosen, away):
             deviation = max(deviation, missed)
-            lines += [lead + separator.join(map(_cell, row)) for row in rows[:, chosen].tolist()]
+            lines += [lead + separator.join(map(cell_of_number, row)) for row in rows[:, chosen].tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
 
 
@@ -199,10 +198,6 @@ def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report
         report(first / len(wanted), "Dividing the length")
         t.append(lengths.parameter_at(wanted[first : first + _ROWS_AT_ONCE]))
     return np.unique(np.concatenate([*t, core.parameters[-1:]]))
-
-
-def _cell(value: float) -> str:
-    return "" if isnan(value) else repr(value + 0.0)
 
 
 def _hidden(values: Mapping[str, Any]) -> tuple[Option[Any]]:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import re
-from decimal import ROUND_UP, Context
-from typing import TYPE_CHECKING
 
 from app import __version__
 from app.document.model import Document
@@ -13,12 +11,10 @@ from app.exchange.drawing.drawing import Annotation, Drawing, Frame, Outline, dr
 from app.exchange.drawing.styles import Style
 from app.exchange.formats import Written
 from app.exchange.options import DEFAULT, Options
+from app.exchange.parts import rounded_up
 from app.exchange.units import css_length, known_unit
 from app.tasks.progress import Report, part, silent, told
 from app.view_model import palette
-
-if TYPE_CHECKING:
-    from app.exchange.options import Extras
 
 STROKE = 0.003
 """Width of the curve against the picture's longer side."""
@@ -33,9 +29,6 @@ _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
 # XML 1.0 has no way at all to write these.
 _NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
-
-# A bound that was rounded to the nearest would not be one.
-_ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
 
 
 def svg_of(document: Document, options: Options = DEFAULT) -> Written:
@@ -52,7 +45,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
     style, report = options.vector_style, part(options.report, 0.0, 0.7)
-    drawing = picture_of(document, options.tolerance, options.extras, style, report)
+    drawing = picture_of(document, options, style, report)
     text = svg_text(
         drawing,
         style=style,
@@ -64,19 +57,13 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     return Written(text, drawing.deviation, drawing.remarks)
 
 
-def picture_of(
-    document: Document,
-    tolerance: float | None,
-    extras: Extras | None,
-    style: Style,
-    report: Report = silent,
-) -> Drawing:
+def picture_of(document: Document, options: Options, style: Style, report: Report) -> Drawing:
     """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
-    plain = drawing_of(document, tolerance, report)
-    if extras is None:
+    plain = drawing_of(document, options.tolerance, report)
+    if options.extras is None:
         return plain
     # Views of basis functions and handles are no business of a plain drawing.
-    return drawing.annotations.annotated(plain, document, extras, style.theme)
+    return drawing.annotations.annotated(plain, document, options.extras, style.theme)
 
 
 def nominal_width(drawing: Drawing, width: float | None) -> float:
@@ -124,10 +111,9 @@ def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[
 
 def accuracy_of(drawing: Drawing) -> str:
     """Return a sentence with the largest deviation of the drawing from the true curves."""
-    bound = _ROUNDING_UP.create_decimal_from_float(drawing.deviation)
     missed = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
     return (
-        f"Largest deviation from the true curves: {float(bound):g} "
+        f"Largest deviation from the true curves: {rounded_up(drawing.deviation):g} "
         f"(tolerance {drawing.tolerance:g}{missed}), in the unit of the document."
     )
 

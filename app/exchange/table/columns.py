@@ -17,31 +17,9 @@ AFTER = ("vx_after", "vy_after", "ax_after", "ay_after")
 WORDS = ("curve", "family")
 """Roles of columns of text: the name of the row's curve, and its family."""
 
-UNITS = frozenset(
-    (
-        *(
-            "m",
-            "mm",
-            "cm",
-            "km",
-            "dm",
-            "µm",
-            "um",
-            "nm",
-            "in",
-            "inch",
-            "ft",
-            "px",
-            "pt",
-            "s",
-            "ms",
-            "µs",
-            "us",
-        ),
-        *("sec", "min", "h", "hz", "deg", "degree", "degrees", "rad", "°", "m/s", "mm/s", "m/s²", "m/s^2"),
-        *("-", "1", "none"),
-    )
-)
+_UNITS = """m mm cm km dm µm um nm in inch ft px pt s ms µs us sec min h hz deg degree degrees rad °
+m/s mm/s m/s² m/s^2 - 1 none"""
+UNITS = frozenset(_UNITS.split())
 """Words of a row of units."""
 
 _FILL = "(?:pos|position|positions|coord|coords|coordinate|koordinate|wert|value|val|point|punkt|loc|location"
@@ -97,10 +75,6 @@ class Guess:
 
     mapping: ColumnMapping | None
     is_certain: bool = True
-
-    def said(self, titles: Sequence[str]) -> str:
-        """Return what was taken for what, as a sentence."""
-        return words_on(self.mapping, titles) if self.mapping is not None else ""
 
 
 def role_of(title: str) -> str:

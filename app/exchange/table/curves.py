@@ -8,14 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.document.model import (
-    Curve,
-    Document,
-    Parametrization,
-    ParametrizationKind,
-    Point,
-    Vector,
-)
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from app.document.words import NamedEnum
 from app.exchange.cubics_in import Imported
 from app.exchange.errors import ExchangeError

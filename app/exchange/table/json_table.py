@@ -19,19 +19,8 @@ from curvecore.arrays import FloatArray
 MOST_BYTES = 32 * 2**20
 """Of a JSON file: as Python's own numbers it takes several times as much."""
 
-_GEO = frozenset(
-    [
-        "Feature",
-        "FeatureCollection",
-        "GeometryCollection",
-        "LineString",
-        "MultiLineString",
-        "Polygon",
-        "MultiPolygon",
-        "Point",
-        "MultiPoint",
-    ]
-)
+_GEO = """Feature FeatureCollection GeometryCollection LineString MultiLineString Polygon MultiPolygon
+Point MultiPoint"""
 _KINDS = (
     'a list of points [[x, y], …], of curves [[[x, y], …], …] or of records [{"x": …, "y": …}, …], '
     'columns {"x": […], "y": […]}, or GeoJSON with lines'
@@ -57,7 +46,7 @@ def read_json(data: bytes) -> Table:
         raise ExchangeError(f"{clause[0].upper()}{clause[1:]}.") from None
     except RecursionError:
         raise ExchangeError("The file is nested too deeply.") from None
-    if isinstance(content, dict) and content.get("type") in _GEO:
+    if isinstance(content, dict) and content.get("type") in _GEO.split():
         return _lines(content)
     if isinstance(content, dict) and content and all(isinstance(each, list) for each in content.values()):
         return _columns(content)

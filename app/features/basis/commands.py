@@ -6,17 +6,18 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QMenu
 
-from app.actions.declaration import Action, action, action_for_each
+from app.actions.declaration import Action, action, action_for_each, also
 from app.actions.keymap import action_name
 from app.actions.needs import TWO_POINTS, Need
 from app.actions.sections import CURVE_PARAMETERS, CURVE_STARTS
+from app.actions.strips import RAIL_MENU
 from app.controllers.rail import RailController
 from app.document import edits
 from app.document.model import ParametrizationKind
 from app.view_model.curve_view import view_of
 from app.workbench.context import WindowContext
+from app.workbench.strip_menu import strip_menu
 
 
 class _Start(NamedTuple):
@@ -51,15 +52,7 @@ class RailCommands:
         context.central.basis_panel.menu_requested.connect(self._show_menu)
 
     def _show_menu(self, place: QPoint) -> None:
-        menu = QMenu(self._context.window)
-        menu.setObjectName("railMenu")
-        actions = self._context.actions
-        menu.addAction(actions["typeParameter"])
-        menu.addSeparator()
-        menu.addActions([actions[action_name("start", each.kind)] for each in _STARTS])
-        menu.addAction(actions["freezeParameters"])
-        menu.aboutToHide.connect(menu.deleteLater)
-        menu.popup(place)
+        strip_menu(self._context, RAIL_MENU, "railMenu").popup(place)
 
     @action_for_each(
         _STARTS,
@@ -72,6 +65,7 @@ class RailCommands:
             needs=TWO_POINTS,
         ),
     )
+    @also(RAIL_MENU(20))
     def _start_from(self, each: _Start) -> None:
         """Make the parameters manual, starting from those that a rule gives on the present interval."""
         session = self._session
@@ -95,6 +89,7 @@ class RailCommands:
         full_name="Type a Parameter t…",
         needs=Need("one selected point", lambda now: now.view.is_current and len(now.selection) == 1),
     )
+    @also(RAIL_MENU(10))
     def _type_parameter(self) -> None:
         """Type the parameter of the selected point at its tick."""
         selected = self._session.selected

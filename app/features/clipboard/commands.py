@@ -10,9 +10,10 @@ from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 
 from app.actions.clipboard_watch import DERIVATIVES
-from app.actions.declaration import action
+from app.actions.declaration import action, also
 from app.actions.needs import HERMITE_POINTS, POINTS_OR_CURVES, Need
 from app.actions.sections import EDIT_CLIPBOARD, EDIT_COPY_AS
+from app.actions.strips import CANVAS_MENU, POINT_MENU
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Point
@@ -69,6 +70,7 @@ class ClipboardCommands:
     @action(
         "cutPoints", "Cut", EDIT_CLIPBOARD, "Ctrl+X", "cut", full_name="Cut Points", needs=POINTS_OR_CURVES
     )
+    @also(POINT_MENU(30))
     def _cut(self) -> None:
         """Copy the selected points, or the selected curves, and delete them."""
         session, selected = self._session, self._session.selection
@@ -93,6 +95,7 @@ class ClipboardCommands:
         full_name="Copy Points",
         needs=POINTS_OR_CURVES,
     )
+    @also(POINT_MENU(31))
     def _copy(self) -> None:
         """Copy the selected points with their derivatives, or the selected curves."""
         view, selected = self._session.active_view, self._session.selection
@@ -112,11 +115,13 @@ class ClipboardCommands:
         self._session.say(f"Copied {count_of(len(clip.points), 'point')}.")
 
     @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V", "paste", full_name="Paste Points")
+    @also(CANVAS_MENU(20))
     def _paste_points(self) -> None:
         """Append the points on the clipboard (two columns x y, or three t x y), or add the curves."""
         self._paste(self._append)
 
     @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Shift+V")
+    @also(CANVAS_MENU(21))
     def _paste_as_curve(self) -> None:
         """Make a curve of the points on the clipboard."""
         self._paste(self._add_curve)
@@ -174,6 +179,7 @@ class ClipboardCommands:
             lambda now: HERMITE_POINTS.is_met(now) and len(now.selection) == 1,
         ),
     )
+    @also(POINT_MENU(32))
     def _copy_derivatives(self) -> None:
         """Copy the velocity and the acceleration of the selected point."""
         view, index = self._session.active_view, self._session.selected
@@ -207,6 +213,7 @@ class ClipboardCommands:
             lambda now: now.has_derivatives and bool(now.selection) and now.has_copied_derivatives,
         ),
     )
+    @also(POINT_MENU(33))
     def _paste_derivatives(self) -> None:
         """Give the selected points the velocity and the acceleration that were copied."""
         session, selected = self._session, self._session.selection

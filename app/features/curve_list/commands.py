@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import action
+from app.actions.declaration import action, also
 from app.actions.needs import Need
 from app.actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
 from app.actions.situation import Situation
+from app.actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
 from app.appearance.colours import CURVE_COLOURS
 from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
 from app.features.curve_list.controller import CurveListController
@@ -15,11 +16,7 @@ from app.features.curve_list.panel import CurveList
 from app.view_model.curve_view import CurveView
 from app.workbench.context import WindowContext
 from app.workbench.docks import UPPER, Panel
-
-_BUTTONS = (
-    "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",
-)  # fmt: skip
-"""The actions that stand as buttons under the list of curves."""
+from app.workbench.strip_menu import strip_menu
 
 
 class CurveListCommands:
@@ -34,15 +31,18 @@ class CurveListCommands:
     panel: CurveList
 
     def __init__(self, context: WindowContext) -> None:
-        self._session, self._actions = context.session, context.actions
+        self._context, self._session, self._actions = context, context.session, context.actions
         self._dock = context.docks["curvesDock"]
 
     @Panel("curvesDock", "Curves", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the list."""
         self.panel = CurveList(parent)
-        self.panel.add_buttons([self._actions[name] for name in _BUTTONS])
+        self.panel.add_buttons(self._actions.in_strip(CURVE_LIST_BUTTONS)[1])
         self.panel.view.deletion_wanted.connect(self._actions["deleteCurve"].trigger)
+        self.panel.menu_requested.connect(
+            lambda place: strip_menu(self._context, CURVE_LIST_MENU).popup(place)
+        )
         self._list = CurveListController(self._session, self.panel)
         self._session.selected_curves_changed.connect(self._render)
         return self.panel
@@ -65,6 +65,7 @@ class CurveListCommands:
         "duplicate",
         title=lambda now: f"Duplicate {_curves(now)}",
     )
+    @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
         session, selected = self._session, self._session.selected_curves
@@ -95,6 +96,7 @@ class CurveListCommands:
         "delete",
         title=lambda now: f"Delete {_curves(now)}",
     )
+    @also(CURVE_MENU(30), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
         session, selected = self._session, self._session.selected_curves
@@ -121,6 +123,7 @@ class CurveListCommands:
     # How they are called and shown
 
     @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
+    @also(CURVE_LIST_MENU(10))
     def _rename(self) -> None:
         """Give the curve another name."""
         self._dock.show()
@@ -136,6 +139,7 @@ class CurveListCommands:
         full_name="Curve Visible",
         checked=lambda now: now.view.source.visible,
     )
+    @also(CURVE_MENU(21), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
         """Show or hide the curve, or all that are selected."""
         self._list.switch_visible(self._session.active_index)
@@ -149,11 +153,13 @@ class CurveListCommands:
         full_name="Curve Locked",
         checked=lambda now: now.view.source.locked,
     )
+    @also(CURVE_MENU(22), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
         """Keep the curve, or all that are selected, safe from changes."""
         self._list.switch_locked(self._session.active_index)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
+    @also(CURVE_MENU(20), CURVE_LIST_MENU(11))
     def _choose_colour(self) -> None:
         """Choose the colour of the curve, or of all that are selected."""
         self.panel.choose_colour(self._session.active_index)
@@ -169,6 +175,7 @@ class CurveListCommands:
             "a curve that is not chosen yet", lambda now: len(now.selected) < len(now.session.document.curves)
         ),
     )
+    @also(CANVAS_MENU(12), CURVE_LIST_MENU(22))
     def _choose_all(self) -> None:
         """Choose all curves, to move, scale, hide, colour or delete them together."""
         session = self._session
@@ -181,6 +188,7 @@ class CurveListCommands:
         EDIT_SELECT,
         needs=Need("several chosen curves", lambda now: len(now.selected) > 1),
     )
+    @also(CURVE_LIST_MENU(23))
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
         self._session.select_curves((self._session.active_index,))

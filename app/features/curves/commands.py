@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.actions.declaration import PlaceAction, action
+from app.actions.declaration import PlaceAction, action, also
 from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from app.actions.sections import (
     CURVE_NUMBER,
@@ -16,6 +16,7 @@ from app.actions.sections import (
     CURVE_WALK,
 )
 from app.actions.situation import Situation
+from app.actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from app.document import curve_edits, edits
 from app.document.model import Curve, Document, Parametrization
 from app.document.several_curves import named, place_in, step_curves
@@ -38,6 +39,7 @@ class CurveCommands:
     # Number and order
 
     @action("newCurve", "New Curve", CURVE_NUMBER, "Ctrl+Shift+N", "plus")
+    @also(CANVAS_MENU(22), CURVE_LIST_MENU(30), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
         """Add a curve to the document."""
         session = self._session
@@ -57,6 +59,7 @@ class CurveCommands:
         full_name="Raise Curve",
         needs=Need("a curve in front of this one", lambda now: _has_curve_beside(now, -1)),
     )
+    @also(CURVE_LIST_MENU(20))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
         self._step("Raise", 1)
@@ -70,6 +73,7 @@ class CurveCommands:
         full_name="Lower Curve",
         needs=Need("a curve behind this one", lambda now: _has_curve_beside(now, 0)),
     )
+    @also(CURVE_LIST_MENU(21))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
         self._step("Lower", -1)
@@ -172,6 +176,7 @@ class CurveCommands:
         full_name="Join Curve End to Start",
         needs=Need(SECOND_CURVE.words, lambda now: now.view.is_current and SECOND_CURVE.is_met(now)),
     )
+    @also(CURVE_MENU(12), CURVE_LIST_MENU(32), CURVE_LIST_BUTTONS(13))
     def _join(self) -> None:
         """Join the end of the curve to the nearest start of another."""
         session, index = self._session, self._session.active_index
@@ -204,6 +209,7 @@ class CurveCommands:
     @action(
         "splitCurve", "Split", CURVE_SHAPE, "Ctrl+K", "split", full_name="Split Curve", needs=UNLOCKED_CURVE
     )
+    @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
     def _split(self) -> None:
         """Split the curve at the selected point, or at the scrub line."""
         session, selected = self._session, self._session.selected
@@ -222,6 +228,7 @@ class CurveCommands:
         full_name="Reverse Curve",
         needs=Need(TWO_POINTS.words, lambda now: len(now.view.source.points) > 1),
     )
+    @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15))
     def _reverse(self) -> None:
         """Run through the curve the other way."""
         view = self._session.active_view
@@ -240,6 +247,7 @@ class CurveCommands:
         full_name="Closed Curve",
         checked=lambda now: now.view.source.is_closed,
     )
+    @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16))
     def _toggle_closed(self) -> None:
         """Let the curve return smoothly to its first point, or open it."""
         session, view = self._session, self._session.active_view

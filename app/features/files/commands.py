@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from app.actions.declaration import action
+from app.actions.declaration import action, also
 from app.actions.sections import FILE_OPEN, FILE_QUIT, FILE_SAVE
+from app.actions.strips import TOOLBAR
 from app.features.files.work_commands import WorkCommands
 from app.workbench.context import WindowContext
 
@@ -15,6 +16,7 @@ class DocumentCommands:
         self._context = context
 
     @action("newDocument", "New", FILE_OPEN, "Ctrl+N", "new")
+    @also(TOOLBAR(10))
     def _new(self) -> None:
         """Start an empty document."""
         self._context.files.new()
@@ -22,11 +24,13 @@ class DocumentCommands:
             self._context.actions["addTool"].trigger()
 
     @action("openDocument", "Open…", FILE_OPEN, "Ctrl+O", "open")
+    @also(TOOLBAR(11))
     def _open(self) -> None:
         """Open a document."""
         self._context.files.ask_and_open()
 
     @action("saveDocument", "Save", FILE_SAVE, "Ctrl+S", "save")
+    @also(TOOLBAR(12))
     def _save(self) -> None:
         """Save the document."""
         self._context.files.save()

@@ -1,17 +1,26 @@
-"""The history in the window: its dock."""
+"""The history of a document: undo, redo, and the list of steps."""
 
 from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
+from app.actions.declaration import action, also
+from app.actions.needs import Need
+from app.actions.sections import EDIT_HISTORY, FILE_BACK
+from app.actions.strips import TOOLBAR
 from app.features.history.controller import HistoryController
 from app.features.history.panel import HistoryPanel
+from app.qt.labels import menu_text
 from app.workbench.context import WindowContext
 from app.workbench.docks import UPPER, Panel
 
 
+def _titled(verb: str, step: str) -> str:
+    return f"{verb}: {menu_text(step)}" if step else verb
+
+
 class HistoryCommands:
-    """Shows the undo stack of a session.
+    """Steps through the undo stack of a session, and shows it.
 
     Attributes
     ----------
@@ -22,7 +31,7 @@ class HistoryCommands:
     panel: HistoryPanel
 
     def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
+        self._context, self._session = context, context.session
 
     @Panel("historyDock", "History", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
@@ -30,6 +39,60 @@ class HistoryCommands:
         self.panel = HistoryPanel(self._session.undo_stack, parent)
         self._controller = HistoryController(self._session, self.panel)
         return self.panel
+
+    @action(
+        "undo",
+        "Undo",
+        EDIT_HISTORY,
+        "Ctrl+Z",
+        "undo",
+        needs=Need("a step to take back", lambda now: now.session.undo_stack.canUndo()),
+        title=lambda now: _titled("Undo", now.session.undo_stack.undoText()),
+        during_gesture=True,
+    )
+    @also(TOOLBAR(20))
+    def _undo(self) -> None:
+        """Take the last step back."""
+        # Undo in the middle of a drag takes the drag back, not the step before it.
+        stack = self._session.undo_stack
+        if not self._context.cancel_gesture() and stack.canUndo():
+            text = stack.undoText()
+            stack.undo()
+            self._session.say(f"Undone: {text}.")
+
+    @action(
+        "goBack",
+        "Go Back",
+        FILE_BACK,
+        icon="history",
+        full_name="Go Back to What Was Before the Lesson",
+        needs=Need(
+            "work that was left for a lesson or an example",
+            lambda now: now.session.files.beginning.before is not None,
+        ),
+    )
+    def _go_back(self) -> None:
+        """Go back to what was there before this lesson or example; Redo comes here again."""
+        self._session.files.go_back()
+        self._session.say("This is as you left it; Redo goes on.")
+
+    @action(
+        "redo",
+        "Redo",
+        EDIT_HISTORY,
+        "Ctrl+Shift+Z, Ctrl+Y",
+        "redo",
+        needs=Need("a step that was taken back", lambda now: now.session.undo_stack.canRedo()),
+        title=lambda now: _titled("Redo", now.session.undo_stack.redoText()),
+    )
+    @also(TOOLBAR(21))
+    def _redo(self) -> None:
+        """Do the step again."""
+        stack = self._session.undo_stack
+        if stack.canRedo():
+            text = stack.redoText()
+            stack.redo()
+            self._session.say(f"Redone: {text}.")
 
 
 COMMAND_SETS = (HistoryCommands,)

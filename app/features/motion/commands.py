@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from app.actions.declaration import Action, action, action_for_each
+from app.actions.declaration import Action, action, action_for_each, also
 from app.actions.keymap import action_name
 from app.actions.needs import CURVE_THROUGH_TWO, Need
 from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN
+from app.actions.strips import TOOLBAR
 from app.features import motion
 from app.view_model.curve_view import CurveView
 from app.view_model.motion_settings import Pace, Repeat
@@ -93,6 +94,7 @@ class MotionCommands:
         needs=Need(CURVE_THROUGH_TWO.words, lambda now: now.view.is_current or now.state.motion_shown),
         checked=lambda now: now.state.motion_plays,
     )
+    @also(TOOLBAR(64))
     def _play(self) -> None:
         """Let a dot run along the curve, with its velocity and acceleration; again to pause."""
         self.stage.play_or_pause()

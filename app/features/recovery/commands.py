@@ -43,13 +43,13 @@ class RecoveryCommands:
     @action("recoverWork", "Recover Unsaved Work", FILE_RECOVERY, icon="history")
     def _look_again(self) -> None:
         """Offer what was not saved when the program last ended."""
-        self.look()
+        self.offer_unsaved_work()
         if not self._found.snapshots and not self._found.damaged:
             self._context.session.say("There is no unsaved work.")
         elif self._bar is not None:
             self._bar.take_focus()
 
-    def look(self) -> None:
+    def offer_unsaved_work(self) -> None:
         """Offer what there is; say nothing where there is nothing."""
         self.leave()
         self._found = list_snapshots(snapshot_folder())

@@ -8,9 +8,10 @@ from pathlib import Path
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDockWidget, QFileDialog, QWidget
 
-from app.actions.declaration import action
+from app.actions.declaration import action, also
 from app.actions.needs import Need
 from app.actions.sections import FILE_IMAGE
+from app.actions.strips import IMAGE_BUTTONS
 from app.canvas.image_file import ImageFileError, read_image
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
@@ -62,7 +63,7 @@ class ImageCommands:
         """Return the form of the picture, with its buttons."""
         self.panel = ImagePanel(parent)
         self._controller = ImageController(self._session, self.panel)
-        self.panel.add_buttons([self._actions[name] for name in ("moveImage", "findImage", "removeImage")])
+        self.panel.add_buttons(self._actions.in_strip(IMAGE_BUTTONS)[1])
         return self.panel
 
     def render(self, view: CurveView) -> None:
@@ -118,12 +119,13 @@ class ImageCommands:
     def _ask_and_add(self) -> None:
         """Put a PNG or JPEG picture behind the curves, to trace it."""
         path = self._ask("Reference Image")
-        if path:
-            self.add(path)
+        if path is not None:
+            self.trace(path)
 
-    def add(self, path: str) -> None:
-        """Put the picture at `path` behind the curves, in the middle of what is visible."""
-        pixels = self._read(path)
+    def trace(self, path: Path) -> None:
+        """Put a picture behind the curves, in the middle of what is visible, or say why not."""
+        name = str(path.absolute())
+        pixels = self._read(name)
         if pixels is None:
             return
         x_min, y_min, x_max, y_max = self._context.central.canvas.pixel_map.box
@@ -133,7 +135,7 @@ class ImageCommands:
         # As many decimals as make a difference on the screen: 0, not −4.4e−16.
         decimals = ceil(-log10(self._context.central.canvas.camera.pixel_size))
         x, y = round(x, decimals) + 0.0, round(y, decimals) + 0.0
-        image = ReferenceImage(path, x, y, width, height)
+        image = ReferenceImage(name, x, y, width, height)
         if self._session.change("Add image", lambda document: set_image(document, image)):
             self._dock.raise_()
             self._session.say("File › Move Image drags and scales the image; the panel fades it.")
@@ -146,6 +148,7 @@ class ImageCommands:
         needs=Need("a reference image that is not locked", lambda now: _can_move(now.session.document.image)),
         checked=lambda now: now.state.moves_image,
     )
+    @also(IMAGE_BUTTONS(10))
     def _toggle_moving(self) -> None:
         """Drag the reference image, and scale it by its corners; points are out of reach meanwhile."""
         store = self._context.store
@@ -154,23 +157,25 @@ class ImageCommands:
             self._session.say(MOVE_IMAGE.hint)
 
     @action("findImage", "Find Image…", FILE_IMAGE, needs=_AN_IMAGE)
+    @also(IMAGE_BUTTONS(11))
     def _ask_and_find(self) -> None:
         """Say where the file of the reference image is."""
         path = self._ask("Find Image")
-        if path:
+        if path is not None:
             self.find(path)
 
-    def find(self, path: str) -> None:
-        """Show the picture at `path` where the present one lies."""
-        pixels = self._read(path)
+    def find(self, path: Path) -> None:
+        """Show a picture where the present one lies, or say why not."""
+        name = str(path.absolute())
+        pixels = self._read(name)
         if pixels is not None:
             aspect = pixels.width() / pixels.height()
-            self._session.change("Find image", lambda document: set_image_file(document, path, aspect))
+            self._session.change("Find image", lambda document: set_image_file(document, name, aspect))
 
-    def _ask(self, title: str) -> str:
+    def _ask(self, title: str) -> Path | None:
         folder = str(self._context.preferences.last_folder)
         name, _ = QFileDialog.getOpenFileName(self._context.window, title, folder, _PICTURES)
-        return str(Path(name).absolute()) if name else ""
+        return Path(name) if name else None
 
     def _read(self, path: str) -> QImage | None:
         """Return the picture at `path`, or say why there is none."""
@@ -181,6 +186,7 @@ class ImageCommands:
             return None
 
     @action("removeImage", "Remove Image", FILE_IMAGE, needs=_AN_IMAGE)
+    @also(IMAGE_BUTTONS(12))
     def _remove(self) -> None:
         """Take the reference image out of the document."""
         self._session.change("Remove image", lambda document: set_image(document, None))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from app.actions.declaration import action
+from app.actions.declaration import action, also
 from app.actions.sections import VIEW_DRAWING
+from app.actions.strips import CANVAS_MENU, TOOLBAR
 from app.state.window_state import WindowState
 from app.tools.snapping import Snapping
 from app.workbench.context import WindowContext
@@ -26,6 +27,7 @@ class SnapCommands:
         self._context.status_line.unit = state.unit_name
 
     @action("toggleSnap", "Snap", VIEW_DRAWING, "Shift+S", "magnet", checked=lambda now: now.state.snap_on)
+    @also(TOOLBAR(62), CANVAS_MENU(32))
     def _toggle(self) -> None:
         """Snap to grid, points and curves; Ctrl while dragging turns it round."""
         store = self._context.store

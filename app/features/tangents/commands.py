@@ -5,10 +5,11 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Collection, Sequence
 
-from app.actions.declaration import PlaceAction, action
+from app.actions.declaration import PlaceAction, action, also
 from app.actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from app.actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from app.actions.situation import Situation
+from app.actions.strips import POINT_MENU
 from app.document import edits, words
 from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
@@ -52,6 +53,7 @@ class TangentCommands:
         needs=HERMITE_POINTS,
         checked=lambda now: _tangents(now) == {Tangent.SMOOTH},
     )
+    @also(POINT_MENU(10))
     def _make_smooth(self) -> None:
         """One velocity on both sides of the selected points."""
         view, selected = self._session.active_view, sorted(self._session.selection)
@@ -69,6 +71,7 @@ class TangentCommands:
         needs=HERMITE_POINTS,
         checked=lambda now: _tangents(now) == {Tangent.CORNER},
     )
+    @also(POINT_MENU(11))
     def _make_corners(self) -> None:
         view, selected = self._session.active_view, sorted(self._session.selection)
         inner = inner_points(view.source, selected)
@@ -86,6 +89,7 @@ class TangentCommands:
         needs=HERMITE_POINTS,
         checked=lambda now: _tangents(now) == {Tangent.ESTIMATED},
     )
+    @also(POINT_MENU(12))
     def _make_estimated(self) -> None:
         """Let the rules estimate the tangents of the selected points."""
         self._apply("Estimate", self._estimate)
@@ -102,6 +106,7 @@ class TangentCommands:
             why=lambda now: why_not_straight(now.view.source.family),
         ),
     )
+    @also(POINT_MENU(13))
     def _straighten_chosen(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
         session = self._session
@@ -120,6 +125,7 @@ class TangentCommands:
         "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does too",
         needs=HERMITE_POINTS,
     )
+    @also(POINT_MENU(14))
     def _pull_velocities(self) -> None:
         self._reshape("Pull out velocity of", self._pulled)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
-from app.actions.declaration import Action, action, action_for_each
+from app.actions.declaration import Action, action, action_for_each, also, also_for_each
 from app.actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from app.actions.sections import (
     EDIT_TOOLS,
@@ -15,6 +15,7 @@ from app.actions.sections import (
     VIEW_THEME,
     VIEW_ZOOM,
 )
+from app.actions.strips import CANVAS_MENU, TOOLBAR
 from app.appearance.theme import ThemeMode
 from app.plotting.scrolling import ZOOM_STEP
 from app.state.window_state import WindowState
@@ -99,6 +100,7 @@ class ViewCommands:
             during_gesture=True,
         ),
     )
+    @also_for_each(lambda tool: (TOOLBAR(30), CANVAS_MENU(10)) if tool.in_menu else (TOOLBAR(30),))
     def _use_tool(self, tool: ToolRecord) -> None:
         # Taken anew, a tool ends what it was doing.
         self._context.central.canvas.choose_tool(tool)
@@ -108,6 +110,7 @@ class ViewCommands:
     # Zoom
 
     @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View")
+    @also(TOOLBAR(60), CANVAS_MENU(30))
     def _fit(self) -> None:
         """Show all visible curves; without points the reference image."""
         self._context.central.fit()
@@ -137,6 +140,7 @@ class ViewCommands:
         full_name="Show Grid",
         checked=lambda now: now.state.grid,
     )
+    @also(TOOLBAR(61), CANVAS_MENU(31))
     def _toggle_grid(self) -> None:
         """Show or hide the grid."""
         self._store.change(grid=not self._store.state.grid)
@@ -150,6 +154,7 @@ class ViewCommands:
         needs=CURVE_DRAWN,
         checked=lambda now: now.session.scrub is not None,
     )
+    @also(TOOLBAR(63), CANVAS_MENU(33))
     def _toggle_scrub(self) -> None:
         """Show a point running along the curve and the weight of every point."""
         session = self._session

@@ -9,6 +9,7 @@ from app.document.model import ParametrizationKind
 from app.qt.labels import Label
 from app.view_model.curve_view import CurveView
 from app.widgets.live_slider import LiveSlider
+from app.widgets.toolbar_widget import ToolbarWidget
 
 STEPS = 100
 """Positions of the slider from α 0 to 1."""
@@ -16,7 +17,7 @@ STEPS = 100
 _SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 64
 
 
-class ParametrizationBar(QWidget):
+class ParametrizationBar(ToolbarWidget):
     """Chooses the rule that gives the t_i.
 
     Signals
@@ -75,7 +76,6 @@ class ParametrizationBar(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
     def set_compact(self, compact: bool) -> None:
-        """Take less room in a narrow window."""
         self._label.setVisible(not compact)
         self.slider.setFixedWidth(_COMPACT_SLIDER_WIDTH if compact else _SLIDER_WIDTH)
 

@@ -1,0 +1,50 @@
+"""Pictures: in pixels, as a drawing, which is also read, and as a page."""
+
+from __future__ import annotations
+
+from app.exchange import drawing, svg
+from app.exchange.cubics_in import Imported
+from app.exchange.formats import ContentKind, Format
+from app.exchange.options import PICTURE, SCALE, TOLERANCE, WIDTH
+from app.exchange.svg.writer import svg_of
+
+
+def read(data: bytes, tolerance: float | None) -> Imported:
+    """Return the curves of a drawing; see `svg.reader.read_svg`."""
+    return svg.reader.read_svg(data, tolerance)
+
+
+# Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.
+# ruff: noqa: PLW0108
+FORMATS = (
+    Format(
+        endings=(".png",),
+        title="PNG picture",
+        description="Pixels, for slides and pages.",
+        place=10,
+        options=(WIDTH, SCALE, *PICTURE),
+        write=lambda document, options: drawing.image.png_file(document, options),
+        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+    ),
+    Format(
+        endings=(".svg",),
+        title="SVG drawing",
+        description="Bézier curves, a path for each curve; cubic Hermite curves are exact.",
+        place=20,
+        options=(*PICTURE, TOLERANCE),
+        write=svg_of,
+        preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
+        kind=ContentKind.DRAWING,
+        plural="SVG drawings",
+        read=read,
+    ),
+    Format(
+        endings=(".pdf",),
+        title="PDF document",
+        description="One page of outlines, sharp at every size.",
+        place=30,
+        options=(*PICTURE, TOLERANCE),
+        write=lambda document, options: drawing.image.pdf_file(document, options),
+        preview=lambda document, options, room: drawing.image.pdf_preview(document, options, room),
+    ),
+)

@@ -1,4 +1,0 @@
-"""Editing of points, families and parameters.
-
-- ``commands``: the actions.
-"""

@@ -1,0 +1,4 @@
+"""Points: all of them, none, and with estimated derivatives.
+
+- ``commands``: the actions.
+"""

@@ -1,0 +1,80 @@
+"""The points of a curve: all of them, none, and with estimated derivatives."""
+
+from __future__ import annotations
+
+from app.actions.declaration import action, also
+from app.actions.needs import SELECTED_POINTS, Need
+from app.actions.sections import (
+    CURVE_VELOCITIES,
+    EDIT_DELETE,
+    EDIT_SELECT,
+)
+from app.actions.situation import Situation
+from app.actions.strips import CANVAS_MENU, POINT_MENU
+from app.document import edits
+from app.workbench.context import WindowContext
+
+
+def _has_explicit(now: Situation) -> bool:
+    """Whether a selected point has a derivative that was set by hand."""
+    return any(
+        now.view.is_explicit(index, order, ahead=ahead)
+        for index in now.selection
+        for order in (1, 2)
+        for ahead in (False, True)
+    )
+
+
+class PointCommands:
+    """Selection of all points, deletion, and a return to estimated derivatives."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
+
+    @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
+    @also(CANVAS_MENU(11))
+    def _select_all(self) -> None:
+        """Select all points."""
+        self._session.select(range(len(self._session.active_curve.points)))
+
+    @action(
+        "deleteSelection",
+        "Delete",
+        EDIT_DELETE,
+        "Del, Backspace",
+        "delete",
+        full_name="Delete Points",
+        needs=SELECTED_POINTS,
+    )
+    @also(POINT_MENU(40))
+    def _delete_selection(self) -> None:
+        """Delete the selected points."""
+        session, selected = self._session, self._session.selection
+        if not selected:
+            if len(session.selected_curves) > 1:
+                self._context.actions["deleteCurve"].trigger()
+            return
+        what = f"point {next(iter(selected))}" if len(selected) == 1 else f"{len(selected)} points"
+        if session.change(
+            f"Delete {what}", lambda document: edits.delete_points(document, session.active_index, selected)
+        ):
+            session.select([])
+
+    @action(
+        "resetVelocities",
+        "Reset Derivatives to Estimated",
+        CURVE_VELOCITIES,
+        icon="reset",
+        needs=Need("selected points with a velocity or an acceleration that was set", _has_explicit),
+    )
+    def _reset_derivatives(self) -> None:
+        """Let the rules estimate the velocities and accelerations of the selected points again."""
+        session, selected = self._session, self._session.selection
+        session.change(
+            "Reset derivatives",
+            lambda document: edits.estimate_derivatives(document, session.active_index, selected),
+        )
+
+
+COMMAND_SETS = (PointCommands,)

@@ -1,0 +1,4 @@
+"""The rules of a curve: its family and its parameters.
+
+- ``commands``: the actions.  ``bar``: the rule for the t_i and its α, in the toolbar.
+"""

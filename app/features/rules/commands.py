@@ -1,0 +1,147 @@
+"""The rules of a curve: its family, and the rule that gives its parameters."""
+
+from __future__ import annotations
+
+from app.actions.declaration import Action, action, action_for_each, also, widget_at
+from app.actions.needs import Need
+from app.actions.sections import CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
+from app.actions.strips import CURVE_MENU, RAIL_MENU, TOOLBAR
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Curve, Document, ParametrizationKind
+from app.families import FAMILIES, Family
+from app.features.rules.bar import STEPS, ParametrizationBar
+from app.storage.resources import has_resource
+from app.view_model.curve_view import CurveView
+from app.widgets.toolbar_widget import ToolbarWidget
+from app.workbench.context import WindowContext
+from app.workbench.slider_gesture import SliderGesture
+
+_MOST_KEYS = 10
+"""One more than there are digits for."""
+
+
+def _key_of(family: Family) -> str:
+    """Return the digit of a family's place, for as many as there are digits."""
+    place = list(FAMILIES).index(family) + 1
+    return str(place) if place < _MOST_KEYS else ""
+
+
+class RuleCommands:
+    """Choice of the family and of the parameters, in menus and in the toolbar."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session = context.session
+        self._bar = ParametrizationBar()
+        self._bar.kind_chosen.connect(self._use_parametrization)
+        self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
+        self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
+
+    @widget_at(TOOLBAR(50))
+    def build_bar(self) -> ToolbarWidget:
+        """Return the bar of the toolbar."""
+        return self._bar
+
+    def render(self, view: CurveView) -> None:
+        """Show the rule of `view` in the bar."""
+        self._bar.render_view(view)
+
+    @action_for_each(
+        FAMILIES,
+        lambda family: Action(
+            family.action_name,
+            family.label,
+            CURVE_FAMILY,
+            _key_of(family),
+            family.icon if has_resource("icons", f"{family.icon}.svg") else "spline",
+            family.tip,
+            short=family.short,
+            checked=lambda now: now.view.source.family == family,
+            group="family",
+        ),
+    )
+    @also(TOOLBAR(40))
+    def _use_family(self, family: Family) -> None:
+        session = self._session
+        was_closed = session.active_curve.is_closed
+        session.change(
+            f"Switch to {family.title}",
+            lambda document: edits.set_family(document, session.active_index, family),
+        )
+        if was_closed and not session.active_curve.is_closed:
+            closes = next(each.title for each in FAMILIES if each.can_close)
+            session.say(
+                f"{family.subject} cannot close smoothly; it is shown open, and closes again as {closes}."
+            )
+
+    @action_for_each(
+        tuple(ParametrizationKind),
+        lambda kind: Action(
+            f"parameters_{kind}",
+            kind.label,
+            CURVE_RULES,
+            tip=f"Use {kind.label.lower()} parameters",
+            full_name=f"{kind.label} Parameters",
+        ),
+    )
+    def _use_parametrization(self, kind: ParametrizationKind) -> None:
+        session = self._session
+
+        def edit(document: Document) -> Document:
+            view = session.active_view
+            if kind is ParametrizationKind.MANUAL and not view.is_current:
+                raise EditError("There are no parameters to start from; mend the points first.")
+            return edits.set_parametrization(document, session.active_index, kind, view.parameters.tolist())
+
+        session.change(f"Use {kind.label.lower()} parameters", edit)
+
+    @action(
+        "freezeParameters",
+        "Freeze Parameters",
+        CURVE_PARAMETERS,
+        icon="lock",
+        needs=Need(
+            "parameters that a rule gives", lambda now: now.view.is_current and not now.view.source.is_manual
+        ),
+    )
+    @also(CURVE_MENU(14), RAIL_MENU(21))
+    def _freeze_parameters(self) -> None:
+        """Keep the parameters as they are: make them manual."""
+        session = self._session
+        parameters = session.active_view.parameters.tolist()
+        session.change(
+            "Freeze parameters",
+            lambda document: edits.freeze_parameters(document, session.active_index, parameters),
+        )
+
+    @action(
+        "useUniform",
+        "Use Uniform Parameters",
+        CURVE_PARAMETERS,
+        icon="spline",
+        needs=Need(
+            "parameters that are not uniform",
+            lambda now: now.view.source.parametrization.kind is not ParametrizationKind.UNIFORM,
+        ),
+    )
+    def _use_uniform(self) -> None:
+        """Space the parameters evenly, wherever the points lie."""
+        self._use_parametrization(ParametrizationKind.UNIFORM)
+
+    def _with_alpha(self, document: Document, position: int) -> Document:
+        index, alpha = self._session.active_index, position / STEPS
+        if _alpha_of(document.curves[index]) == alpha:
+            return document
+        return edits.set_alpha(document, index, alpha)
+
+
+def _alpha_step(position: int) -> str:
+    return f"Set α to {position / STEPS:.2f}"
+
+
+def _alpha_of(curve: Curve) -> float | None:
+    rule = curve.parametrization
+    return rule.alpha if rule.kind is ParametrizationKind.POWER else rule.kind.alpha
+
+
+COMMAND_SETS = (RuleCommands,)

@@ -1,0 +1,12 @@
+"""Widget of a toolbar that has room only in a wide window."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+
+class ToolbarWidget(QWidget):
+    """What stands in the toolbar and is no button."""
+
+    def set_compact(self, compact: bool) -> None:
+        """Take less room in a narrow window."""

@@ -1,0 +1,21 @@
+"""Context menus, made of the actions of a strip."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMenu
+
+from app.actions.strips import Strip
+from app.workbench.context import WindowContext
+
+
+def strip_menu(context: WindowContext, strip: Strip, name: str = "contextMenu") -> QMenu:
+    """Return a menu with the actions of `strip`, which goes when it is closed."""
+    menu = QMenu(context.window)
+    menu.setObjectName(name)
+    menu.setToolTipsVisible(True)
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    for group in context.actions.in_strip(strip).values():
+        menu.addSeparator()
+        menu.addActions(group)
+    return menu
