@@ -19,6 +19,7 @@ families             one file each: `Curve`, the base class; `LagrangeCurve`,
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots
+  chebyshev          coefficients of Chebyshev polynomials
   control_points     exact and approximate Bezier control points
   conversion         exact ones of any stretch, degree elevation
   pieces             any curve as Bezier pieces of low degree

@@ -266,7 +266,7 @@ def _search(arcs: Arcs, tolerance: float, slack: float, reach: float = np.inf) -
         best, parameter = reach, np.nan
     bound = np.inf
     for step in range(_ROUNDS):
-        low = _lower_bounds(arcs.controls)
+        low = np.sqrt(np.maximum(squared_length(arcs.controls).min(axis=1), 0.0))
         open_ = low < best - tolerance
         closed = low[~open_]
         bound = min(bound, float(closed.min(initial=np.inf)))
@@ -284,8 +284,3 @@ def _nearest_end(arcs: Arcs) -> tuple[float, float]:
     distance = vector_lengths(arcs.controls[:, [0, -1]])
     i, side = np.unravel_index(int(np.argmin(distance)), distance.shape)
     return float(distance[i, side]), float(arcs.end[i] if side else arcs.start[i])
-
-
-def _lower_bounds(controls: FloatArray) -> FloatArray:
-    bound: FloatArray = np.sqrt(np.maximum(squared_length(controls).min(axis=1), 0.0))
-    return bound

@@ -14,7 +14,9 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 from curvecore.bezier.bernstein_algebra import halves, weights
+from curvecore.bezier.chebyshev import to_chebyshev
 from curvecore.bezier.pieces import BezierPieces
+from curvecore.parametrization import chebyshev
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 _GAUSS_POINTS = 16
@@ -140,7 +142,7 @@ def _bounds(slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
     evaluation, transform = _square_matrices(degree)
     q = np.square(evaluation @ slopes).sum(axis=2)
     coefficients = np.abs(q @ transform.T)
-    k = np.arange(1, 2 * degree + 1)
+    k = np.arange(1, len(transform))
     growth = 0.5 * (_RHO[:, None] ** k + _RHO[:, None] ** -k)
     rest = coefficients[:, 1:] @ growth.T
     free = rest < coefficients[:, :1]
@@ -196,12 +198,5 @@ def _gauss() -> tuple[FloatArray, FloatArray]:
 @cache
 def _square_matrices(degree: int) -> tuple[FloatArray, FloatArray]:
     """Return matrices to values at Chebyshev points, and from values of a square to coefficients."""
-    n = 2 * degree
-    if n == 0:
-        return read_only(np.ones((1, 1))), read_only(np.ones((1, 1)))
-    k = np.arange(n + 1)
-    places = np.sin(k * (np.pi / (2 * n))) ** 2
-    transform = (2.0 / n) * np.cos(np.pi * np.outer(k, k) / n) * (-1.0) ** k[:, None]
-    transform[:, [0, n]] *= 0.5
-    transform[[0, n]] *= 0.5
-    return read_only(weights(places, degree)), read_only(transform)
+    n = max(2 * degree, 1)
+    return read_only(weights(chebyshev(n + 1), degree)), to_chebyshev(n)
