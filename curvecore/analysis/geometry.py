@@ -322,7 +322,7 @@ def _turn(pieces: BezierPieces) -> tuple[FloatArray, FloatArray]:
     """Return c' x c'' for every piece, and the size below which it says nothing."""
     velocity = pieces.slopes
     acceleration = derivative(velocity)
-    (vx, vy), (ax, ay) = (np.moveaxis(each, 2, 0) for each in (velocity, acceleration))
+    (vx, vy), (ax, ay) = (each.transpose(2, 0, 1) for each in (velocity, acceleration))
     turn = product(vx, ay) - product(vy, ax)
     degree = velocity.shape[1]
     fast, bent = (np.abs(each).max(axis=(1, 2)) for each in (velocity, acceleration))
