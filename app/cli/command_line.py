@@ -14,7 +14,7 @@ from app.diagnostics.log import log_options, logged
 from app.exchange import READER_PROCESS
 
 _INTERRUPTED = 130
-"""What a shell expects of a program that Ctrl+C ended."""
+"""The exit code that a shell expects of a program that Ctrl+C ended."""
 
 _COMMANDS = ("render", "convert", "info", "lesson")
 

@@ -40,7 +40,7 @@ def log_options() -> argparse.ArgumentParser:
 
 
 class LastLines(logging.Handler):
-    """Keeps the last lines of the log in memory."""
+    """Log handler that keeps the last lines in memory."""
 
     def __init__(self) -> None:
         super().__init__()

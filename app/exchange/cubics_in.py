@@ -69,6 +69,10 @@ class Imported:
     remarks: tuple[str, ...] = ()
     groups: tuple[tuple[str, ...], ...] = ()
 
+    @property
+    def _chains(self) -> tuple[tuple[str, ...], ...]:
+        return self.groups or ((),) * len(self.document.curves)
+
     def only(self, taken: Sequence[bool]) -> Imported:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
         curves = tuple(compress(self.document.curves, taken))
@@ -83,8 +87,7 @@ class Imported:
         ExchangeError
             If there is none, with the names that there are.
         """
-        groups = self.groups or ((),) * len(self.document.curves)
-        own = [(*chain, curve.name) for chain, curve in zip(groups, self.document.curves, strict=True)]
+        own = [(*chain, curve.name) for chain, curve in zip(self._chains, self.document.curves, strict=True)]
         taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
@@ -93,8 +96,7 @@ class Imported:
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""
         curves = self.document.curves
-        chains = self.groups or ((),) * len(curves)
-        names = [chain[:_OUTER] or (curve.name,) for chain, curve in zip(chains, curves, strict=True)]
+        names = [chain[:_OUTER] or (curve.name,) for chain, curve in zip(self._chains, curves, strict=True)]
         counts = Counter(name for mine in names for name in dict.fromkeys(mine))
         shown = [f"{name} ({count})" if count > 1 else name for name, count in counts.items()]
         more = len(shown) - _MOST_NAMES

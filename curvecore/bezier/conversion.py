@@ -129,18 +129,49 @@ def bezier_stretch(curve: Curve, start: float, end: float) -> FloatArray:
     CurveError
         If the stretch is no single polynomial, or leaves the domain.
     """
+    return _columns([_bernstein(powers) for powers in _powers(curve, start, end, MOST)])
+
+
+def power_coefficients(curve: Curve, start: float, end: float) -> FloatArray:
+    """Return the coefficients of a stretch of a curve by powers of s = (t - start) / (end - start).
+
+    Parameters
+    ----------
+    curve, start, end
+        As for `bezier_stretch`, but of any number of points.
+
+    Returns
+    -------
+    ndarray, shape (degree + 1, dim)
+        Lowest power first; the exact ones, rounded once, limited to the largest finite number.
+
+    Raises
+    ------
+    CurveError
+        If the stretch is no single polynomial, or leaves the domain.
+    """
+    return _columns(_powers(curve, start, end))
+
+
+def _columns(exact: list[list[Fraction]]) -> FloatArray:
+    """Return exact numbers, an axis a list, as columns of floats."""
+    rounded = [[as_float(each.numerator, each.denominator) for each in column] for column in exact]
+    return np.array(rounded).T.copy()
+
+
+def _powers(curve: Curve, start: float, end: float, most: float = math.inf) -> list[list[Fraction]]:
+    """Return the exact coefficients of each axis by powers of s; refuse more points than `most`."""
     low, high = finite_number(start, "start"), finite_number(end, "end")
     first, last = curve.domain
     if not first <= low < high <= last:
         raise CurveError(f"start and end must ascend inside the domain, from {first} to {last}")
     parameters, jets = _interpolant_over(curve, low, high)
-    if len(parameters) > MOST:
-        raise CurveError(f"curve must have at most {MOST} points to be converted, not {len(parameters)}")
-    columns = [
-        _bernstein(interpolated(parameters.tolist(), jets[:, :, axis].tolist()), low, high)
+    if len(parameters) > most:
+        raise CurveError(f"curve must have at most {most} points to be converted, not {len(parameters)}")
+    return [
+        _shifted(interpolated(parameters.tolist(), jets[:, :, axis].tolist()), low, high)
         for axis in range(jets.shape[2])
     ]
-    return np.array(columns).T.copy()
 
 
 def _interpolant_over(curve: Curve, low: float, high: float) -> Interpolant:
@@ -155,8 +186,8 @@ def _interpolant_over(curve: Curve, low: float, high: float) -> Interpolant:
     return found
 
 
-def _bernstein(polynomial: CommonPolynomial, low: float, high: float) -> list[float]:
-    """Return the Bernstein coefficients on [low, high], each rounded once."""
+def _shifted(polynomial: CommonPolynomial, low: float, high: float) -> list[Fraction]:
+    """Return the coefficients by powers of s on [low, high]."""
     start, length = Fraction(low), Fraction(high) - Fraction(low)
     # Coefficients in powers of s by repeated division by t - start (Taylor shift).
     shifted = [Fraction(each, polynomial.denominator) for each in polynomial.coefficients]
@@ -164,12 +195,14 @@ def _bernstein(polynomial: CommonPolynomial, low: float, high: float) -> list[fl
     for i in range(degree):
         for k in range(degree - 1, i - 1, -1):
             shifted[k] += start * shifted[k + 1]
-    scaled = [each * length**k / math.comb(degree, k) for k, each in enumerate(shifted)]
-    result = []
-    for k in range(degree + 1):
-        total = sum((math.comb(k, j) * scaled[j] for j in range(k + 1)), Fraction(0))
-        result.append(as_float(total.numerator, total.denominator))
-    return result
+    return [each * length**k for k, each in enumerate(shifted)]
+
+
+def _bernstein(powers: list[Fraction]) -> list[Fraction]:
+    """Return the Bernstein coefficients of a polynomial given by powers of s."""
+    degree = len(powers) - 1
+    scaled = [each / math.comb(degree, k) for k, each in enumerate(powers)]
+    return [sum((math.comb(k, j) * scaled[j] for j in range(k + 1)), Fraction(0)) for k in range(degree + 1)]
 
 
 def _condition(parameters: FloatArray) -> float:
