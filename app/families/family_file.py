@@ -36,8 +36,7 @@ from curvecore.arrays import FloatArray
 _MODULE = "curvebench_families_of_a_file"
 _COUNTS = (2, 3, 4, 7)
 _FACTS = {"title": str, "interpolates": bool, "can_close": bool}
-"""What a file may say beside its functions, and of what kind."""
-
+"""The names that a file may define beside its functions, and their types."""
 
 _Function = Callable[..., npt.ArrayLike]
 

@@ -1,4 +1,4 @@
-"""What a change of one parameter does to a curve whose velocities are estimated from the parameters, too."""
+"""The effect of one parameter on a curve whose velocities are estimated from the parameters, too."""
 
 from __future__ import annotations
 

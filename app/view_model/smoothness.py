@@ -17,7 +17,7 @@ from app.view_model.curve_view import CurveView
 from app.view_model.reshape import estimates_kept, with_jets
 
 ENDS_STAY = "the ends of an open curve cannot be corners"
-"""What is said where some of the points chosen are such ends."""
+"""The words where some of the selected points are such ends."""
 
 
 def inner_points(curve: Curve, indices: Collection[int]) -> list[int]:

@@ -332,7 +332,7 @@ class MainWindow(Guarded, QMainWindow):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_commands"):
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "commands"):
             self._render_theme()
 
     def _remember_layout(self) -> None:

@@ -16,7 +16,8 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.plotting.camera import GREATEST_SPAN
 from app.plotting.pixel_map import PixelMap
-from app.view_model.curve_view import scale_of, view_of
+from app.view_model.appending import scale_of
+from app.view_model.curve_view import view_of
 
 
 @pytest.fixture

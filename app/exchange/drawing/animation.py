@@ -28,7 +28,7 @@ from app.storage.files import write
 from app.tasks.progress import FINAL, Report, silent
 from app.view_model.curve_view import view_of
 from app.view_model.motion import Course, round_of
-from app.view_model.motion_picture import COLOURS, Role, rivals_of
+from app.view_model.motion_picture import Role, rivals_of
 from app.view_model.motion_settings import Pace, Repeat
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ class Film:
         if not self.compares:
             return document
         others = [
-            replace(each.source, colour=COLOURS[role])
+            replace(each.source, colour=role.colour)
             for role, each in rivals_of(view_of(source)).items()
             if each.source is not source
         ]

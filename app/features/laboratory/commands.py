@@ -173,7 +173,7 @@ class LaboratoryCommands(Guarded, QObject):
     def _take(self, result: object) -> None:
 
         self._trial = result if isinstance(result, analysis.laboratory.Trial) else None
-        self._problem = result.reason if isinstance(result, analysis.laboratory.Refused) else ""
+        self._problem = result if isinstance(result, str) else ""
         self._show()
         self._plot_errors()
         self._ask_digits()

@@ -29,7 +29,7 @@ class ErrorPlot:
             self._panel.hide_lines(TITLE)
             return
         lines = [
-            analysis.plot_lines.PlotLine(each.calculation.label, each.t, each.errors, each.calculation.style)
-            for each in analysis.laboratory.error_lines(trial)
+            analysis.plot_lines.PlotLine(each.calculation.label, trial.t, each.errors, each.calculation.style)
+            for each in trial.outcomes
         ]
         self._panel.show_lines(lines, analysis.plot_lines.Scale.LOG, TITLE)

@@ -1,4 +1,4 @@
-"""What the legend on the canvas explains."""
+"""The legend on the canvas."""
 
 from __future__ import annotations
 

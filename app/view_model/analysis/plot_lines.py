@@ -1,4 +1,4 @@
-"""What a plot over t shows: lines of (t, value), on a linear or a logarithmic scale."""
+"""The data of a plot over t: lines of (t, value), on a linear or a logarithmic scale."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from curvecore.arrays import FloatArray
 
 
 class Scale(enum.Enum):
-    """How values are placed."""
+    """The scales of values."""
 
     LINEAR = enum.auto()
     """Zero is always in sight."""
     LOG = enum.auto()
-    """What is not positive lies below the plot."""
+    """Zero and negative values lie below the plot."""
 
 
 class PlotLine(msgspec.Struct, frozen=True, eq=False):

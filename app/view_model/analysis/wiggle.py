@@ -1,4 +1,4 @@
-"""Why the curve swings out where it does: who pulls at one t, and how hard."""
+"""Explanation of a swing of the curve: the points that pull at one t, and how hard."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from app.view_model.analysis.wording import short
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_at
+from app.view_model.sampling import within_segments
 from curvecore.arrays import FloatArray
 
 MOST_PULLS = 6
@@ -26,7 +27,7 @@ _CALM = 0.25
 
 @dataclass(frozen=True)
 class Pull:
-    """What one datum does at t.
+    """The effect of one point, or of a derivative that was set, at t.
 
     Attributes
     ----------
@@ -47,7 +48,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Explanation:
-    """Why the curve is where it is at one t.
+    """The explanation of the curve at one t.
 
     Attributes
     ----------
@@ -79,7 +80,7 @@ def widest(view: CurveView) -> float:
     knots = view.parameters
     count = max(1, min(_COARSE, _MOST_COARSE // len(knots)))
     shares = np.linspace(0.0, 1.0, count + 2)[1:-1]
-    t = knots[:-1, None] + np.diff(knots)[:, None] * shares
+    t = within_segments(knots, shares)
     at = view.curve.evaluate(knots)
     away = _distances(view.curve.evaluate(t.ravel()).reshape(*t.shape, 2), at[:-1, None], at[1:, None])
     return float(t.ravel()[int(np.argmax(away))])
