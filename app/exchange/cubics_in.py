@@ -28,7 +28,6 @@ from app.document.model import (
 )
 from app.exchange.errors import ExchangeError
 from app.families import HERMITE
-from app.storage.format import FormatError, validate
 from curvecore.arrays import FloatArray
 
 SMOOTH = 1e-9
@@ -172,12 +171,7 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
         deviation = max(deviation, path.deviation + moved)
     if not curves:
         raise ExchangeError(" ".join(["There is no curve in the file.", *remarks]))
-    document = Document(tuple(curves))
-    try:
-        validate(document)
-    except FormatError as problem:
-        raise ExchangeError(f"The file cannot become a document: {problem}.") from problem
-    return Imported(document, deviation, remarks, tuple(groups) if any(groups) else ())
+    return Imported(Document(tuple(curves)), deviation, remarks, tuple(groups) if any(groups) else ())
 
 
 def lines(points: FloatArray) -> FloatArray:

@@ -143,15 +143,11 @@ class DocumentFiles:
 
         Work without a file stays in the history, below a step called `text`: nobody is asked about it.
         """
-        session = self._session
+        session, files = self._session, self._session.files
         session.cancel()
-        leaves_work = session.files.path is None and session.files.is_modified
-        is_open = self._open(
-            path,
-            partial(session.files.open_copy, text=text),
-            remember=False,
-            asks=session.files.path is not None,
-        )
+        leaves_work = files.path is None and files.is_modified
+        read = partial(files.open_copy, text=text)
+        is_open = self._open(path, read, remember=False, asks=files.path is not None)
         if is_open and leaves_work:
             session.offer("What you had before is kept.", "goBack")
         return is_open
@@ -282,11 +278,8 @@ def _short(name: str) -> str:
 
 def title_of(session: Session) -> str:
     """Return what the document is called: its file; a curve's name would change with the order of curves."""
-    return (
-        session.files.path.name
-        if session.files.path is not None
-        else session.files.beginning.title or "Untitled"
-    )
+    path = session.files.path
+    return path.name if path is not None else session.files.beginning.title or "Untitled"
 
 
 def file_stem(session: Session) -> str:
