@@ -92,11 +92,6 @@ def role_of(title: str) -> str:
     return next((role for role, pattern in _PATTERNS.items() if pattern.fullmatch(joined)), "")
 
 
-def guessed(titles: Sequence[str], rows: Sequence[Sequence[str]] = ()) -> ColumnMapping | None:
-    """Return what `guess` takes the columns for."""
-    return guess(titles, rows).mapping
-
-
 def guess(
     titles: Sequence[str], rows: Sequence[Sequence[str]] = (), is_number: Sequence[bool] | None = None
 ) -> Guess:
