@@ -77,6 +77,11 @@ class Guess:
     is_certain: bool = True
 
 
+def numbered_titles(count: int) -> tuple[str, ...]:
+    """Return the titles of so many columns that have none."""
+    return tuple(f"Column {place}" for place in range(1, count + 1))
+
+
 def role_of(title: str) -> str:
     """Return what a column of this title is; empty where the title does not say.
 
