@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from app import exchange
-from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
+from app.exchange.arcs import error_of_arc, pieces_of_arc
 from app.exchange.cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
 from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.errors import ExchangeError
@@ -68,14 +68,18 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
         raise
     except Exception as problem:
         # What a damaged file makes a foreign parser raise has no end: StructureError, ValueError, …
-        reason = one_line(str(problem))[:120] or type(problem).__name__
-        raise ExchangeError(f"The DXF file is damaged: {reason.rstrip('.')}.") from problem
+        raise _damaged("The DXF file", problem) from problem
     if len(entities) > MAX_ENTITIES:
         raise ExchangeError(f"The DXF file has {len(entities)} entities; {MAX_ENTITIES} can be read.")
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
     return imported(reader.paths, reader.remarks)
+
+
+def _damaged(what: str, problem: Exception) -> ExchangeError:
+    reason = one_line(str(problem))[:120] or type(problem).__name__
+    return ExchangeError(f"{what} is damaged: {reason.rstrip('.')}.")
 
 
 def _text(data: bytes) -> str:
@@ -132,8 +136,7 @@ class _Reader:
             raise
         except Exception as problem:
             # As above: a foreign parser.
-            reason = one_line(str(problem))[:120] or type(problem).__name__
-            raise ExchangeError(f"Entity {number} ({kind}) is damaged: {reason.rstrip('.')}.") from problem
+            raise _damaged(f"Entity {number} ({kind})", problem) from problem
 
     def _take_spline(self, spline: Spline) -> None:
         points = np.array([tuple(point)[:2] for point in spline.control_points], dtype=float)
@@ -200,13 +203,7 @@ class _Reader:
     def _take_path(self, entity: DXFGraphic, number: int) -> None:
         library = exchange.dxf_library
         radius = _largest_radius(entity)
-        count = PIECES_OF_A_TURN
-        while (
-            self._tolerance is not None
-            and radius * error_of_arc(math.tau / count) > self._tolerance
-            and count < _FINEST_TURN
-        ):
-            count += 1
+        count = pieces_of_arc(radius, math.tau, self._tolerance, _FINEST_TURN)
         whole = library.make_path(entity, segments=count)
         closed = bool(getattr(entity, "is_closed", False)) or entity.dxftype() in ("CIRCLE",)
         for path in whole.sub_paths() if whole.has_sub_paths else [whole]:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import ROUND_UP, Context
-from fractions import Fraction
 from functools import cached_property
-from math import comb, isnan
+from math import isnan
 from typing import NamedTuple
 
 import numpy as np
@@ -20,8 +19,18 @@ from app.exchange.naming import Names
 from app.tasks.progress import Report, silent, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
-from curvecore import CurveError, HermiteCurve, bezier_segments, cubic_path
+from curvecore import (
+    CurveError,
+    HermiteCurve,
+    Interpolant,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    bezier_segments,
+    bezier_stretch,
+    cubic_path,
+)
 from curvecore.arrays import FloatArray
+from curvecore.scaling import LARGEST
 
 HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
@@ -35,7 +44,8 @@ class Polynomials(NamedTuple):
     Attributes
     ----------
     pieces
-        Those of the curve; cubic Hermite curves that follow them where they are no such polynomials.
+        Those of the curve as curves of a family that all writers know, or cubic Hermite curves that follow
+        them.
     deviation
         Largest distance of these from the curve.
     """
@@ -65,13 +75,14 @@ class Source:
     @cached_property
     def polynomials(self) -> Polynomials:
         """The curve as formulas and code write it."""
-        pieces, worst = [], 0.0
-        for piece in self.pieces:
-            if piece.interpolants() is None:
-                path = cubics_of(piece, RELATIVE_TOLERANCE * max(self.size, 1e-300))
-                piece, worst = _spline_of(path), max(worst, path.deviation)  # noqa: PLW2901
-            pieces.append(piece)
-        return Polynomials(tuple(pieces), worst)
+        tolerance = RELATIVE_TOLERANCE * max(self.size, 1e-300)
+        exact = _known_curves(self.pieces)
+        if exact:
+            worst = max(_deviation(*both) for both in zip(exact, self.pieces, strict=True))
+            if worst <= tolerance:
+                return Polynomials(exact, worst)
+        paths = [cubics_of(piece, tolerance) for piece in self.pieces]
+        return Polynomials(tuple(map(_spline_of, paths)), max(path.deviation for path in paths))
 
     @property
     def name(self) -> str:
@@ -141,9 +152,9 @@ def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:
     return tolerance
 
 
-def rounded_up(deviation: float, digits: int = 3) -> float:
-    """Return a deviation with so many digits, never less than it is: a bound stays one."""
-    return float(Context(prec=digits, rounding=ROUND_UP).create_decimal_from_float(deviation))
+def rounded_up(deviation: float) -> float:
+    """Return a deviation with three digits, never less than it is: a bound stays one."""
+    return float(Context(prec=3, rounding=ROUND_UP).create_decimal_from_float(deviation))
 
 
 def accuracy(deviation: float) -> str:
@@ -207,14 +218,40 @@ def beziers_of(piece: CoreCurve, tolerance: float) -> Beziers:
     if piece.bezier_pieces() is not None:
         result = Beziers(bezier_segments(piece), piece.breaks, 0.0)
     elif piece.is_one_polynomial and len(piece.points) <= HIGHEST_DEGREE + 1:
-        controls = _lagrange_controls(piece)
+        controls = bezier_stretch(piece, *piece.domain)[None]
         ends = np.array(piece.domain)
         result = Beziers(controls, ends, measured(piece, lambda t: bezier_values(controls, ends, t)))
     else:
         result = cubics_of(piece, tolerance)
-    if not np.isfinite(result.control_points).all():
+    if not (np.abs(result.control_points) < LARGEST).all():
         raise ExchangeError("The curve swings beyond all numbers between its points.")
     return result
+
+
+def _known_curves(pieces: tuple[CoreCurve, ...]) -> tuple[CoreCurve, ...]:
+    """Return curves of one family that all writers know, with the interpolants of the pieces, or none."""
+    for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve):
+        found = [curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None]
+        if len(found) == len(pieces):
+            return tuple(found)
+    return ()
+
+
+def _known_curve(kind: type[CoreCurve], said: list[Interpolant] | None) -> CoreCurve | None:
+    """Return the curve of a family that has the same interpolants; None where there is none."""
+    if not said or any(each.jets.shape[1] != kind.derivatives + 1 for each in said):
+        return None
+    parameters, first = np.unique(np.concatenate([each.parameters for each in said]), return_index=True)
+    curve = kind.from_jets(np.concatenate([each.jets for each in said])[first], parameters)
+    own = curve.interpolants() or []
+    pairs = [both for parts in zip(own, said, strict=False) for both in zip(*parts, strict=True)]
+    return curve if len(own) == len(said) and all(np.array_equal(*both) for both in pairs) else None
+
+
+def _deviation(curve: CoreCurve, piece: CoreCurve) -> float:
+    """Return how far a curve is from the piece that it is written for: not at all where it is the same."""
+    is_same = type(curve) is type(piece) and np.array_equal(curve.jets, piece.jets)
+    return 0.0 if is_same else measured(piece, curve.evaluate)
 
 
 def _spline_of(path: Beziers) -> HermiteCurve:
@@ -243,47 +280,3 @@ def bezier_values(controls: FloatArray, parameters: FloatArray, t: FloatArray) -
     while level.shape[1] > 1:
         level = (1 - s) * level[:, :-1] + s * level[:, 1:]
     return np.asarray(level[:, 0])
-
-
-def monomials_of(controls_at: FloatArray, s: list[Fraction]) -> list[list[Fraction]]:
-    """Return the exact coefficients, lowest power first, of the polynomials through values (n, 2) at s."""
-    result = []
-    for column in controls_at.T:
-        divided = [Fraction(value) for value in column.tolist()]
-        for order in range(1, len(s)):
-            for i in range(len(s) - 1, order - 1, -1):
-                divided[i] = (divided[i] - divided[i - 1]) / (s[i] - s[i - order])
-        # Newton's form, multiplied out from the inside.
-        coefficients = [divided[-1]]
-        for i in range(len(s) - 2, -1, -1):
-            shifted = [Fraction(0), *coefficients]
-            coefficients = [a - s[i] * b for a, b in zip(shifted, [*coefficients, Fraction(0)], strict=True)]
-            coefficients[0] += divided[i]
-        result.append(coefficients)
-    return result
-
-
-def local_fractions(parameters: FloatArray) -> list[Fraction]:
-    """Return the parameters mapped to [0, 1], exactly."""
-    exact = [Fraction(value) for value in parameters.tolist()]
-    return [(value - exact[0]) / (exact[-1] - exact[0]) for value in exact]
-
-
-def _lagrange_controls(piece: CoreCurve) -> FloatArray:
-    """Return the control points (1, degree + 1, 2), each rounded once from its exact value."""
-    degree = len(piece.points) - 1
-    columns = []
-    for a in monomials_of(piece.points, local_fractions(piece.parameters)):
-        sums = [
-            sum(Fraction(comb(k, j), comb(degree, j)) * a[j] for j in range(k + 1)) for k in range(degree + 1)
-        ]
-        columns.append([as_float(value) for value in sums])
-    return np.array(columns).T[None]
-
-
-def as_float(value: Fraction | int) -> float:
-    """Return the float that is nearest, or an infinite one."""
-    try:
-        return float(value)
-    except OverflowError:
-        return float("inf") if value > 0 else float("-inf")

@@ -1,7 +1,8 @@
 """Parts of a window that features act on.
 
 - ``context``: the parts, and the protocols of command sets.
-- ``central_area``: the plots and what lies over them.  ``message_bar``: the line on the canvas.
+- ``central_area``: the plots and what lies over them.  ``central_pane``: one below the canvas.
+  ``message_bar``: the line on the canvas.
 - ``docks``: panels at the sides.  ``dock``: one of them; many are built when they are first shown.
   ``dock_room``: room for one that needs more than its share.
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.

@@ -143,7 +143,7 @@ def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtb
     slider = find(lab, QSlider, "digitsSlider")
     while slider.value() != digits:
         press_key(lab, qtbot, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
-    lab.session.set_scrub(0.3)
+    lab.session.selected.set_scrub(0.3)
     settled(lab, qtbot)
     xs, ys = zip(*POINTS, strict=True)
     by_hand = [lagrange_by_hand(lab.parameters, each, 0.3, digits) for each in (xs, ys)]
@@ -160,7 +160,7 @@ def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab, 
     away = np.hypot(*(np.vstack(trace.pieces) - truth).T)
     find(lab, QToolButton, "plotErrorsButton").click()
     settled(lab, qtbot)
-    (plot,) = lab.window.plot_panel.added
+    (plot,) = lab.window.analysis.added_plots.values()
     line = next(each for each in plot.lines if each.name == "Lagrange")
     assert line.values == pytest.approx(away, abs=1e-14)
     assert float(text(lab, "error_lagrange")) == pytest.approx(away.max(), rel=0.06)
@@ -189,7 +189,7 @@ def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab, qtbot):
     assert float(text(lab, "lost_monomial")) == 4.0
     assert text(lab, "error_lagrange") == before
     assert lab.session.document is document
-    assert not lab.session.is_modified or lab.session.undo_stack.count() == 1
+    assert not lab.session.files.is_modified or lab.session.undo_stack.count() == 1
     assert button.text() == "Shift t back"
     click(lab, qtbot, button)
     assert float(text(lab, "lost_monomial")) < 4.0
@@ -379,7 +379,7 @@ def test_the_curves_are_drawn_in_both_themes(lab):
 def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
     lab.trigger("plotErrors")
     settled(lab, qtbot)
-    (plot,) = lab.window.plot_panel.added
+    (plot,) = lab.window.analysis.added_plots.values()
     assert plot.title == "Errors of the methods"
     drawn = {line.name: line.values for line in plot.lines}
     trial = commands(lab).trial
@@ -387,14 +387,14 @@ def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
         (values,) = [values for values in drawn.values() if values is outcome.errors]
         assert values.max() == outcome.errors.max()
     lab.trigger("toggleLaboratory")
-    assert lab.window.plot_panel.added == []
+    assert lab.window.analysis.added_plots == {}
     lab.trigger("plotErrors")
     lab.trigger("plotErrors")
     settled(lab, qtbot)
     assert lab.action("toggleLaboratory").isChecked()
-    assert len(lab.window.plot_panel.added) == 1
+    assert len(lab.window.analysis.added_plots) == 1
     lab.trigger("plotErrors")
-    assert lab.window.plot_panel.added == []
+    assert lab.window.analysis.added_plots == {}
 
 
 def test_sixteen_digits_fit_the_dock(lab, qtbot):

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,7 +11,8 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.document.words import NamedEnum
 from app.exchange.cubics_in import Imported
 from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
+from app.exchange.naming import numbered
+from app.exchange.table.columns import AFTER, ROLES, ColumnMapping
 from app.exchange.table.layout import MissingNumber, RowProblem
 from app.exchange.table.table import Table
 from app.exchange.table.thinning import Thinning, thinned
@@ -74,48 +74,40 @@ class TableOptions:
 
 
 def document_of_table(
-    table: Table,
-    mapping: ColumnMapping | None = None,
-    options: TableOptions | None = None,
-    *,
-    report: Report = silent,
+    table: Table, mapping: ColumnMapping, options: TableOptions, *, report: Report = silent
 ) -> Imported:
     """Return the curves through the rows of a table, how far they are from them, and what there is to say.
 
     There is one curve, or one for each name in the column of names, and one for each block of rows. Where
-    there is no column of parameters, rows that repeat the point before become one point with it. By default
-    the columns are guessed from their titles.
+    there is no column of parameters, rows that repeat the point before become one point with it.
 
     Raises
     ------
     ExchangeError
         If the rows cannot be the points of a curve, with the row.
     """
-    options = options or TableOptions()
-    chosen = mapping or guessed(table.titles)
-    if chosen is None:
-        raise ExchangeError("The table has one column only; a curve needs x and y.")
-    columns = _columns_of(table, chosen)
-    all_groups = _groups(table, chosen, options.name)
+    columns = _columns_of(table, mapping)
+    all_groups = _groups(table, mapping, options.name)
     groups = _numbered(_without_missing(table, columns, all_groups, options.missing))
-    curves, deviation, repeats = [], 0.0, Repeats()
+    curves, deviation, repeats, first_repeat = [], 0.0, 0, 0
     for place, (title, rows) in enumerate(groups):
         own = _Rows(table, columns, rows)
         found = own.repeats
-        repeats = repeats.and_of(found, own.line_of)
+        if len(found):
+            repeats, first_repeat = repeats + len(found), first_repeat or own.line_of(int(found[0]))
         if own.t is None:
             # Parameters by distance, which are the rule then, cannot tell these points apart.
             own = own.without(found)
         away = part(report, place / len(groups), (place + 1) / len(groups))
         if options.thin is None:
-            family, closed = _family_of(table, chosen, rows, options.family)
+            family, closed = _family_of(table, mapping, rows, options.family)
             curves.append(_full_curve(title, own, family, closed, away))
         else:
             kept = thinned(own.points, own.t, options.thin, options.thinning, report=away)
             curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
             deviation = max(deviation, kept.deviation)
-    said = repeats.said(are_kept="t" in columns)
-    return Imported(_checked(curves), deviation, (said,) if said else ())
+    remarks = _on_repeats(repeats, first_repeat, are_kept="t" in columns)
+    return Imported(_checked(curves), deviation, remarks)
 
 
 def _columns_of(table: Table, mapping: ColumnMapping) -> dict[str, int]:
@@ -165,13 +157,8 @@ def _numbered(groups: list[Group]) -> list[Group]:
     """Return the groups, of which those with one name are numbered."""
     if len(groups) > MOST_CURVES:
         raise ExchangeError(f"The table holds {len(groups)} curves; {MOST_CURVES} can be read.")
-    titles = Counter(title for title, _ in groups)
-    seen: Counter[str] = Counter()
-    result = []
-    for title, rows in groups:
-        seen[title] += 1
-        result.append((f"{title} ({seen[title]})" if titles[title] > 1 else title, rows))
-    return result
+    titles = numbered([title for title, _ in groups])
+    return [(title, rows) for title, (_, rows) in zip(titles, groups, strict=True)]
 
 
 def _family_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Family) -> tuple[Family, bool]:
@@ -187,38 +174,16 @@ def _family_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Fa
     return family, word.startswith(CLOSED)
 
 
-@dataclass(frozen=True)
-class Repeats:
-    """Rows that hold the same point as the row before.
-
-    Attributes
-    ----------
-    count
-        How many there are.
-    first
-        The row of the file that holds the first one.
-    """
-
-    count: int = 0
-    first: int = 0
-
-    def and_of(self, rows: IntArray, line_of: Callable[[int], int]) -> Repeats:
-        """Return these and more, of another curve."""
-        first = self.first or (line_of(int(rows[0])) if len(rows) else 0)
-        return Repeats(self.count + len(rows), first)
-
-    def said(self, *, are_kept: bool) -> str:
-        """Return what there is to say of them and of what became of them; empty where there are none."""
-        if not self.count:
-            return ""
-        kept = "kept, with {} t of {} own"
-        merged = "merged with that, for parameters by distance need distinct points"
-        if self.count == 1:
-            became = f"is {kept.format('a', 'its')}" if are_kept else f"was {merged}"
-            return f"Row {self.first} repeats the point of the row before; it {became}."
-        became = f"are {kept.format('a', 'their')}" if are_kept else f"were {merged}"
-        where = f"row {self.first} first"
-        return f"{self.count:,} rows repeat the point of the row before, {where}; they {became}."
+def _on_repeats(count: int, first: int, *, are_kept: bool) -> tuple[str, ...]:
+    """Return what there is to say of rows that repeat the point before, from line `first` on."""
+    if count == 0:
+        return ()
+    merged = "merged with that, for parameters by distance need distinct points"
+    if count == 1:
+        became = "is kept, with a t of its own" if are_kept else f"was {merged}"
+        return (f"Row {first} repeats the point of the row before; it {became}.",)
+    became = "are kept, with a t of their own" if are_kept else f"were {merged}"
+    return (f"{count:,} rows repeat the point of the row before, row {first} first; they {became}.",)
 
 
 @dataclass(frozen=True, eq=False)

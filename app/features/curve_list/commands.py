@@ -60,14 +60,14 @@ class CurveListCommands:
 
     def _connect(self, panel: CurveList) -> None:
         session = self._session
-        panel.view.activated_row.connect(session.activate)
-        panel.view.rows_selected.connect(session.select_curves)
+        panel.view.activated_row.connect(session.selected.activate)
+        panel.view.rows_selected.connect(session.selected.set_curves)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._set_name)
         panel.visible_switched.connect(self._switch_visible_of)
         panel.locked_switched.connect(self._switch_locked_of)
         panel.colour_chosen.connect(self._paint)
-        panel.row_meant.connect(lambda row: session.select_curves(self._meant(row), row))
+        panel.row_meant.connect(lambda row: session.selected.set_curves(self._meant(row), row))
         session.selected_curves_changed.connect(self._render)
 
     def render(self, view: CurveView) -> None:
@@ -76,7 +76,7 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session = self._session
-        self.panel.render_document(session.document, session.active_index, session.selected_curves)
+        self.panel.render_document(session.document, session.active_index, session.selected.curves)
 
     # Number
 
@@ -91,7 +91,7 @@ class CurveListCommands:
     @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
-        session, selected = self._session, self._session.selected_curves
+        session, selected = self._session, self._session.selected.curves
         document, order = session.document, sorted(selected)
         colours = self._next_colours([document.curves[place].colour for place in order])
         first, active = order[-1] + 1, order.index(session.active_index)
@@ -103,12 +103,12 @@ class CurveListCommands:
             return
         if len(order) == 1:
             copy = session.active_curve
-            session.select(range(len(copy.points)))
+            session.selected.set_points(range(len(copy.points)))
             session.say(
                 f"“{copy.name}” lies on the original; all its points are selected, drag one to move it."
             )
             return
-        session.select_curves(range(first, first + len(order)))
+        session.selected.set_curves(range(first, first + len(order)))
         session.say(f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them.")
 
     @action(
@@ -122,7 +122,7 @@ class CurveListCommands:
     @also(CURVE_MENU(30), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
-        session, selected = self._session, self._session.selected_curves
+        session, selected = self._session, self._session.selected.curves
         document = session.document
         session.change(
             f"Delete {named(document, selected)}",
@@ -201,8 +201,8 @@ class CurveListCommands:
     def _choose_all(self) -> None:
         """Choose all curves, to move, scale, hide, colour or delete them together."""
         session = self._session
-        session.select_curves(range(len(session.document.curves)))
-        session.say(f"{named(session.document, session.selected_curves)} chosen.")
+        session.selected.set_curves(range(len(session.document.curves)))
+        session.say(f"{named(session.document, session.selected.curves)} chosen.")
 
     @action(
         "onlyThisCurve",
@@ -213,13 +213,13 @@ class CurveListCommands:
     @also(CURVE_LIST_MENU(23))
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
-        self._session.select_curves((self._session.active_index,))
+        self._session.selected.set_curves((self._session.active_index,))
 
     # Clicked, dragged and typed in the list
 
     def _meant(self, row: int) -> frozenset[int]:
         """Return the curves that a click on a part of a row is about: all selected ones, or another."""
-        selected = self._session.selected_curves
+        selected = self._session.selected.curves
         return selected if row in selected else frozenset({row})
 
     def _switch_visible_of(self, row: int) -> None:

@@ -38,7 +38,7 @@ class HistoryCommands:
         session = self._session
         self.panel = HistoryPanel(session.undo_stack, parent)
         session.opened.connect(self._name_beginning)
-        if session.path is not None:
+        if session.files.path is not None:
             self._name_beginning()
         return self.panel
 
@@ -48,7 +48,7 @@ class HistoryCommands:
         if session.undo_stack.count():
             return  # a lesson or an example was opened as a step; it began with something else
         name = session.active_curve.name if session.active_curve.points else ""
-        opened = session.path.name if session.path is not None else name
+        opened = session.files.path.name if session.files.path is not None else name
         self.panel.name_beginning(f"Opened {opened}" if opened else "New document")
 
     @action(

@@ -110,7 +110,7 @@ class LessonCommands:
 
     def _begin_again(self) -> None:
         session = self._context.session
-        if self._lesson is not None and (session.undo_stack.count() or session.path is not None):
+        if self._lesson is not None and (session.undo_stack.count() or session.files.path is not None):
             self._context.files.open_example(self._lesson.document, "Begin Again")
         else:
             self._go(0)
@@ -120,7 +120,7 @@ class LessonCommands:
         for switch, _action in self._context.actions.of_menu(ANALYSIS):
             if not switch.group and self._context.actions.is_on(switch.name):
                 self._trigger(switch.name)
-        self._context.session.set_scrub(None)
+        self._context.session.selected.set_scrub(None)
         self._context.analysis.reset()
         self._switched_on.clear()
 
@@ -138,7 +138,7 @@ class LessonCommands:
         if self._context.session.document == self._given:
             self._activate(lesson.steps[step].curve)
         self._show(step)
-        self._context.central.basis_pane.fit_functions()
+        self._context.central.fit_panes()
 
     def _go(self, step: int) -> None:
         """Go to a step of the lesson that is open; beyond its end, to the next lesson."""
@@ -155,7 +155,7 @@ class LessonCommands:
             return
         self._show(step)
         self._activate(self._lesson.steps[step].curve)
-        self._context.central.basis_pane.fit_functions()
+        self._context.central.fit_panes()
 
     def _show(self, step: int) -> None:
         assert self._panel is not None
@@ -177,7 +177,7 @@ class LessonCommands:
         session = self._context.session
         for index, curve in enumerate(session.document.curves):
             if curve.name == name:
-                session.activate(index)
+                session.selected.activate(index)
 
     def _set_up(self, step: Step) -> None:
         self._set_up_analysis(step.settings)

@@ -12,7 +12,7 @@ from app.features.motion.player import Player
 from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.motion import Course
-from app.view_model.motion_picture import RIVALS, Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
+from app.view_model.motion_picture import Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
 from app.workbench.context import WindowContext
 from curvecore.arrays import FloatArray
 
@@ -94,7 +94,7 @@ class MotionStage(Guarded, QObject):
     def _lines(self) -> list[tuple[Role, FloatArray]]:
         """Return the curves that are compared, but for the one that is drawn anyway."""
         family = self._context.session.active_view.source.family
-        return [(role, view.polyline) for role, view in self._rivals.items() if RIVALS[role] != family]
+        return [(role, view.polyline) for role, view in self._rivals.items() if role.family != family]
 
     def _render(self) -> None:
         player = self.player

@@ -44,20 +44,11 @@ class ViewCommands:
         self._session, self._store = context.session, context.store
         self._before_presentation = b""
         self._before_folding = b""
-        pane = context.central.basis_pane
-        pane.offer_estimates(context.actions["toggleEstimates"])
-        pane.set_with_estimates(self._store.state.with_estimates)
         self._store.changed.connect(self._show_state)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
-        central = self._context.central
         if after.grid != before.grid:
-            central.canvas.drawing.grid.set_visible(after.grid)
-        if after.basis != before.basis:
-            central.basis_pane.setVisible(after.basis)
-        if after.with_estimates != before.with_estimates:
-            central.basis_pane.set_with_estimates(after.with_estimates)
-            central.basis_pane.render_view(self._session.active_view)
+            self._context.central.canvas.drawing.grid.set_visible(after.grid)
         if after.side_panel != before.side_panel:
             self._show_side_panel(after)
         if after.presentation != before.presentation:
@@ -78,12 +69,12 @@ class ViewCommands:
             self._context.actions["stopMotion"].trigger()
         elif state.presentation:
             self._store.change(presentation=False)
-        elif session.scrub is not None:
-            session.set_scrub(None)
+        elif session.selected.scrub is not None:
+            session.selected.set_scrub(None)
         elif session.selection:
-            session.select([])
+            session.selected.set_points([])
         else:
-            session.select_curves((session.active_index,))
+            session.selected.set_curves((session.active_index,))
 
     @action_for_each(
         TOOLS,
@@ -152,17 +143,17 @@ class ViewCommands:
         "T",
         "spline",
         needs=CURVE_DRAWN,
-        checked=lambda now: now.session.scrub is not None,
+        checked=lambda now: now.session.selected.scrub is not None,
     )
     @also(TOOLBAR(63), CANVAS_MENU(33))
     def _toggle_scrub(self) -> None:
         """Show a point running along the curve and the weight of every point."""
         session = self._session
-        if session.scrub is not None or session.active_view.curve is None:
-            session.set_scrub(None)
+        if session.selected.scrub is not None or session.active_view.curve is None:
+            session.selected.set_scrub(None)
             return
         start, end = session.active_view.curve.domain
-        session.set_scrub(start + 0.4 * (end - start))
+        session.selected.set_scrub(start + 0.4 * (end - start))
         session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
 
     @action(
@@ -244,8 +235,7 @@ class ViewCommands:
 
     def _show_scale(self, scale: float, factor: float) -> None:
         central, docks = self._context.central, self._context.docks
-        for plots in (central.canvas, central.basis_panel, central.plot_panel):
-            plots.set_scale(scale)
+        central.set_scale(scale)
         late = [dock for dock in docks.all if isinstance(dock, LateDock)]
         for dock in late:
             dock.set_scale(scale)

@@ -76,7 +76,7 @@ class WiggleCommands(QObject):
         self._context.central.canvas.choose_tool(EXPLAIN)
         self._context.store.change(tool=EXPLAIN, moves_image=False)
         self._context.status_line.show_hint(EXPLAIN.hint)
-        if self._session.scrub is None:
+        if self._session.selected.scrub is None:
             self._explain_widest()
         self._open()
 
@@ -95,12 +95,12 @@ class WiggleCommands(QObject):
     def _explain_widest(self) -> None:
         view = self._session.active_view
         if view.is_current:
-            self._session.set_scrub(analysis.wiggle.widest(view))
+            self._session.selected.set_scrub(analysis.wiggle.widest(view))
 
     @PlaceAction("explainHere", "Explain This Wiggle", like="explainWiggle")
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
-        self._session.set_scrub(t)
+        self._session.selected.set_scrub(t)
         self._open()
 
     def _open(self) -> None:
@@ -122,7 +122,7 @@ class WiggleCommands(QObject):
         panel = self._panel
         if panel is None or not self._is_seen:
             return
-        t = self._session.scrub
+        t = self._session.selected.scrub
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.points), view.problem)
         if explanation is None:
@@ -152,11 +152,11 @@ class WiggleCommands(QObject):
         """Return a cure that belongs to the document as it is now."""
         if self._cures is None or self._task.is_busy:
             return None
-        return next((each for each in self._cures.cures if each.name == key and each.document), None)
+        return next((each for each in self._cures.cures if each.remedy.name == key and each.document), None)
 
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
-        traces = (Trace((cure.points,), CURE_STYLE, cure.label),) if cure is not None else ()
+        traces = (Trace((cure.points,), CURE_STYLE, cure.remedy.label),) if cure is not None else ()
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Preview")
 
     def _apply(self, key: str) -> None:
@@ -165,14 +165,14 @@ class WiggleCommands(QObject):
             document = cure.document
             knot = self._cures.knot if self._cures is not None else 0
             self._preview("")
-            if self._session.change(cure.step, lambda _: document):
+            if self._session.change(cure.remedy.step, lambda _: document):
                 self._explain_segment(knot)
 
     def _explain_segment(self, knot: int) -> None:
         """Go on explaining the same segment, now that its parameters are other ones."""
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
-            self._session.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
+            self._session.selected.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
 
 
 COMMAND_SETS = (WiggleCommands,)
