@@ -16,6 +16,7 @@ from curvecore.arrays import (
     parameter_array,
     parameter_values,
     read_only,
+    stacked_jets,
 )
 from curvecore.errors import CurveError
 from curvecore.families.immutable import Immutable
@@ -93,7 +94,20 @@ class Curve(Immutable, ABC):
 
     A family says what its basis functions are, by `basis`, and where their
     derivatives may jump, by `breaks`. All else is derived here, correct if
-    slower; families override what they know how to do faster or exactly.
+    slower; families override what they know how to do faster or exactly. One with
+    derivatives in its data has a constructor of its own.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i, finite; n >= 2, dim >= 1. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above.
 
     Attributes
     ----------
@@ -128,6 +142,9 @@ class Curve(Immutable, ABC):
 
     _jets: FloatArray
     _parameters: FloatArray
+
+    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
+        self._keep(stacked_jets(points), parameters)
 
     def _keep(self, jets: FloatArray, parameters: ArrayLike) -> None:
         """Store jets that are checked, and parameters, which are checked here."""
