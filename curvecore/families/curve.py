@@ -229,18 +229,7 @@ class Curve(Immutable, ABC):
         return self.from_jets(jets, parameters)
 
     def with_jets(self, jets: ArrayLike) -> Self:
-        """Return the curve with the same parameters and other data.
-
-        Parameters
-        ----------
-        jets : array_like, shape (n, R, dim)
-            Finite numbers.
-
-        Returns
-        -------
-        same type as the curve
-            The parameters are neither copied nor checked again.
-        """
+        """Return the curve with other data, (n, R, dim); its parameters are shared and not checked again."""
         curve = object.__new__(type(self))
         curve.__setstate__({**self.__getstate__(), "_jets": jet_array(jets, self._jets.shape[:2])})
         return curve
