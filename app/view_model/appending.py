@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from app.document.edits import append_point, insert_points, set_closed, stretched
 from app.document.model import Curve, Document, Point, Vector
 from app.view_model.curve_view import CurveView, parameters_of
-from app.view_model.plane import at_knots
+from app.view_model.plane import at_knots, polygon_length
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
@@ -149,7 +149,7 @@ def appended_parameter(before: CurveView, point: Point) -> float:
         back = math.dist(point.position, before.points[0])
         share = new / (new + back) if new + back > 0 else 0.5
         return float(t[last] + np.clip(share, 0.01, 0.99) * (t[last + 1] - t[last]))
-    total = float(np.hypot(*np.diff(before.points, axis=0).T).sum())
+    total = polygon_length(before.points)
     span = float(t[-1] - t[0])
     mean = span / last
     step = span * new / total if total > 0 else mean

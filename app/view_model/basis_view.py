@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from functools import cached_property, reduce
-from itertools import pairwise
 
 import msgspec
 import numpy as np
@@ -107,15 +106,10 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def fine_functions(self, index: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
-        assert self.curve.is_local
-        knots = self.curve.parameters[max(index - 1, 0) : index + 2]
-        t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
-        local = self.curve.local_basis(t)
-        behind = (local.segment < index)[:, None]
-        values: FloatArray = np.where(behind, local.values[:, 1], local.values[:, 0]) * self.scales[index]
-        # The right end of the support counts to the segment after it, where the function is zero.
-        values[local.segment > index] = 0.0
-        return t, values
+        segments = np.arange(max(index - 1, 0), min(index + 1, self.count - 1))
+        t, values = self.fine_segments(segments, _FINE - 1)
+        own = [values[place, :, index - segment] for place, segment in enumerate(segments.tolist())]
+        return t.ravel(), np.concatenate(own)
 
     @cached_property
     def most_bent(self) -> float:
