@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from enum import Enum
 
 import msgspec
@@ -14,6 +14,7 @@ RESERVED = {
     Qt.Key.Key_Tab: "walks from one thing to the next",
     Qt.Key.Key_Backtab: "walks from one thing to the one before",
     Qt.Key.Key_Space: "held, makes the mouse pan",
+    Qt.Key.Key_E: "held, takes the ticks of the t-rail along",
     Qt.Key.Key_Left: "moves what is selected",
     Qt.Key.Key_Right: "moves what is selected",
     Qt.Key.Key_Up: "moves what is selected",
@@ -59,9 +60,23 @@ class Keymap(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._bindings: dict[str, Binding] = {}
+        # By the key that it comes with: Qt tells of a key that two actions have only when it is pressed.
+        self._came_with: dict[str, Binding] = {}
 
     def add(self, binding: Binding) -> None:
-        """Take in an action and give it its default keys."""
+        """Take in an action and give it its default keys.
+
+        Raises
+        ------
+        ValueError
+            If one of them belongs to the drawing, or is another action's.
+        """
+        for key in binding.defaults:
+            if reason := refusal(key):
+                raise ValueError(f"“{binding.text}” cannot come with its key: {reason}")
+            other = self._came_with.setdefault(key.toString(), binding)
+            if other is not binding:
+                raise ValueError(f"“{other.text}” and “{binding.text}” both come with {native(key)}.")
         self._bindings[binding.action.objectName()] = binding
         _bind(binding.action, binding.defaults)
 
@@ -80,12 +95,12 @@ class Keymap(QObject):
 
     def owner_of(self, key: QKeySequence) -> str | None:
         """Return the name of the action that has `key`, or begins with it, or that it begins with."""
-        nothing = QKeySequence.SequenceMatch.NoMatch
+        return next(self._owners_of(key), None)
+
+    def _owners_of(self, key: QKeySequence) -> Iterator[str]:
         for name, binding in self._bindings.items():
-            for own in binding.action.shortcuts():
-                if own.matches(key) != nothing or key.matches(own) != nothing:
-                    return name
-        return None
+            if any(_clash(own, key) for own in binding.action.shortcuts()):
+                yield name
 
     def why_not(self, keys: QKeyCombination) -> str:
         """Return why the action with these keys cannot be used now, as a sentence; empty where none has them.
@@ -101,18 +116,15 @@ class Keymap(QObject):
 
     def assign(self, name: str, keys: Sequence[QKeySequence]) -> None:
         """Give an action these keys, and take them from whoever has them."""
-        for key in keys:
-            owner = self.owner_of(key)
-            while owner is not None and owner != name:
-                self._take(owner, key)
-                owner = self.owner_of(key)
-        _bind(self._bindings[name].action, keys)
+        self._give(name, keys)
         self.changed.emit()
 
-    def _take(self, owner: str, key: QKeySequence) -> None:
-        nothing = QKeySequence.SequenceMatch.NoMatch
-        kept = [k for k in self.keys(owner) if k.matches(key) == nothing and key.matches(k) == nothing]
-        _bind(self._bindings[owner].action, kept)
+    def _give(self, name: str, keys: Sequence[QKeySequence]) -> None:
+        for key in keys:
+            for owner in self._owners_of(key):
+                kept = [own for own in self.keys(owner) if not _clash(own, key)]
+                _bind(self._bindings[owner].action, kept)
+        _bind(self._bindings[name].action, keys)
 
     def reset(self, name: str) -> None:
         """Give an action the keys it came with, and take them from whoever has them."""
@@ -134,14 +146,17 @@ class Keymap(QObject):
         }
 
     def load(self, overrides: Mapping[str, str]) -> None:
-        """Take up remembered keys; what no longer exists is skipped, and a key is given out only once."""
-        for name in overrides.keys() & self._bindings.keys():
+        """Take up remembered keys; what no longer exists is skipped, and a key is given out only once.
+
+        They are taken from the actions that came with them: those may be newer than what is remembered.
+        """
+        own = {name: text for name, text in overrides.items() if name in self._bindings}
+        for name in own:
             _bind(self._bindings[name].action, [])
-        for name, text in overrides.items():
-            if name in self._bindings:
-                keys = QKeySequence.listFromString(text, QKeySequence.SequenceFormat.PortableText)
-                free = [key for key in keys if not key.isEmpty() and self.owner_of(key) is None]
-                _bind(self._bindings[name].action, free)
+        for name, text in own.items():
+            keys = QKeySequence.listFromString(text, QKeySequence.SequenceFormat.PortableText)
+            free = [key for key in keys if not key.isEmpty() and own.keys().isdisjoint(self._owners_of(key))]
+            self._give(name, free)
         self.changed.emit()
 
 
@@ -191,6 +206,12 @@ def native(key: QKeySequence) -> str:
 def keys_text(keys: Iterable[QKeySequence]) -> str:
     """Return keys as a list in words, empty for none."""
     return " or ".join(native(key) for key in keys)
+
+
+def _clash(one: QKeySequence, other: QKeySequence) -> bool:
+    """Whether one of two keys begins with the other."""
+    nothing = QKeySequence.SequenceMatch.NoMatch
+    return one.matches(other) != nothing or other.matches(one) != nothing
 
 
 def _bind(action: QAction, keys: Sequence[QKeySequence]) -> None:

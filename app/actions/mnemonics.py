@@ -1,4 +1,4 @@
-"""Letters of menus and their entries: underlined, typed with Alt, and one of a kind in each menu."""
+"""Letters of menus and their entries: underlined, typed with Alt, in each menu as different as can be."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ def plain(text: str) -> str:
 
 
 def with_mnemonics(texts: Sequence[str]) -> list[str]:
-    """Return texts with one letter of each marked by "&", no letter twice.
+    """Return texts with one letter of each marked by "&", as few as can be twice.
 
     Earlier texts choose first: the letters that begin words, then those within. One that finds all its own
-    taken makes another give way, if that has one to go to (augmenting paths, Kuhn 1955); where there are more
-    texts than letters, some stay as they are.
+    taken makes another give way, if that has one to go to (augmenting paths, Kuhn 1955). Where there are more
+    texts than letters, some share their first one: typed, it goes from the one to the other.
     """
     wishes = [_letters(plain(text)) for text in texts]
     owner: dict[str, int] = {}
@@ -37,8 +37,9 @@ def with_mnemonics(texts: Sequence[str]) -> list[str]:
 
     for index in range(len(texts)):
         settle(index, set())
-    places = {index: wishes[index][letter] for letter, index in owner.items()}
-    return [_marked(plain(text), places.get(index)) for index, text in enumerate(texts)]
+    places = {index: next(iter(letters.values()), None) for index, letters in enumerate(wishes)}
+    places.update({index: wishes[index][letter] for letter, index in owner.items()})
+    return [_marked(plain(text), places[index]) for index, text in enumerate(texts)]
 
 
 def _letters(text: str) -> dict[str, int]:

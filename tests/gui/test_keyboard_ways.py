@@ -36,7 +36,9 @@ def test_every_menu_and_entry_has_a_letter_of_its_own(editor):
         entries = [action for action in menu.actions() if action.text()]
         letters = [letter_of(action.text()) for action in entries]
         assert all(letters), [action.text() for action in entries]  # there was none
-        assert len(set(letters)) == len(letters)
+        # A menu with more entries than the alphabet has letters for them shares some.
+        known = {letter for action in entries for letter in plain(action.text()).upper() if letter.isalnum()}
+        assert len(set(letters)) == min(len(letters), len(known))
         menu.aboutToHide.emit()
         assert [action.text() for action in entries] == [plain(action.text()) for action in entries]
 
@@ -71,7 +73,8 @@ def test_f10_opens_the_first_menu(editor):
         # The last has one letter: whoever has it gives way.
         (["ab", "a"], ["a&b", "&a"]),
         (["R && D", "Open &Recent"], ["&R && D", "&Open Recent"]),
-        (["…", "x", "x"], ["…", "&x", "x"]),
+        # Typed, a letter that two have goes from the one to the other.
+        (["…", "x", "x"], ["…", "&x", "&x"]),
     ],
 )
 def test_letters_are_given_out(texts, wanted):

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QWidget
 
+from app.actions.declaration import action
 from app.actions.keymap import refusal
-from app.actions.sections import CURVE
+from app.actions.sections import CURVE, CURVE_SHAPE
 from app.families import HERMITE, LAGRANGE
+from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing import Editor
+from app.window import MainWindow
+from app.window.connect import COMMAND_SETS
 from app.window.preferences_dialog import PreferencesDialog
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -95,7 +101,7 @@ def test_escape_leaves_the_keys_as_they_are(editor, keys):
     assert keys.window().isVisible()
 
 
-@pytest.mark.parametrize("key", [Qt.Key.Key_Space, Qt.Key.Key_Left, Qt.Key.Key_Return])
+@pytest.mark.parametrize("key", [Qt.Key.Key_Space, Qt.Key.Key_Left, Qt.Key.Key_Return, Qt.Key.Key_E])
 def test_keys_of_the_drawing_are_refused_with_the_reason(editor, keys, key):
     record(keys, "fitView", key)
     assert "choose other keys" in keys.note.text()
@@ -143,11 +149,39 @@ def test_they_are_remembered(qtbot, tmp_path):
 
 def test_remembered_keys_that_make_no_sense_stop_nothing(qtbot, tmp_path):
     preferences = Preferences(tmp_path / "settings.ini")
-    preferences.shortcuts = {"unicorn": "Ctrl+U", "fitView": "Ctrl+S", "quit": ""}
+    preferences.shortcuts = {"unicorn": "Ctrl+U", "fitView": "Q", "selectAll": "Q", "quit": ""}
     editor = Editor(qtbot, preferences=preferences)
-    assert editor.action("saveDocument").shortcuts() == [QKeySequence("Ctrl+S")]
-    assert editor.action("fitView").shortcuts() == []
+    assert editor.action("fitView").shortcuts() == [QKeySequence("Q")]
+    assert editor.action("selectAll").shortcuts() == []
     assert editor.action("quit").shortcuts() == []
+
+
+def test_a_remembered_key_is_kept_from_an_action_that_comes_with_it_since(qtbot, tmp_path):
+    preferences = Preferences(tmp_path / "settings.ini")
+    preferences.shortcuts = {"fitView": "Ctrl+S"}
+    editor = Editor(qtbot, preferences=preferences)
+    assert editor.action("fitView").shortcuts() == [QKeySequence("Ctrl+S")]
+    assert editor.action("saveDocument").shortcuts() == []
+    record(open_keys(editor), "quit", Qt.Key.Key_F7)
+    assert preferences.shortcuts == {"fitView": "Ctrl+S", "saveDocument": "", "quit": "F7"}
+
+
+@pytest.mark.parametrize(
+    ("text", "key", "reason"),
+    [
+        ("Count", "Ctrl+S", "“Save” and “Count” both come with Ctrl+S."),
+        ("Count", "F7, F", "“Count” and “Fit View” both come with F."),
+        ("Count", "E", "“Count” cannot come with its key: E held, takes the ticks of the t-rail along;"),
+    ],
+)
+def test_a_key_that_an_action_cannot_come_with_is_an_error_of_the_start(text, key, reason):
+    class CountingCommands:
+        @action("count", text, CURVE_SHAPE, key)
+        def _count(self):
+            """Count aloud."""
+
+    with pytest.raises(ValueError, match=f"^{re.escape(reason)}"):
+        MainWindow(Session(), command_sets=(*COMMAND_SETS, CountingCommands))
 
 
 def test_searching_by_name_and_by_key(editor, keys):
