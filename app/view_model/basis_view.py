@@ -10,7 +10,7 @@ import numpy as np
 
 from app.families import Family
 from app.view_model.curve_view import CoreCurve, CurveView
-from app.view_model.sampling import OneSided, one_sided
+from app.view_model.sampling import OneSided, crowded_at_ends, one_sided
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
@@ -19,9 +19,6 @@ SAMPLES = 400
 
 _MANY = 100
 """Functions of a Lagrange curve from which on those before a parameter moved are made use of."""
-
-_AT_ENDS = 0.5
-"""Share of the samples that crowd at the ends of a Lagrange curve's domain, where it swings most."""
 
 _MOST_FINE = 400
 """Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
@@ -220,10 +217,7 @@ def _many_functions(
 
 def _samples_over(curve: CoreCurve) -> FloatArray:
     start, end = curve.domain
-    u = np.linspace(0.0, 1.0, SAMPLES)
-    s = (1 - _AT_ENDS) * u + _AT_ENDS * np.sin(0.5 * np.pi * u) ** 2
-    t: FloatArray = start + (end - start) * s
-    t[-1] = end
+    t = crowded_at_ends(start, end, SAMPLES)
     # A hair on both sides of a break, where functions may turn or jump.
     inner = curve.breaks[1:-1]
     return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t
