@@ -5,7 +5,7 @@
 - ``overlay``, ``overlays``: what can be drawn over the curve: the record, and one file for each or two.
   ``picture``: the figures of those that are switched on, live or once things have settled.
 - ``figures``: lines, arrows, marks and areas of the plane, each in a style that has a meaning.
-- ``scene``, ``samples``: the curve with what overlays share; its derivatives where a drawing needs them.
+- ``scene``: the curve with what overlays share, its derivatives where a drawing needs them among it.
   ``errors``: errors of points and parameters.
 - ``ghost``, ``ghosts``: the same points under other rules: which there are, and their curves.
 - ``plot``, ``plots``: what can be plotted over t: the record, and a file for one or more.
