@@ -54,9 +54,9 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     first
         For the piecewise families the index of the first sample of each segment and the end, (n,).
     scales
-        What B_ir was multiplied with, (k, R).
+        The factors of the B_ir, (k, R).
     known
-        What makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
+        Makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
     """
 
     curve: CoreCurve

@@ -27,9 +27,9 @@ class Handle(msgspec.Struct, frozen=True):
     ahead
         Whether it belongs to the segment after the point.
     position
-        Where it lies in the plane.
+        Its place in the plane.
     anchor
-        Where the line to it begins: the point, or the velocity handle.
+        The beginning of the line to it: the point, or the velocity handle.
     explicit
         Whether the person set the value; otherwise a rule estimates it.
     """

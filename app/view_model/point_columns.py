@@ -40,7 +40,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     name
         Its name on the screen.
     tip
-        What it holds, in words.
+        Its content, in words.
     get
         Returns its numbers (n,), one for each point; NaN where there is none.
     set
@@ -58,10 +58,10 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Returns the number after a point that is a corner, where `get` returns the one before it; None if a
         corner has one number.
     order, component
-        Which datum of a point it is: -1 its parameter, 0 its position, 1 its velocity, 2 its acceleration,
+        The datum of a point: -1 its parameter, 0 its position, 1 its velocity, 2 its acceleration,
         and 0 for x, 1 for y; order None for anything else.
     derivatives
-        How many derivatives a family has at least that shows the column.
+        The least number of derivatives of a family that shows the column.
     """
 
     name: str

@@ -45,7 +45,7 @@ class SolvingCost:
     seconds
         Measured medians to the first point.
     doubled
-        How many times `solving` and `basis` twice as many points take.
+        The factors by which `solving` and `basis` grow with twice as many points.
     piecewise
         Operations that a Hermite curve's own small systems take; None for other curves.
     other

@@ -63,7 +63,7 @@ class Explanation:
     lebesgue
         Λ(t), the sum of the sizes of all weights of points.
     overshoot
-        How far the curve swings out of the straight line between the two points, at its farthest.
+        The farthest distance of the curve from the straight line between the two points.
     sentences
         The same in words.
     """
