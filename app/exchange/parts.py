@@ -13,10 +13,10 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Curve, Document
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, sort_out
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, drawable
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import Names
-from app.tasks.progress import Report, silent, told
+from app.tasks.progress import Report, silent
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError, HermiteCurve, bezier_segments, bezier_stretch, cubic_path
@@ -53,20 +53,17 @@ class Source:
     curve
         The document's value.
     core
-        The same as a curve of the core.
-    pieces
-        What `core` is a chain of: between two corners one, in order.
+        The same as a curve of the core, a chain of pieces where it has corners.
     """
 
     curve: Curve
     core: CoreCurve
-    pieces: tuple[CoreCurve, ...]
 
     @cached_property
     def polynomials(self) -> Polynomials:
         """The curve as formulas and code write it."""
         pieces, worst = [], 0.0
-        for piece in self.pieces:
+        for piece in self.core.pieces:
             if piece.interpolants() is None:
                 path = cubics_of(piece, RELATIVE_TOLERANCE * max(self.size, 1e-300))
                 piece, worst = _spline_of(path), max(worst, path.deviation)  # noqa: PLW2901
@@ -117,13 +114,11 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
         If there is none.
     """
     hidden = [f"“{curve.name}” is hidden." for curve in document.curves if not curve.visible]
-    visible = [curve for curve in document.curves if curve.visible]
-    views, unusable = sort_out(told(visible, report, "Computing curves"))
+    curves, unusable = drawable(document, report)
     remarks = hidden + unusable
-    sources = [Source(view.source, view.curve, view.pieces) for view in views if view.curve is not None]
-    if not sources:
+    if not curves:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
-    return sources, tuple(remarks)
+    return [Source(*each) for each in curves], tuple(remarks)
 
 
 def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:

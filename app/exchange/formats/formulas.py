@@ -41,7 +41,7 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Writte
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     allowed = checked_tolerance(sources, options.tolerance)
     written = told(sources, part(options.report, 0.3, 0.6), "Writing")
-    pieces = [beziers_of(piece, allowed) for source in written for piece in source.pieces]
+    pieces = [beziers_of(piece, allowed) for source in written for piece in source.core.pieces]
     lines = [
         _desmos_line(controls)
         for each in told(pieces, part(options.report, 0.6, 1.0), "Writing")
