@@ -226,7 +226,7 @@ def test_two_of_them_are_joined_or_it_is_said_why_not(drawn, own):
     editor.session.commit(Document((editor.curve, second)), "Second")
     before = editor.session.document
     editor.trigger("joinCurve")
-    if own != "cosine_steps":
+    if own != "tests_cosine_steps":
         assert f"Two {FAMILIES.named(own).title} curves cannot be joined" in editor.status
         assert editor.session.document == before
     else:
