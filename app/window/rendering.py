@@ -28,7 +28,7 @@ class Rendering(QObject):
         self._connect()
         self._render_document()
         self._render_file()
-        if self._session.path is None and not self._session.files.beginning.title:
+        if self._session.files.path is None and not self._session.files.beginning.title:
             # Who opens a document came to work on it.
             commands.messages.greet()
         if context.preferences.complaint:
@@ -49,8 +49,8 @@ class Rendering(QObject):
     def _render_document(self) -> None:
         session = self._session
         view = self._rendered = session.active_view
-        self._canvas.render_view(view)
-        self._canvas.render_others(session.views, session.active_index, session.selected_curves)
+        self._canvas.drawing.render_view(view)
+        self._canvas.drawing.render_others(session.views, session.active_index, session.selected.curves)
         self._commands.follow(view)
         if not session.is_previewing:
             self._render_panels()
@@ -63,11 +63,11 @@ class Rendering(QObject):
         self._commands.render(self._session.active_view)
 
     def _render_selection(self, selection: frozenset[int]) -> None:
-        self._canvas.set_selection(selection)
+        self._canvas.drawing.set_selection(selection)
         self._render_commands()
 
     def _render_selected_curves(self, selected: frozenset[int]) -> None:
-        self._canvas.render_others(self._session.views, self._session.active_index, selected)
+        self._canvas.drawing.render_others(self._session.views, self._session.active_index, selected)
         self._canvas.hover_again()
         self._render_commands()
 
@@ -85,21 +85,21 @@ class Rendering(QObject):
     def _render_file(self) -> None:
         session, window = self._session, self._context.window
         name = title_of(session).replace("[*]", "[*][*]")
-        window.setWindowFilePath(str(session.path) if session.path is not None else "")
+        window.setWindowFilePath(str(session.files.path) if session.files.path is not None else "")
         read_only = " (read-only)" if session.files.is_read_only else ""
         window.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
-        if window.isWindowModified() != session.is_modified:
+        if window.isWindowModified() != session.files.is_modified:
             # Qt writes the title anew, whatever is there.
-            window.setWindowModified(session.is_modified)
+            window.setWindowModified(session.files.is_modified)
 
     def _tell(self, message: Message) -> None:
         line = self._context.status_line
         match message.kind:
-            case MessageKind.SAID:
+            case MessageKind.INFORMATION:
                 line.say(message.text)
-            case MessageKind.REFUSED:
+            case MessageKind.REFUSAL:
                 line.refuse(message.text)
-            case MessageKind.OFFERED:
+            case MessageKind.OFFER:
                 self._render_commands()
                 line.clear_message()
                 self._commands.messages.offer(message.text, self._context.actions[message.action])

@@ -36,8 +36,6 @@ PASSING = {
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(
         "PlotLayer._strokes_of",
-        "PointLayer._apart",
-        "PointLayer._apart_for",
         "PointLayer._discs_now",
         "PointLayer.numbers",
     ),
@@ -45,12 +43,10 @@ PASSING = {
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
-    *("_hand", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
+    *("_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(
         "CurvePicker.entered",
         "Snappers._hovered",
-        "RailTool._function",
-        "RailTool._scrubbing_from",
     ),
     # Where a motion was stopped, what a panel showed that is closed; both begin anew.
     *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),
