@@ -224,7 +224,7 @@ class PullVelocity(CurveDrag, frozen=True):
 
 
 class BendCurve(CurveDrag, frozen=True):
-    """Bend: the least change of data by which the grabbed point follows; Ctrl points, Alt derivatives only."""
+    """Bend: the least change of data by which the grabbed point follows; Ctrl: points, Alt: derivatives."""
 
     hit: Hit
     start: Vector
