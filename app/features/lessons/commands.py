@@ -66,10 +66,10 @@ class LessonCommands:
         if goal is None or self._given is None:
             return
         given = next(curve for curve in self._given.curves if curve.name == goal.curve)
-        standing = view_model.goals.standing_of(goal, view, given)
-        if standing.is_met:
+        result = view_model.goals.result_of(goal, view, given)
+        if result.is_met:
             visit.reached.add(visit.step)
-        self._panel.show_standing(standing, reached=visit.step in visit.reached)
+        self._panel.show_result(result, reached=visit.step in visit.reached)
 
     @property
     def _visit(self) -> _Visit:
