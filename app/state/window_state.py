@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from app.appearance.theme import ThemeMode
 from app.settings.preferences import Preferences
 from app.storage.open_file import FileChange
-from app.tools.select import SELECT
+from app.tools.canvas.select import SELECT
 from app.tools.snapping import SnapKind
 from app.tools.tool import ToolRecord
 from app.view_model.analysis.settings import AnalysisSettings

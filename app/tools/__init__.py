@@ -1,9 +1,9 @@
 """Press, move and release turned into edits. No Qt: a tool is tested with plain `Pointer` records.
 
-- ``tool``: the base class of the tools, and the context of an event.  ``tool_settings``: its settings.
-- ``registry``: the tools that can be chosen.  ``toolbox``: those of one plot, and which is in use.
-- ``select``, ``add``, ``measure``, ``explain``, ``move_image``: the tools of the canvas.  ``transform_tool``:
-  the one of a transform that a key begins.  ``rail``: those over t.
+- ``tool``: the base class of the tools, the context of an event, and the registry of those in ``canvas``:
+  which a person chooses.  ``tool_settings``: settings.  ``toolbox``: those of one plot, and which is in use.
+- ``explain``, ``move_image``: tools of the canvas that belong to features.  ``transform_tool``: the one of a
+  transform that a key begins.  ``rail``: those over t.
 - ``pointer``: position, keys, and what lies under the pointer.
 - ``drag_machine``: the state machine all drags share: threshold, preview, commit, cancel.
 - ``drags``, ``bend_drag``, ``pen_drags``, ``rail_drags``: what each drag makes of the document.  ``parts``:

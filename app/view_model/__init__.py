@@ -21,6 +21,7 @@
 - ``goals``: what a lesson asks for.
 - ``point_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
 - ``analysis``: why the curve goes where it goes.
+- ``records``: registries that read their records off the modules of a package.
 - ``closing``: curves closed and opened, with the shape kept.  ``appending``: points appended by the pen;
   ``pen_preview``: the curve before it is.
 """

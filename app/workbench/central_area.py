@@ -10,8 +10,8 @@ from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
 from app.panels.plot_panel import PlotPanel
 from app.session import Session
+from app.tools.canvas.select import SELECT
 from app.tools.rail import RAIL
-from app.tools.select import SELECT
 from app.tools.toolbox import Toolbox
 from app.workbench.message_bar import MessageBar
 

@@ -11,11 +11,10 @@ from PySide6.QtWidgets import QLabel, QMenu, QWidget
 from app.document import edits
 from app.document.model import Document, Point
 from app.testing import Editor
+from app.tools.canvas.select import SELECT
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Cursor, Hint
-from app.tools.registry import TOOLS
-from app.tools.select import SELECT
-from app.tools.tool import Tool, ToolRecord
+from app.tools.tool import TOOLS, Gesture, Tool, ToolRecord
 
 HINT = "Drag to put a point above where you pressed"
 
@@ -68,6 +67,8 @@ RAISE = ToolRecord(
     name="raise",
     make=RaiseTool,
     hint="Drag upwards.",
+    doing="raising points",
+    gestures=(Gesture("Drag upwards", "put a point above"),),
     action="raiseTool",
     title="Raise Points",
     key="Y",
@@ -80,11 +81,8 @@ FOOT, HEAD = (2.0, 1.0), (2.5, 3.0)
 @pytest.fixture
 def raising(qtbot):
     """A window with the tool, chosen by its key."""
-    TOOLS.append(RAISE)
-    try:
+    with TOOLS.with_record(RAISE):
         editor = Editor(qtbot)
-    finally:
-        TOOLS.remove(RAISE)
     editor.window.activateWindow()
     editor.settle()
     editor.key(Qt.Key.Key_Y)
@@ -106,6 +104,15 @@ def test_it_is_found_where_all_tools_are(raising):
     assert raising.find_command("raise po")[0] == "Raise Points"
     edit = next(menu for menu in raising.window.menuBar().findChildren(QMenu) if "Edit" in menu.title())
     assert raising.action("raiseTool") in edit.actions()
+
+
+def test_the_sheet_of_keys_and_mouse_begins_with_what_it_does(raising):
+    raising.trigger("showShortcuts")
+    sheet = raising.window.findChild(QWidget, "shortcutSheet")
+    words = [label.text() for label in sheet.findChildren(QLabel)]
+    assert words[1:4] == ["<b>Now: raising points</b>", "Drag upwards", "put a point above"]
+    assert words.index("back to selecting") < words.index("<b>Otherwise</b>")
+    assert words.index("tell t and c(t) there, when selecting") > words.index("<b>Otherwise</b>")
 
 
 def test_its_hint_and_its_cursor_are_shown(raising):
@@ -175,6 +182,8 @@ def test_every_tool_has_what_its_action_shows(editor):
         assert action.shortcut().toString() == record.key
         assert record.tip in action.toolTip()
         assert record.hint
+        assert record.doing
+        assert record.gestures
     editor.trigger(SELECT.action)
 
 

@@ -1,7 +1,6 @@
 """Why the curve goes where it goes: what the overlays, plots and tables show, as arrays to draw.
 
 - ``settings``: what is switched on and how; no part of the document.
-- ``records``: registries that read their records off the modules of a package.
 - ``overlay``, ``overlays``: what can be drawn over the curve: the record, and one file for each or two.
   ``picture``: the figures of those that are switched on, live or once things have settled.
 - ``figures``: lines, arrows, marks and areas of the plane, each in a style that has a meaning.

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from app.view_model.analysis.plot_lines import PlotData, Scale
-from app.view_model.analysis.records import Records
+from app.view_model.records import Records
 from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from app.tools.drags import in_steps
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Hint, Pointer
 from app.tools.snapping import Snapper, with_snap
-from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.tools.tool import Gesture, Tool, ToolContext, ToolRecord
 
 _KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
 """Effects of the modifier keys while something is measured."""
@@ -128,6 +128,9 @@ MEASURE = ToolRecord(
     name="measure",
     make=MeasureTool,
     hint="Drag to measure; V or Escape goes back to selecting.",
+    doing="measuring",
+    gestures=(Gesture("Drag", "distance and angle; Shift: 15° steps; Escape puts it away"),),
+    place=30,
     action="measureTool",
     title="Measure",
     full_name="Measure Tool",
