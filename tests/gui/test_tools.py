@@ -172,6 +172,35 @@ def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(rai
     assert session.selection == {1}
 
 
+class StampTool(Tool):
+    """Puts a point where it is clicked, through the one door: there is no drag."""
+
+    def press(self, context):
+        host, place = context.host, context.pointer.position
+
+        def stamped(document):
+            count = len(document.curves[host.active_index].points)
+            return edits.insert_points(document, host.active_index, count, [Point(*place)])
+
+        context.drags.press(context.pointer, None, on_click=lambda: host.change("Stamp point", stamped))
+
+
+def test_a_tool_that_only_clicks_does_nothing_when_dragged(raising):
+    stamp = ToolRecord(name="stamp", make=StampTool, hint="Click.", doing="stamping")
+    session, canvas = raising.session, raising.window.canvas
+    canvas.choose_tool(stamp)
+    count, steps = len(raising.curve.points), session.undo_stack.count()
+    raising.press(FOOT)
+    raising.move(HEAD)
+    raising.release(HEAD)
+    assert (len(raising.curve.points), session.undo_stack.count()) == (count, steps)
+    raising.press(FOOT)
+    raising.release(FOOT)
+    assert raising.point(-1) == pytest.approx(FOOT, abs=raising.pixel)
+    assert (len(raising.curve.points), session.undo_stack.undoText()) == (count + 1, "Stamp point")
+    raising.trigger("selectTool")
+
+
 def test_every_tool_has_what_its_action_shows(editor):
     for record in TOOLS:
         action = editor.action(record.action)
