@@ -143,7 +143,7 @@ class DragMachine:
         return self._press is not None
 
     def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
-        """Begin: `drag`, if any, takes over past the threshold; `on_click` is called if that is not passed."""
+        """Begin: past the threshold `drag`, if any, takes over; a release before that is `on_click`."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
 
     def press_at_once(
