@@ -16,8 +16,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``state``: the window's state as a value.
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``widgets``: such as know nothing of curves.
-- ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
-- ``controllers``: what the person did in a panel becomes a change of the document.
+- ``canvas``: draws a value and reports what the person did.
 - ``actions``: how they are declared, and their keys.
 - ``workbench``: the parts of a window that features act on.
 - ``features``: what can be done, one package for each capability.

@@ -45,6 +45,7 @@ from curvecore.bezier.conversion import LagrangeBezier as LagrangeBezier
 from curvecore.bezier.conversion import bezier_stretch as bezier_stretch
 from curvecore.bezier.conversion import elevate_degree as elevate_degree
 from curvecore.bezier.conversion import lagrange_to_bezier as lagrange_to_bezier
+from curvecore.bezier.conversion import power_coefficients as power_coefficients
 from curvecore.bezier.flatten import ToleranceWarning as ToleranceWarning
 from curvecore.bezier.flatten import flatten as flatten
 from curvecore.bezier.flatten import flatten_parameters as flatten_parameters

@@ -92,7 +92,7 @@ def _check_finite(array: FloatArray, name: str) -> None:
 
 
 def data_array(values: ArrayLike, name: str, shape: tuple[int, int] | None = None) -> FloatArray:
-    """Check one datum per joint: points, velocities or accelerations.
+    """Check points, velocities or accelerations, one row per joint.
 
     Parameters
     ----------

@@ -131,7 +131,7 @@ class CurveLayer(Layer):
         if polyline is None:
             self._stroke, self.error = Stroke(), 0.0
         else:
-            self.error = polyline.deviation * max(shown.sx, shown.sy)
+            self.error = polyline.reached * max(shown.sx, shown.sy)
             self._stroke.fill(shown.points(polyline.points), shown.width, shown.height)
         self._drawn = (self._view, shown)
 

@@ -18,7 +18,7 @@ from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.arrow import arrow_segments
 from app.view_model.line_styles import DASHED
-from app.view_model.motion_picture import COLOURS, NAMES, RADII, TRAIL, Dot, Role, colour_of
+from app.view_model.motion_picture import TRAIL, Dot, Role, colour_of
 from curvecore.arrays import FloatArray
 
 _TRAIL_DOT = 3.0
@@ -59,7 +59,7 @@ class MotionLayer(Layer):
             self._paint_dot(painter, shown, dot)
 
     def _colour(self, role: Role) -> QColor:
-        return curve_colour(COLOURS[role], self.theme) if role in COLOURS else QColor(self.theme.accent)
+        return curve_colour(role.colour, self.theme) if role.colour else QColor(self.theme.accent)
 
     def _paint_line(self, painter: QPainter, shown: PixelMap, role: Role, line: FloatArray) -> None:
         painter.setPen(QPen(mix(self._colour(role), self.theme.paper, 0.6), self.scale))
@@ -83,12 +83,12 @@ class MotionLayer(Layer):
             return
         for arrow in dot.arrows:
             colour = curve_colour(colour_of(dot, arrow), self.theme)
-            words = f"{NAMES[dot.role]} {arrow.text}".strip()
+            words = f"{dot.role.title} {arrow.text}".strip()
             self._paint_arrow(painter, shown, (x, y), shown.point(*arrow.tip), colour, words)
         if dot.role is not Role.OWN:
             painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
             painter.setBrush(self._colour(dot.role))
-            radius = RADII[dot.role] * self.scale
+            radius = dot.role.radius * self.scale
             painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_arrow(

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 
 from app import __version__, cli, exchange, storage
 from app.cli.refusals import RefusalError, one_line, reason_of, say
-from app.diagnostics.log import log_options, logged
+from app.diagnostics.log import LEVELS, logged
 from app.exchange import READER_PROCESS
 
 _INTERRUPTED = 130
-"""What a shell expects of a program that Ctrl+C ended."""
+"""The exit code that a shell expects of a program that Ctrl+C ended."""
 
 _COMMANDS = ("render", "convert", "info", "lesson")
 
@@ -74,7 +74,15 @@ def common_options() -> argparse.ArgumentParser:
 
     They are taken first: which families there are decides what other options may say.
     """
-    parser = log_options()
+    parser = argparse.ArgumentParser("curvebench", add_help=False, allow_abbrev=False)
+    parser.add_argument(
+        "--log",
+        type=str.upper,
+        choices=LEVELS,
+        metavar="LEVEL",
+        default="",
+        help=f"print what the program does ({', '.join(LEVELS)}); no names of files or curves, no points",
+    )
     parser.add_argument(
         "--families",
         action="append",

@@ -8,6 +8,7 @@ import math
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from decimal import ROUND_UP, Context
 from functools import partial
 from pathlib import Path
 from time import perf_counter
@@ -43,6 +44,9 @@ if TYPE_CHECKING:
     from app.document.model import Document
     from app.exchange.cubics_in import Imported
     from app.exchange.facts import CurveFacts, Growth
+
+# A bound that was rounded to the nearest would not be one.
+_ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 _CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
 
@@ -307,7 +311,7 @@ def _length_text(value: float, bound: float) -> str:
     texts = (f"{value:.{digits}g}" for digits in range(9, 18))
     text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
     error = bound + abs(float(text) - value)
-    return f"about {text} (error at most {exchange.parts.rounded_up(error, 1):g})"
+    return f"about {text} (error at most {_ONE_DIGIT_UP.create_decimal_from_float(error):g})"
 
 
 def _points_text(facts: CurveFacts) -> str:

@@ -39,7 +39,7 @@ _FIRST_SIGNAL_CODE = 128
 
 
 class Lifecycle(QObject):
-    """Keeps the work of some windows, however the program ends.
+    """Keeper of the work of some windows, however the program ends.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ class Lifecycle(QObject):
 
 
 class SignalWatch(QObject):
-    """Brings the signals that end a program into Qt's event loop.
+    """Bridge for the signals that end a program into Qt's event loop.
 
     Python runs a handler between two of its own instructions only, and while nothing happens in the window
     there are none; a byte in a socket wakes the loop.

@@ -1,4 +1,4 @@
-"""What the command line refuses, and how it says so in one line."""
+"""Refusals of the command line, each in one line."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import os
 
 
 class RefusalError(Exception):
-    """What was asked cannot be done; the text says why."""
+    """A command cannot be done; the text says why."""
 
 
 def say(text: str = "", end: str = "\n") -> None:

@@ -1,4 +1,4 @@
-"""What a document may hold, and what says that something cannot be done."""
+"""Checks of the numbers that a document may hold, and the error of an edit that cannot be done."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ class _EstimateRule(NamedEnum):
 
 
 class VelocityRule(_EstimateRule):
-    """How the velocity of a point is estimated that has none of its own."""
+    """The rule that estimates the velocity of a point that has none of its own."""
 
     NATURAL_SPLINE = "natural_spline", "Natural C² spline", "estimated by the natural spline rule"
     BESSEL = "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule"
@@ -56,7 +56,7 @@ class VelocityRule(_EstimateRule):
 
 
 class AccelerationRule(_EstimateRule):
-    """How the acceleration of a point is estimated that has none of its own."""
+    """The rule that estimates the acceleration of a point that has none of its own."""
 
     NATURAL_SPLINE = "natural_spline", "From the C² spline", "estimated by the natural spline rule"
     ZERO = "zero", "Zero", "estimated as zero"

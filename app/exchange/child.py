@@ -40,7 +40,7 @@ honest large one takes its time. Whoever waits can cancel.
 _POLL = 0.05
 
 Reader = Callable[[bytes, float | None], Imported]
-"""Takes the content of a file and a tolerance."""
+"""Function of the content of a file and a tolerance."""
 
 MEMORY = 400 * 2**20
 """Bytes that reading may need beyond what the program itself does, where the system can limit that."""

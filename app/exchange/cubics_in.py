@@ -28,7 +28,6 @@ from app.document.model import (
 )
 from app.exchange.errors import ExchangeError
 from app.families import HERMITE
-from app.storage.format import FormatError, validate
 from curvecore.arrays import FloatArray
 
 SMOOTH = 1e-9
@@ -69,6 +68,10 @@ class Imported:
     remarks: tuple[str, ...] = ()
     groups: tuple[tuple[str, ...], ...] = ()
 
+    @property
+    def _chains(self) -> tuple[tuple[str, ...], ...]:
+        return self.groups or ((),) * len(self.document.curves)
+
     def only(self, taken: Sequence[bool]) -> Imported:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
         curves = tuple(compress(self.document.curves, taken))
@@ -83,8 +86,7 @@ class Imported:
         ExchangeError
             If there is none, with the names that there are.
         """
-        groups = self.groups or ((),) * len(self.document.curves)
-        own = [(*chain, curve.name) for chain, curve in zip(groups, self.document.curves, strict=True)]
+        own = [(*chain, curve.name) for chain, curve in zip(self._chains, self.document.curves, strict=True)]
         taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
@@ -93,8 +95,7 @@ class Imported:
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""
         curves = self.document.curves
-        chains = self.groups or ((),) * len(curves)
-        names = [chain[:_OUTER] or (curve.name,) for chain, curve in zip(chains, curves, strict=True)]
+        names = [chain[:_OUTER] or (curve.name,) for chain, curve in zip(self._chains, curves, strict=True)]
         counts = Counter(name for mine in names for name in dict.fromkeys(mine))
         shown = [f"{name} ({count})" if count > 1 else name for name, count in counts.items()]
         more = len(shown) - _MOST_NAMES
@@ -170,12 +171,7 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
         deviation = max(deviation, path.deviation + moved)
     if not curves:
         raise ExchangeError(" ".join(["There is no curve in the file.", *remarks]))
-    document = Document(tuple(curves))
-    try:
-        validate(document)
-    except FormatError as problem:
-        raise ExchangeError(f"The file cannot become a document: {problem}.") from problem
-    return Imported(document, deviation, remarks, tuple(groups) if any(groups) else ())
+    return Imported(Document(tuple(curves)), deviation, remarks, tuple(groups) if any(groups) else ())
 
 
 def lines(points: FloatArray) -> FloatArray:

@@ -68,14 +68,18 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
         raise
     except Exception as problem:
         # What a damaged file makes a foreign parser raise has no end: StructureError, ValueError, …
-        reason = one_line(str(problem))[:120] or type(problem).__name__
-        raise ExchangeError(f"The DXF file is damaged: {reason.rstrip('.')}.") from problem
+        raise _damaged("The DXF file", problem) from problem
     if len(entities) > MAX_ENTITIES:
         raise ExchangeError(f"The DXF file has {len(entities)} entities; {MAX_ENTITIES} can be read.")
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
     return imported(reader.paths, reader.remarks)
+
+
+def _damaged(what: str, problem: Exception) -> ExchangeError:
+    reason = one_line(str(problem))[:120] or type(problem).__name__
+    return ExchangeError(f"{what} is damaged: {reason.rstrip('.')}.")
 
 
 def _text(data: bytes) -> str:
@@ -132,8 +136,7 @@ class _Reader:
             raise
         except Exception as problem:
             # As above: a foreign parser.
-            reason = one_line(str(problem))[:120] or type(problem).__name__
-            raise ExchangeError(f"Entity {number} ({kind}) is damaged: {reason.rstrip('.')}.") from problem
+            raise _damaged(f"Entity {number} ({kind})", problem) from problem
 
     def _take_spline(self, spline: Spline) -> None:
         points = np.array([tuple(point)[:2] for point in spline.control_points], dtype=float)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from typing import Protocol
 
 
@@ -13,7 +15,7 @@ class Taken(Protocol):
 
 
 class Names:
-    """Hands out names, each once; where many begin alike, the next number is known and not searched.
+    """Source of names, each given once; where many begin alike, the next number is known and not searched.
 
     Parameters
     ----------
@@ -36,3 +38,12 @@ class Names:
         self._given.add(name)
         self._next[base] = number
         return name
+
+
+def numbered(names: Sequence[str]) -> list[str]:
+    """Return names, of which those that are there several times are "A (1)", "A (2)"."""
+    counts, seen, result = Counter(names), Counter[str](), []
+    for name in names:
+        seen[name] += 1
+        result.append(f"{name} ({seen[name]})" if counts[name] > 1 else name)
+    return result

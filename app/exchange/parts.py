@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import ROUND_UP, Context
-from fractions import Fraction
 from functools import cached_property
-from math import comb, isnan
+from math import isnan
 from typing import NamedTuple
 
 import numpy as np
@@ -20,8 +19,9 @@ from app.exchange.naming import Names
 from app.tasks.progress import Report, silent, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
-from curvecore import CurveError, HermiteCurve, bezier_segments, cubic_path
+from curvecore import CurveError, HermiteCurve, bezier_segments, bezier_stretch, cubic_path
 from curvecore.arrays import FloatArray
+from curvecore.scaling import LARGEST
 
 HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
@@ -141,9 +141,9 @@ def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:
     return tolerance
 
 
-def rounded_up(deviation: float, digits: int = 3) -> float:
-    """Return a deviation with so many digits, never less than it is: a bound stays one."""
-    return float(Context(prec=digits, rounding=ROUND_UP).create_decimal_from_float(deviation))
+def rounded_up(deviation: float) -> float:
+    """Return a deviation with three digits, never less than it is: a bound stays one."""
+    return float(Context(prec=3, rounding=ROUND_UP).create_decimal_from_float(deviation))
 
 
 def accuracy(deviation: float) -> str:
@@ -207,12 +207,12 @@ def beziers_of(piece: CoreCurve, tolerance: float) -> Beziers:
     if piece.bezier_pieces() is not None:
         result = Beziers(bezier_segments(piece), piece.breaks, 0.0)
     elif piece.is_one_polynomial and len(piece.points) <= HIGHEST_DEGREE + 1:
-        controls = _lagrange_controls(piece)
+        controls = bezier_stretch(piece, *piece.domain)[None]
         ends = np.array(piece.domain)
         result = Beziers(controls, ends, measured(piece, lambda t: bezier_values(controls, ends, t)))
     else:
         result = cubics_of(piece, tolerance)
-    if not np.isfinite(result.control_points).all():
+    if not (np.abs(result.control_points) < LARGEST).all():
         raise ExchangeError("The curve swings beyond all numbers between its points.")
     return result
 
@@ -243,47 +243,3 @@ def bezier_values(controls: FloatArray, parameters: FloatArray, t: FloatArray) -
     while level.shape[1] > 1:
         level = (1 - s) * level[:, :-1] + s * level[:, 1:]
     return np.asarray(level[:, 0])
-
-
-def monomials_of(controls_at: FloatArray, s: list[Fraction]) -> list[list[Fraction]]:
-    """Return the exact coefficients, lowest power first, of the polynomials through values (n, 2) at s."""
-    result = []
-    for column in controls_at.T:
-        divided = [Fraction(value) for value in column.tolist()]
-        for order in range(1, len(s)):
-            for i in range(len(s) - 1, order - 1, -1):
-                divided[i] = (divided[i] - divided[i - 1]) / (s[i] - s[i - order])
-        # Newton's form, multiplied out from the inside.
-        coefficients = [divided[-1]]
-        for i in range(len(s) - 2, -1, -1):
-            shifted = [Fraction(0), *coefficients]
-            coefficients = [a - s[i] * b for a, b in zip(shifted, [*coefficients, Fraction(0)], strict=True)]
-            coefficients[0] += divided[i]
-        result.append(coefficients)
-    return result
-
-
-def local_fractions(parameters: FloatArray) -> list[Fraction]:
-    """Return the parameters mapped to [0, 1], exactly."""
-    exact = [Fraction(value) for value in parameters.tolist()]
-    return [(value - exact[0]) / (exact[-1] - exact[0]) for value in exact]
-
-
-def _lagrange_controls(piece: CoreCurve) -> FloatArray:
-    """Return the control points (1, degree + 1, 2), each rounded once from its exact value."""
-    degree = len(piece.points) - 1
-    columns = []
-    for a in monomials_of(piece.points, local_fractions(piece.parameters)):
-        sums = [
-            sum(Fraction(comb(k, j), comb(degree, j)) * a[j] for j in range(k + 1)) for k in range(degree + 1)
-        ]
-        columns.append([as_float(value) for value in sums])
-    return np.array(columns).T[None]
-
-
-def as_float(value: Fraction | int) -> float:
-    """Return the float that is nearest, or an infinite one."""
-    try:
-        return float(value)
-    except OverflowError:
-        return float("inf") if value > 0 else float("-inf")

@@ -46,7 +46,7 @@ class Family:
 
     @property
     def name(self) -> str:
-        """What documents store: ``quintic_hermite``."""
+        """The name that documents store: ``quintic_hermite``."""
         return self._name
 
     @property
@@ -56,7 +56,7 @@ class Family:
 
     @property
     def problem(self) -> str:
-        """What is missing, as a sentence; empty where nothing is."""
+        """A sentence about the missing family; empty where it is there."""
         if not self.is_missing:
             return ""
         return (
@@ -66,17 +66,17 @@ class Family:
 
     @property
     def title(self) -> str:
-        """What people read within a sentence: quintic Hermite."""
+        """The words within a sentence: quintic Hermite."""
         return self._name if self._curve_class is None else self._curve_class.title
 
     @property
     def label(self) -> str:
-        """What people read on a button: Quintic Hermite."""
+        """The words on a button: Quintic Hermite."""
         return self.title[:1].upper() + self.title[1:]
 
     @property
     def short(self) -> str:
-        """What stands on a button where room is short: its first word."""
+        """The first word of the label, for a button where room is short."""
         return self.label.partition(" ")[0]
 
     @property
@@ -91,17 +91,12 @@ class Family:
 
     @property
     def full_title(self) -> str:
-        """What people read where nothing else says which one it is: cubic Hermite."""
+        """The words where nothing else tells it from the others: cubic Hermite."""
         return (self._curve_class.full_title if self._curve_class is not None else "") or self.title
 
     @property
-    def kind(self) -> str:
-        """What sets it apart from the others: cubic."""
-        return self.full_title.partition(" ")[0]
-
-    @property
     def tip(self) -> str:
-        """What its curves are, in a line."""
+        """A line about its curves."""
         return (self._curve_class.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
 
     @property
@@ -112,16 +107,11 @@ class Family:
     @property
     def action_name(self) -> str:
         """The object name of its action: familyQuinticHermite."""
-        return "family" + self.camel_case
-
-    @property
-    def camel_case(self) -> str:
-        """The name as a part of an object name: QuinticHermite."""
-        return "".join(word.capitalize() for word in self._name.split("_"))
+        return "family" + "".join(word.capitalize() for word in self._name.split("_"))
 
     @property
     def derivatives(self) -> int:
-        """How many derivatives a point carries beside its position."""
+        """The number of derivatives that a point carries beside its position."""
         return 0 if self._curve_class is None else self._curve_class.derivatives
 
     @property
@@ -131,7 +121,7 @@ class Family:
 
     @property
     def why_open(self) -> str:
-        """Why its curves cannot return to their first point, as what is said of one of them."""
+        """The reason for its curves not to return to their first point, as said of one of them."""
         if self.is_one_polynomial:
             return "is one polynomial, and one that is not constant cannot repeat itself smoothly"
         return "does not come back smoothly to its first point"

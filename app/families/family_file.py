@@ -36,8 +36,7 @@ from curvecore.arrays import FloatArray
 _MODULE = "curvebench_families_of_a_file"
 _COUNTS = (2, 3, 4, 7)
 _FACTS = {"title": str, "interpolates": bool, "can_close": bool}
-"""What a file may say beside its functions, and of what kind."""
-
+"""The names that a file may define beside its functions, and their types."""
 
 _Function = Callable[..., npt.ArrayLike]
 
@@ -59,19 +58,15 @@ def families_of_files(families: Families, paths: Sequence[str]) -> Iterator[None
     try:
         for path in paths:
             for family in families_in(Path(path)):
-                _add(families, family, Path(path))
+                try:
+                    families.add(family)
+                except ValueError as problem:
+                    raise FamilyFileError(f"“{path}”: {problem}.") from None
                 added.append(family)
         yield
     finally:
         for family in added:
             families.remove(family)
-
-
-def _add(families: Families, family: Family, path: Path) -> None:
-    try:
-        families.add(family)
-    except ValueError as problem:
-        raise FamilyFileError(f"“{path}”: {problem}.") from None
 
 
 def families_in(path: Path) -> list[Family]:

@@ -15,7 +15,7 @@ _SETTING = re.compile(r"\[.*\]$|[^=]+=")
 
 class SettingsFile:
     """
-    What is stored under which key; a value that cannot be read counts as not stored.
+    The ini file of the settings, by key; a value that cannot be read counts as not stored.
 
     Parameters
     ----------

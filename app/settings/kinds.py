@@ -32,11 +32,11 @@ _LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
 
 
 class Remembering(Protocol):
-    """What can have settings."""
+    """Object that has settings."""
 
     @property
     def file(self) -> SettingsFile:
-        """Where they are kept."""
+        """The file that keeps them."""
 
 
 class _UnusableError(ValueError):
@@ -211,7 +211,7 @@ class Several(Setting[frozenset[Member]]):
 
 
 class SavedLayout(Setting[QByteArray]):
-    """What Qt saved of a window; empty when nothing is remembered."""
+    """A layout that Qt saved of a window; empty when nothing is remembered."""
 
     def _read(self, file: SettingsFile) -> QByteArray:
         return file.layout(self.key)

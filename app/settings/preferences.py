@@ -1,4 +1,4 @@
-"""What the editor remembers from one start to the next, outside any document."""
+"""The preferences: settings that the editor remembers from one start to the next, outside any document."""
 
 from __future__ import annotations
 
@@ -42,22 +42,22 @@ class Preferences:
     """Light, dark, or as the system has it."""
 
     window_geometry = SavedLayout("window/geometry")
-    """What ``QWidget.saveGeometry`` gave."""
+    """The result of ``QWidget.saveGeometry``."""
 
     window_state = SavedLayout("window/state")
-    """What ``QMainWindow.saveState`` gave."""
+    """The result of ``QMainWindow.saveState``."""
 
     splitter_state = SavedLayout("window/splitter")
-    """What ``QSplitter.saveState`` gave."""
+    """The result of ``QSplitter.saveState``."""
 
     plot_height = Height("window/plots")
-    """How high the plots below the basis functions are."""
+    """Height of the plots below the basis functions."""
 
     snap_on = Switch("snap/on", default=False)
     """Whether dragged and added points snap."""
 
     snap_kinds = Several("snap/kinds", SnapKind)
-    """What they snap to."""
+    """Targets that they snap to."""
 
     grid_spacing = Distance("grid/spacing")
     """Distance of the grid's lines; 0 where it adapts to the zoom."""
@@ -78,14 +78,14 @@ class Preferences:
     """The options of the last export, as JSON; what cannot be used counts as none."""
 
     last_folder = Folder("files/folder")
-    """Where a file dialog starts: the folder last used, or the home folder."""
+    """Folder that a file dialog starts in: the one last used, or the home folder."""
 
     def __init__(self, store: Path | QSettings | None = None) -> None:
         self.file = SettingsFile(store)
 
     @property
     def complaint(self) -> str:
-        """What was wrong with the stored values, in one sentence; empty when nothing was."""
+        """The flaw of the stored values, in one sentence; empty when there was none."""
         return self.file.complaint
 
     def refuse(self, key: str, reason: str) -> None:

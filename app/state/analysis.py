@@ -12,6 +12,7 @@ from app.state.window_state import WindowState, WindowStore
 from app.view_model.analysis.ghost import Ghost
 from app.view_model.analysis.overlay import Overlay
 from app.view_model.analysis.plot import Plot
+from app.view_model.analysis.plot_lines import PlotData
 from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 
 
@@ -26,9 +27,13 @@ class Analysis(QObject):
         Something else can be said about the overlays.
     ghost_chosen
         A ghost shall become the curve.
+    added
+        A plot was added to those of the curve, replaced or taken away.
 
     Attributes
     ----------
+    added_plots
+        Plots beside those of the curve, by their titles.
     notes
         A sentence to some of the overlays: what they measure, or why nothing is drawn.
     problem
@@ -38,11 +43,13 @@ class Analysis(QObject):
     changed = Signal()
     noted = Signal()
     ghost_chosen = Signal(object)
+    added = Signal()
 
     def __init__(self, store: WindowStore, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._store = store
         store.changed.connect(self._follow_state)
+        self.added_plots: dict[str, PlotData] = {}
         self.notes: Mapping[Overlay, str] = {}
         self.problem = ""
 
@@ -76,6 +83,16 @@ class Analysis(QObject):
         """Switch a plot over t on or off."""
         others = self.settings.plots - {plot}
         self.change(plots=others | {plot} if shown else others)
+
+    def add_plot(self, plot: PlotData) -> None:
+        """Plot something else over the visible part of t; one of the same title gives way to it."""
+        self.added_plots[plot.title] = plot
+        self.added.emit()
+
+    def remove_plot(self, title: str) -> None:
+        """Take the added plot with this title away, if there is one."""
+        if self.added_plots.pop(title, None) is not None:
+            self.added.emit()
 
     def show_ghost(self, ghost: Ghost, shown: bool) -> None:
         """Switch a variant of the curve on or off."""

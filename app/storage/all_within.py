@@ -1,4 +1,4 @@
-"""Looks at all numbers of many points at once: one by one, a million take longer than reading them."""
+"""Check of all numbers of many points at once: one by one, a million take longer than reading them."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from types import NoneType
 from app.families import FAMILIES, Family
 
 _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
-"""What msgspec calls the values of JSON in its own refusals."""
+"""The names that msgspec has for the values of JSON in its own refusals."""
 
 
 def to_plain(value: object) -> str | float:

@@ -1,4 +1,4 @@
-"""Finds objects in JSON that have a key twice: typed decoding silently takes the last."""
+"""Search for objects in JSON that have a key twice: typed decoding silently takes the last."""
 
 from __future__ import annotations
 

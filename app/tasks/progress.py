@@ -12,7 +12,7 @@ from typing import TypeVar
 Item = TypeVar("Item")
 
 Report = Callable[[float, str], None]
-"""Takes the share that is done, 0 to 1, and a word for what is being done; raises `Cancelled`."""
+"""Callback that takes the share done, 0 to 1, and a word for the work; it raises `Cancelled`."""
 
 FINAL = inf
 """Reported in place of a share before a step that cannot be taken back; from then on nothing is cancelled."""

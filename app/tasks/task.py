@@ -159,7 +159,7 @@ class _Ended(SystemExit):
 
 
 class _Keeper(QObject):
-    """Keeps the running tasks, and is where their signals arrive: in the window's thread.
+    """Keeper of the running tasks, where their signals arrive: in the window's thread.
 
     Collected in another thread, a widget that is part of a cycle would be destroyed in it, and take the
     program along. So while tasks run, Python's own collector is off; a timer collects here in its place,

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
 from app.cli.display import has_display
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.families import FAMILIES, Family
+from app.features.basis.panel import BasisPanel
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
 from app.features.file_on_disk.bar import FileBar
@@ -231,21 +232,27 @@ class Editor(InputDriver):
         QTest.keyClicks(self.window.canvas, text)
         self.settle()
 
+    @property
+    def _basis_panel(self) -> BasisPanel:
+        panel = self.window.basis_panel
+        assert isinstance(panel, BasisPanel)
+        return panel
+
     def drag_parameter(self, index: int, to: float, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Drag the tick of point `index` along the t-rail."""
-        panel = self.window.basis_panel
+        panel = self._basis_panel
         start = panel.rail_pixel(self.parameters[index])
         self.drag_pixels(panel, start, panel.rail_pixel(to), keys=keys)
 
     def click_parameter(self, index: int, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Click on the tick of point `index`."""
-        panel = self.window.basis_panel
+        panel = self._basis_panel
         place = panel.rail_pixel(self.parameters[index])
         self.drag_pixels(panel, place, place, keys=keys)
 
     def type_parameter(self, index: int, text: str) -> None:
         """Double-click on the tick of point `index`, type, and press Enter."""
-        panel = self.window.basis_panel
+        panel = self._basis_panel
         place = panel.rail_pixel(self.parameters[index])
         self.click_parameter(index)
         self.send(panel, QEvent.Type.MouseButtonDblClick, place)
@@ -280,7 +287,7 @@ class Editor(InputDriver):
 
     def scrub(self, t: float) -> None:
         """Drag the scrub line to t."""
-        panel = self.window.basis_panel
+        panel = self._basis_panel
         start, _ = self.session.active_view.parameters[[0, -1]]
         height = 0.5
         self.drag_pixels(panel, panel.to_pixel(start, height), panel.to_pixel(t, height))

@@ -56,7 +56,7 @@ def spin(milliseconds: int) -> None:
 
 
 class InputDriver:
-    """Moves the mouse over a window and presses keys."""
+    """Driver of the mouse over a window, and of its keys."""
 
     window: MainWindow
 

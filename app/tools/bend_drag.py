@@ -7,8 +7,9 @@ import msgspec
 from app.document import words
 from app.document.model import Document, Vector
 from app.tools.pointer import Hit, Pointer
-from app.view_model.bend import Bend, BendWith
+from app.view_model.bend import Bend
 from app.view_model.curve_view import CurveView
+from app.view_model.hold import BendWith
 
 _TOLERANCE = 0.05
 """Pixels that the grabbed point may be off, where the parameters answer to the points."""

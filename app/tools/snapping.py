@@ -245,7 +245,7 @@ class Snapper:
     def _on_curve(self, position: Vector, reach: float) -> Snap | None:
         assert self._targets is not None
         found = [
-            (nearest.distance, Snap(nearest.position, name))
+            (nearest.distance, Snap((float(nearest.point[0]), float(nearest.point[1])), name))
             for curve, name in self._targets.curves
             if (nearest := curve.within(position, reach)) is not None
         ]

@@ -1,29 +1,37 @@
 """Documents turned into arrays to draw. No Qt; of app only ``families`` and ``exchange`` call curvecore, too.
 
-- ``curve_view``: a document's curve as a core curve, its polyline, its handles, or why it cannot be made.
-  ``views_ahead``: those of many, made beside the window.
-- ``basis_view``: the basis functions sampled for the basis panel, and the weights at one parameter.
-- ``jets``, ``handles``: what was set and what the rules estimate; where a person drags it.
-- ``cardinals``, ``growth``: what each point does, with its estimates; how errors of points grow.
-- ``parameter_slopes``: what a parameter does, with the estimates that follow it.
-- ``cardinal_view``: cardinal functions sampled for the basis panel.
-- ``bend``, ``bend_together``: the curve pulled somewhere.  ``nearest``: its point nearest to a place.
-- ``reshape``, ``split_join``, ``smoothness``: other points for the same curve, two of one, corners;
-  ``measure``: how far it moved all the same.
-- ``point_columns``: the columns of the point table.
-- ``refusals``: why there is no curve, in the program's words.
-- ``arc_lengths``: how long it is, to a relative accuracy.
-- ``straight``: segments made straight, the rest of the curve kept.
+A *knot* is the index of a parameter of the core curve: that of a point, and where the curve is closed one
+more at the end, which is the first point again.
+
+A curve:
+
+- ``curve_view``: the view of a document's curve: core curve, polyline, derivatives, or why there is none.
+  ``views_ahead``: the views of many, made beside the window.
+- ``point_arrays``, ``flattener``: the arrays and polylines that one view hands on to the next.
+- ``jets``, ``handles``: derivatives set and estimated; the Bézier control points by which they are dragged.
+- ``basis_view``, ``cardinal_view``: basis and cardinal functions sampled for the basis panel.
+- ``cardinals``, ``growth``: cardinal functions, estimates included; the growth of errors of points.
+- ``parameter_slopes``: the effect of a parameter, estimates included.
+- ``refusals``: the reasons for having no curve, in the program's words.
+- ``nearest``, ``arc_lengths``: the point nearest to a place; lengths to a relative accuracy.
+- ``plane``, ``sampling``: vectors of the plane; parameters all along a curve.
+
+A curve changed:
+
+- ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
+- ``appending``: points appended, curves closed.  ``pen_preview``: the curve with a point more.
+- ``reshape``, ``split_join``: other points for the same curve, two curves of one.
+  ``smoothness``, ``straight``: corners, straight segments.  ``measure``: the change of shape.
 - ``pasting``: points carried from one curve to another.
-- ``motion``, ``motion_settings``: from time to parameter; how the dot runs.
-  ``motion_picture``, ``arrow``: what is drawn and said of a motion.
-- ``line_styles``, ``palette``: how lines and marks look; the colours of points.
-- ``goals``: what a lesson asks for.
-- ``point_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
-- ``analysis``: why the curve goes where it goes.
+- ``point_columns``: the columns of the point table.
+
+Beside the curve:
+
+- ``motion``, ``motion_settings``: a dot that runs along it.  ``motion_picture``, ``arrow``: its picture.
+- ``analysis``: overlays, plots, joints, the laboratory, cures.
+- ``goals``: the goals of lessons.
+- ``line_styles``, ``palette``: the look of lines and marks; the colours of points.
 - ``records``: registries that read their records off the modules of a package.
-- ``closing``: curves closed and opened, with the shape kept.  ``appending``: points appended by the pen;
-  ``pen_preview``: the curve before it is.
 """
 
 import lazy_loader as lazy

@@ -6,16 +6,18 @@ ten times as long as the one before it would pull the handle ahead ten times as 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.edits import append_point, insert_points, stretched
+from app.document.edits import append_point, insert_points, set_closed, stretched
 from app.document.model import Curve, Document, Point, Vector
-from app.view_model.closing import with_closed
-from app.view_model.curve_view import CurveView, appended_parameter, appended_scale, parameters_of
+from app.view_model.curve_view import CurveView, parameters_of
+from app.view_model.plane import at_knots
 from curvecore import CurveError
+from curvecore.arrays import FloatArray
 
 
 def with_point_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
@@ -46,11 +48,24 @@ def with_points_appended(
         If they are not what a document may hold.
     """
     count = len(view.source.points)
-    document = append_point(document, curve, points[0], parameter_scale=appended_scale(view, points))
+    scale = scale_of(view, replace(view.source, points=(*view.source.points, *points)))
+    document = append_point(document, curve, points[0], parameter_scale=scale)
     document = insert_points(document, curve, count + 1, points[1:])
     if view.source.is_closed:
         return document
     return _kept_short(document, curve, view, [count - 1])
+
+
+def with_closed(document: Document, index: int, view: CurveView, closed: bool) -> Document:
+    """Return the document with its curve `index`, which `view` shows, closed or open; what was set stays.
+
+    Raises
+    ------
+    EditError
+        If the curve cannot be closed.
+    """
+    scale = scale_of(view, replace(view.source, closed=closed))
+    return set_closed(document, index, closed, parameter_scale=scale)
 
 
 def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:
@@ -71,11 +86,8 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
     ends = [index for index in ends if _is_set(view.source, index)]
     if not ends or not view.is_current:
         return document
-    positions = np.array([point.position for point in grown.points])
     try:
-        h = np.diff(
-            parameters_of(grown, np.vstack([positions, positions[:1]]) if grown.is_closed else positions)
-        )
+        h = np.diff(_parameters_alone(grown))
     except CurveError:
         return document
     points = list(grown.points)
@@ -94,3 +106,51 @@ def _is_set(curve: Curve, index: int) -> bool:
         return False
     given = (point.velocity, point.velocity_after, point.acceleration, point.acceleration_after)
     return any(value is not None for value in given)
+
+
+def scale_of(before: CurveView, after: Curve) -> float:
+    """Return how much longer in t the points of `before` are in `after`, where they come first.
+
+    One where no rule moves them, where there is no curve to keep, or where their parameters all but meet.
+    """
+    if before.source.is_manual or not before.is_current:
+        return 1.0
+    try:
+        new = _parameters_alone(after)
+    except CurveError:
+        return 1.0
+    last, old = len(before.source.points) - 1, before.parameters
+    longer, long = float(new[last] - new[0]), float(old[last] - old[0])
+    parameter_scale = longer / long if long > 0.0 else 1.0
+    return parameter_scale if 0.0 < parameter_scale < math.inf else 1.0
+
+
+def _parameters_alone(curve: Curve) -> FloatArray:
+    """Return the parameters that the rule of a curve gives, without a view of it."""
+    points = np.array([point.position for point in curve.points])
+    return parameters_of(curve, at_knots(points, closed=curve.is_closed))
+
+
+def appended_parameter(before: CurveView, point: Point) -> float:
+    """Return a manual parameter for a point appended to `before`: as fast as the curve so far.
+
+    A closed curve's last segment is divided in proportion to the distances.
+    """
+    t = before.parameters
+    if len(t) == 0 or not before.is_current:
+        rule = before.source.parametrization
+        given = [each.t for each in before.source.points if each.t is not None]
+        # After a lone point the whole interval: its handle was drawn for that.
+        step = rule.end - rule.start if len(given) == 1 else 1.0
+        return given[-1] + step if given else rule.start
+    last = len(before.points) - 1
+    new = math.dist(point.position, before.points[last])
+    if before.source.is_closed:
+        back = math.dist(point.position, before.points[0])
+        share = new / (new + back) if new + back > 0 else 0.5
+        return float(t[last] + np.clip(share, 0.01, 0.99) * (t[last + 1] - t[last]))
+    total = float(np.hypot(*np.diff(before.points, axis=0).T).sum())
+    span = float(t[-1] - t[0])
+    mean = span / last
+    step = span * new / total if total > 0 else mean
+    return float(t[-1]) + max(step, mean * 1e-3)

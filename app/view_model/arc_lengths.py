@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from app.view_model.sampling import all_along
 from curvecore import Curve as CoreCurve
 from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
 from curvecore.arrays import FloatArray
@@ -18,7 +19,7 @@ from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.pieces import BezierPieces, alike
 from curvecore.scaling import scale_by_power
 
-_PARTS = np.arange(4) / 4
+_PARTS = 4
 _LEAST = 1e-300
 """A tolerance for curves at rest; the next power of ten down is subnormal under the core's own factors."""
 
@@ -52,7 +53,7 @@ def _least_lengths(parts: Sequence[BezierPieces]) -> FloatArray:
     controls = np.concatenate([part.controls for part in parts])
     counts = np.array([len(part.starts) for part in parts])
     with np.errstate(all="ignore"):
-        points = weights(np.append(_PARTS, 1.0), controls.shape[1] - 1) @ controls
+        points = weights(np.linspace(0.0, 1.0, _PARTS + 1), controls.shape[1] - 1) @ controls
         chords = np.hypot(*np.diff(points, axis=1).transpose(2, 0, 1)).sum(axis=1)
         sums = np.add.reduceat(chords, np.cumsum(counts) - counts)
     return scale_by_power(sums, np.array([part.exponent for part in parts]))
@@ -60,9 +61,7 @@ def _least_lengths(parts: Sequence[BezierPieces]) -> FloatArray:
 
 def _least_length(core: CoreCurve) -> float:
     """Return the length of a polyline through the curve, which is never longer than the curve."""
-    joints = core.parameters
-    between = joints[:-1, None] + np.diff(joints)[:, None] * _PARTS
     with np.errstate(all="ignore"):
-        points = core.evaluate(np.append(between.ravel(), joints[-1]))
+        points = core.evaluate(all_along(core.parameters, _PARTS))
         length = float(np.hypot(*np.diff(points, axis=0).T).sum())
     return length if np.isfinite(length) else float(np.finfo(float).max)

@@ -11,6 +11,7 @@ import numpy as np
 
 from app.families import Family
 from app.view_model.curve_view import CoreCurve, CurveView
+from app.view_model.sampling import OneSided, one_sided
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
@@ -37,7 +38,7 @@ _LEAST_SAMPLES = 17
 _MOST_SCALED = 1e300
 
 _PEAK = (1.0, 2.5, 25.0)
-"""What makes B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
+"""The factors with which B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
 
 
 class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
@@ -116,10 +117,12 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         values[local.segment > index] = 0.0
         return t, values
 
-    @property
+    @cached_property
     def most_bent(self) -> float:
-        """What |d²B ∕ ds²| of no scaled function of a piecewise curve exceeds, s in 0 … 1 over a segment."""
-        return _bent(self.curve)
+        """The largest |d²B ∕ ds²| of a scaled function of a piecewise curve, s in 0 … 1 over a segment."""
+        unit = self.curve.with_data(np.zeros((2, self.kinds, 2)), [0.0, 1.0])
+        bends = unit.basis(np.linspace(0.0, 1.0, _FINE), 2) * np.array(_PEAK[: self.kinds])
+        return float(np.abs(bends).max())
 
     def fine_segments(self, segments: IntArray, chords: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) over segments of a piecewise curve, each in so many steps, ends included.
@@ -181,19 +184,6 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return values
 
 
-_MOST_BENT: dict[str, float] = {}
-
-
-def _bent(curve: CoreCurve) -> float:
-    """Return what the second derivatives of the scaled functions reach where a segment has the length 1."""
-    if curve.name not in _MOST_BENT:
-        kinds = curve.jets.shape[1]
-        unit = curve.with_data(np.zeros((2, kinds, 2)), [0.0, 1.0])
-        bends = unit.basis(np.linspace(0.0, 1.0, _FINE), 2) * np.array(_PEAK[:kinds])
-        _MOST_BENT[curve.name] = float(np.abs(bends).max())
-    return _MOST_BENT[curve.name]
-
-
 def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
     """Combine every sample with the two on either side of it."""
     padded = np.pad(values, 2, mode="edge")
@@ -211,8 +201,7 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
         return None
     scales = basis_scales(curve)
     count = len(view.source.points)
-    # The last knot of a closed curve is its first point again.
-    owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
+    owners = tuple(knot % count for knot in range(len(curve.parameters)))
     if curve.is_local:
         return _piecewise_view(curve, owners, scales)
     if len(owners) < _MANY or not curve.is_one_polynomial:
@@ -246,50 +235,17 @@ def _samples_over(curve: CoreCurve) -> FloatArray:
     return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t
 
 
-def segment_samples(knots: FloatArray) -> tuple[FloatArray, FloatArray, IntArray]:
-    """Sample every segment, ends included, so that joints are drawn as sharp as they are.
-
-    Returns
-    -------
-    The samples (m,), their shares of their segments, and the index of the first one of each and the end.
-    """
-    spacing = np.diff(knots)
-    counts = _sample_counts(spacing)
-    first = np.concatenate([[0], np.cumsum(counts)])
-    segment = np.repeat(np.arange(len(spacing)), counts)
-    s = (np.arange(first[-1]) - first[segment]) / (counts[segment] - 1)
-    t = knots[segment] + s * spacing[segment]
-    # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.
-    t[first[1:] - 1] = np.nextafter(knots[1:], knots[:-1])
-    t[-1] = knots[-1]
-    return t, s, first
+def segment_samples(knots: FloatArray) -> OneSided:
+    """Sample every segment, ends included, so that joints are drawn as sharp as they are."""
+    return one_sided(knots, _sample_counts(np.diff(knots)))
 
 
 def _piecewise_view(curve: CoreCurve, owners: tuple[int, ...], scales: FloatArray) -> BasisView:
-    t, s, first = segment_samples(curve.parameters)
-    if len(first) <= _MOST_UNEVEN:
-        values = curve.local_basis(t).values
-        segment = np.repeat(np.arange(len(first) - 1), np.diff(first))
-        values[:, 0] *= scales[segment]
-        values[:, 1] *= scales[segment + 1]
-    else:
-        values = _alike(curve, s[: first[1]], scales)
+    t, first = segment_samples(curve.parameters)
+    segment, values = curve.local_basis(t)
+    values[:, 0] *= scales[segment]
+    values[:, 1] *= scales[segment + 1]
     return BasisView(curve, owners, t, values, first, scales)
-
-
-def _alike(curve: CoreCurve, s: FloatArray, scales: FloatArray) -> FloatArray:
-    """Return the scaled functions at the same places `s` of every segment, (m, 2, R).
-
-    B_ir is h^r times a shape that all segments have in common.
-    """
-    kinds = curve.jets.shape[1]
-    unit = curve.with_data(np.zeros((2, kinds, 2)), [0.0, 1.0])
-    # At 1 the next segment would begin.
-    shapes = unit.local_basis(np.minimum(s, np.nextafter(1.0, 0.0))).values
-    powers = np.diff(curve.parameters)[:, None] ** np.arange(kinds)
-    factors = np.stack([powers * scales[:-1], powers * scales[1:]], axis=1)
-    values: FloatArray = (shapes * factors[:, None]).reshape(-1, 2, kinds)
-    return values
 
 
 def _sample_counts(spacing: FloatArray) -> IntArray:
@@ -326,7 +282,9 @@ def basis_formulas(family: Family) -> tuple[str, ...]:
 def weights_at(view: CurveView, t: float) -> FloatArray:
     """Return what every point counts at `t`, with the derivatives that are estimated from it, (n,)."""
     if view.cardinal is not None:
-        weights: FloatArray = view.cardinal.basis(t)[0]
-        return weights
+        return np.asarray(view.cardinal.basis(t)[0])
     assert view.basis_curve is not None
-    return view.by_point(view.basis_curve.basis(np.array([t]))[0, :, 0])
+    count = len(view.source.points)
+    weights = view.basis_curve.basis(np.array([t]))[0, :, 0]
+    weights[0] += weights[count:].sum()
+    return weights[:count]

@@ -1,4 +1,4 @@
-"""Which part of a pull bends the curve, and which takes it along as a whole.
+"""A pull divided: one part bends the curve, the other takes it along as a whole.
 
 Where a rule gives the parameters, c(t*) answers to a bend u = (ux, uy) with some F(u), not with u, and far
 away there may be no u at all with the answer that is wanted. Every rule lets a shift m of all points pass
@@ -123,7 +123,7 @@ class _Search:
             answer = self._answer(bend)
             cost = math.inf if answer is None else self._cost.of(bend, pull - answer)
             if answer is not None:
-                self._slope = _broyden(self._slope, step, answer - self.answer)
+                self._slope = broyden(self._slope, step, answer - self.answer)
             if answer is not None and cost < least:
                 self.bend, self.answer, least = bend, answer, cost
                 self._damping = max(self._damping / 10, _LEAST_DAMPING)
@@ -140,7 +140,7 @@ def slope_at_rest(answer: Callable[[FloatArray], FloatArray | None], size: float
     return np.column_stack([columns[0], columns[1]]) / h
 
 
-def _broyden(slope: FloatArray, step: FloatArray, answer: FloatArray) -> FloatArray:
+def broyden(slope: FloatArray, step: FloatArray, answer: FloatArray) -> FloatArray:
     """Return the Jacobian that also explains that `step` gave `answer`."""
     updated: FloatArray = slope + np.outer(answer - slope @ step, step) / (step @ step)
     return updated

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from app.view_model.basis_view import BasisView, segment_samples
-from app.view_model.curve_view import CoreCurve, CurveView
+from app.view_model.curve_view import CurveView
 from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arrays import FloatArray
 
@@ -15,7 +15,7 @@ _MOST_EACH = 64
 """Points up to which every function is sampled; of more, the least and the greatest at each t."""
 
 _SEEN, _FINE = 12, 33
-"""How many segments to either side of its point a function can be told from 0, and samples of each."""
+"""Segments to either side of its point in which a function can be told from 0, and samples of each."""
 
 
 class CardinalView(BasisView, frozen=True, eq=False, dict=True):
@@ -57,24 +57,13 @@ def cardinal_view(view: CurveView) -> CardinalView | None:
     curve, cardinal = view.basis_curve, view.cardinal
     if curve is None or cardinal is None:
         return None
-    t, _, _ = segment_samples(curve.parameters)
+    t = segment_samples(curve.parameters).t
     owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
-    return CardinalView(
-        curve,
-        owners,
-        t,
-        _values(curve, cardinal, t, owners),
-        None,
-        np.ones((len(owners), 1)),
-        cardinal=cardinal,
-    )
-
-
-def _values(curve: CoreCurve, cardinal: CardinalBasis, t: FloatArray, owners: tuple[int, ...]) -> FloatArray:
     if len(owners) <= _MOST_EACH:
-        each: FloatArray = cardinal.basis(t)[:, list(owners), None]
-        return each
-    near = cardinal.local(t).values
-    # All the others are 0 there.
-    low, high = np.minimum(near.min(axis=1), 0.0), np.maximum(near.max(axis=1), 0.0)
-    return np.stack([low, high], axis=1)[:, :, None]
+        values = cardinal.basis(t)[:, list(owners)]
+    else:
+        # All the others are 0 there.
+        near = np.pad(cardinal.local(t).values, ((0, 0), (0, 1)))
+        values = np.stack([near.min(axis=1), near.max(axis=1)], axis=1)
+    scales = np.ones((len(owners), 1))
+    return CardinalView(curve, owners, t, values[:, :, None], None, scales, cardinal=cardinal)

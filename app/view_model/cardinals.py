@@ -1,4 +1,4 @@
-"""The cardinal functions of a curve's points: what each of them does, with the estimates that follow it."""
+"""The cardinal functions of a curve's points: the effect of each, with the estimates that follow it."""
 
 from __future__ import annotations
 
@@ -13,26 +13,16 @@ from app.view_model.jets import moved_with_points
 from app.view_model.point_arrays import PointArrays
 from curvecore import Curve as CoreCurve
 from curvecore import CurveError, lebesgue_constant
-from curvecore.analysis.cardinal import CardinalBasis
-from curvecore.arrays import BoolArray, FloatArray
+from curvecore.analysis.cardinal import REACH, CardinalBasis
+from curvecore.arrays import FloatArray
 
-_MANY, _REACH = 200, 24
+_MANY, _SHORT_REACH = 200, 24
 """Points from which on an estimate forgets a point after so many: 1e-14 of it is left, as a rule."""
 
 
 class Cardinal(msgspec.Struct, frozen=True, eq=False, dict=True):
-    """Cardinal functions, and what they were made of.
+    """Cardinal functions; None where an estimate is beyond all floats."""
 
-    Attributes
-    ----------
-    rules, numbers
-        All that they depend on.
-    functions
-        None where an estimate is beyond all floats.
-    """
-
-    rules: tuple[object, ...]
-    numbers: tuple[FloatArray | BoolArray, ...]
     functions: CardinalBasis | None
 
     @cached_property
@@ -48,7 +38,8 @@ class Cardinals:
     """
 
     def __init__(self) -> None:
-        self._known: Cardinal | None = None
+        self._key: tuple[object, ...] = ()
+        self._known = Cardinal(None)
 
     def of(self, curve: Curve, points: FloatArray, basis_curve: CoreCurve, arrays: PointArrays) -> Cardinal:
         """Return the functions of a curve.
@@ -64,18 +55,15 @@ class Cardinals:
         arrays
             The numbers in its points.
         """
-        rules: tuple[object, ...] = (
-            curve.family, curve.velocity_rule, curve.acceleration_rule, curve.is_closed,
-        )  # fmt: skip
         is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
-        numbers: tuple[FloatArray | BoolArray, ...] = (basis_curve.parameters, arrays.corners, is_set)
+        numbers = [basis_curve.parameters, arrays.corners, is_set]
         if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
-            rules, numbers = (*rules, curve.parametrization.alpha), (*numbers, points)
-        known = self._known
-        if known is None or known.rules != rules or not all(map(np.array_equal, known.numbers, numbers)):
-            known = Cardinal(rules, numbers, _made(curve, points, basis_curve, arrays))
-            self._known = known
-        return known
+            numbers += [np.array(curve.parametrization.alpha), points]
+        rules = (curve.family, curve.velocity_rule, curve.acceleration_rule, curve.is_closed)
+        key = (*rules, *(each.tobytes() for each in numbers))
+        if key != self._key:
+            self._key, self._known = key, Cardinal(_made(curve, points, basis_curve, arrays))
+        return self._known
 
 
 def _made(
@@ -85,8 +73,7 @@ def _made(
         return CardinalBasis(basis_curve)
     follow = moved_with_points(curve, points, basis_curve.parameters, arrays)
     try:
-        if len(curve.points) < _MANY:
-            return CardinalBasis(basis_curve, follow, closed=curve.is_closed)
-        return CardinalBasis(basis_curve, follow, closed=curve.is_closed, reach=_REACH)
+        reach = REACH if len(curve.points) < _MANY else _SHORT_REACH
+        return CardinalBasis(basis_curve, follow, closed=curve.is_closed, reach=reach)
     except CurveError:
         return None

@@ -1,20 +1,19 @@
-"""What the window shows of one curve of the document."""
+"""The view of one curve of the document: its core curve, polyline and derivatives, or why there is none."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import cached_property
 from itertools import pairwise
 
 import msgspec
 import numpy as np
-from msgspec.structs import replace
 
-from app.document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
-from app.view_model.cardinals import Cardinals
+from app.document.model import Curve, ParametrizationKind, Vector
+from app.view_model.cardinals import Cardinal, Cardinals
 from app.view_model.flattener import Box, Flattener, FlatteningKey, Polyline
 from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
+from app.view_model.plane import at_knots, size_of
 from app.view_model.point_arrays import PointArrays, arrays_of
 from app.view_model.refusals import refusal_of
 from curvecore import (
@@ -31,13 +30,12 @@ from curvecore import Curve as CoreCurve
 from curvecore.arrays import FloatArray, parameter_array
 
 __all__ = [
+    "BY_COUNT",
     "TOO_FEW",
     "Box",
     "CoreCurve",
     "CurveView",
     "Polyline",
-    "appended_parameter",
-    "appended_scale",
     "parameters_of",
     "view_of",
 ]
@@ -53,14 +51,12 @@ _PARAMETERS: dict[ParametrizationKind, Callable[[FloatArray, float], FloatArray]
 }
 
 
-_BY_COUNT = (ParametrizationKind.MANUAL, ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV)
+BY_COUNT = (ParametrizationKind.MANUAL, ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV)
 """Rules that do not ask where the points are."""
 
 
 class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """One curve of the document with everything that a canvas or panel draws of it.
-
-    The knots of the curve are its points, and for a closed curve the first point once more at the end.
 
     Attributes
     ----------
@@ -121,33 +117,32 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         nothing = np.zeros((len(self.parameters), self.curve.jets.shape[1], 2))
         return self.pieces[0].with_data(nothing, self.parameters)
 
-    @cached_property
+    @property
     def cardinal(self) -> CardinalBasis | None:
-        """What each point does to `curve`, with the estimates that follow it; None where there is no curve.
+        """The cardinal functions of the points of `curve`, with the estimates; None where there is no curve.
 
         None, too, where the derivatives that a point carries along are beyond all floats.
         """
-        if self.basis_curve is None or not self.is_current:
-            return None
-        return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays).functions
+        return self._cardinal.functions if self.is_current else None
 
     @property
     def growth(self) -> float:
         """The Lebesgue constant of the points of a current curve; infinite where `cardinal` is None."""
+        return self._cardinal.growth
+
+    @cached_property
+    def _cardinal(self) -> Cardinal:
         assert self.basis_curve is not None
-        return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays).growth
+        return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays)
 
     def with_knots(self, points: FloatArray, parameters: FloatArray) -> CoreCurve:
         """Return the core curve through other points (k, 2), at parameters (k,), under the same rules."""
-        if not self.source.family.derivatives:
-            return self.source.family.make(points[:, None], parameters)
-        sides = sides_of(self.source, points, parameters, self.arrays)
-        return _piecewise(self.source, sides, parameters, self.arrays, None)
+        return _core_curve(self.source, points, parameters, self.arrays)[0]
 
     @property
     def at_knots(self) -> FloatArray:
         """The points' positions, of a closed curve the first one once more at the end, (k, 2)."""
-        return np.vstack([self.points, self.points[:1]]) if self.source.is_closed else self.points
+        return at_knots(self.points, closed=self.source.is_closed)
 
     @cached_property
     def polyline(self) -> FloatArray:
@@ -163,12 +158,10 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @cached_property
     def _whole(self) -> tuple[Polyline, float]:
         """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
-        if self.curve is None:
-            return Polyline(np.empty(0), np.empty((0, 2))), 0.0
-        size = float(np.ptp(self.points, axis=0).max()) if len(self.points) else 1.0
+        size = size_of(self.points) if len(self.points) else 1.0
         tolerance = max(size, 1e-300) * 1e-3
         polyline = self.flattened(tolerance)
-        return polyline, tolerance if polyline.deviation <= tolerance else 0.0
+        return polyline, tolerance if polyline.reached <= tolerance else 0.0
 
     def flattened(self, tolerance: float, box: Box | None = None) -> Polyline:
         """Return the curve as a polyline within `tolerance` of it inside `box`.
@@ -188,14 +181,6 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """Return the point that a knot belongs to."""
         return knot % len(self.source.points)
 
-    def by_point(self, values: FloatArray) -> FloatArray:
-        """Add up what belongs to the same point: (k, …) to (n, …)."""
-        count = len(self.source.points)
-        result = np.array(values[:count])
-        if len(values) > count:
-            result[0] += values[count]
-        return result
-
     def velocity_of(self, index: int, *, ahead: bool = True) -> Vector | None:
         """Return the velocity at point `index`, set or estimated; None where the family has none.
 
@@ -210,12 +195,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def _derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
         if self.sides is None or order > self.source.family.derivatives:
             return None
-        x, y = (self.sides.after if ahead else self.sides.before)[index, order]
+        x, y = self.sides[ahead][index, order]
         return (float(x), float(y))
 
     def is_explicit(self, index: int, order: int, *, ahead: bool = True) -> bool:
         """Whether the person set the velocity (order 1) or acceleration (2) of point `index`."""
-        return explicit_sides(self.source.points[index], order)[1 if ahead else 0] is not None
+        return explicit_sides(self.source.points[index], order)[ahead] is not None
 
     def spacing(self, index: int, *, ahead: bool) -> float | None:
         """Return the length in t of the segment ahead of or behind point `index`, None beyond the ends."""
@@ -246,32 +231,15 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
 
 def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CurveView:
     points = arrays.positions
-    at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
-    parameters = _known_parameters(curve, arrays, previous)
-    if parameters is None:
-        parameters = parameters_of(curve, at_knots, arrays.times)
-        # Refused as a whole: a piece between two corners would count from its own beginning.
-        parameter_array(parameters, len(at_knots))
+    knots = at_knots(points, closed=curve.is_closed)
+    parameters = parameters_of(curve, knots, arrays.times)
+    # Refused as a whole: a piece between two corners would count from its own beginning.
+    parameter_array(parameters, len(knots))
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
-    if not curve.family.derivatives:
-        jets = at_knots[:, None]
-        line = curve.family.make(jets, parameters) if frozen is None else frozen.with_jets(jets)
-        return CurveView(curve, points, arrays, line, _flattener=flattener, _cardinals=cardinals)
-    sides = sides_of(curve, at_knots, parameters, arrays)
-    core = _piecewise(curve, sides, parameters, arrays, frozen)
+    core, sides = _core_curve(curve, knots, parameters, arrays, frozen)
     return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
-
-
-def _known_parameters(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> FloatArray | None:
-    """Return the parameters of the curve before where they cannot be other ones: no rule moves them."""
-    if previous is None or not previous.is_current or len(previous.points) != len(arrays.positions):
-        return None
-    old, rule = previous.source, curve.parametrization
-    if rule.kind not in _BY_COUNT or rule is not old.parametrization or old.is_closed is not curve.is_closed:
-        return None
-    return previous.parameters if arrays.times is previous.arrays.times else None
 
 
 def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView | None) -> CoreCurve | None:
@@ -281,23 +249,33 @@ def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView |
     old = previous.curve
     if old is None or len(old.pieces) > 1:
         return None
-    is_same = old.parameters is parameters or np.array_equal(old.parameters, parameters)
-    return old if is_same else None
+    return old if np.array_equal(old.parameters, parameters) else None
 
 
-def _piecewise(
-    curve: Curve, sides: Sides, parameters: FloatArray, arrays: PointArrays, frozen: CoreCurve | None
-) -> CoreCurve:
+def _core_curve(
+    curve: Curve,
+    points: FloatArray,
+    parameters: FloatArray,
+    arrays: PointArrays,
+    frozen: CoreCurve | None = None,
+) -> tuple[CoreCurve, Sides | None]:
+    """Return the core curve through points at its knots, and its jets where the family has derivatives.
+
+    `frozen` is a curve of the family with these parameters, and without corners.
+    """
+    if not curve.family.derivatives:
+        jets = points[:, None]
+        return curve.family.make(jets, parameters) if frozen is None else frozen.with_jets(jets), None
+    sides = sides_of(curve, points, parameters, arrays)
     last = len(parameters) - 1
-    corners = [index for index in corner_knots(arrays, last + 1) if 0 < index < last]
+    corners = [knot for knot in corner_knots(arrays, last + 1) if 0 < knot < last]
     if frozen is not None and not corners:
-        return frozen.with_jets(_piece_jets(sides, 0, last))
-    cuts = [0, *corners, last]
+        return frozen.with_jets(_piece_jets(sides, 0, last)), sides
     pieces = [
         curve.family.make(_piece_jets(sides, start, end), parameters[start : end + 1])
-        for start, end in pairwise(cuts)
+        for start, end in pairwise([0, *corners, last])
     ]
-    return pieces[0] if len(pieces) == 1 else Chain(pieces)
+    return pieces[0] if len(pieces) == 1 else Chain(pieces), sides
 
 
 def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:
@@ -316,67 +294,6 @@ def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = N
         if times is None:
             times = np.array([np.nan if point.t is None else point.t for point in curve.points])
         return np.append(times, rule.end) if curve.is_closed else times
-    return _onto_interval(_PARAMETERS[rule.kind](points, rule.alpha), rule)
-
-
-def _onto_interval(parameters: FloatArray, rule: Parametrization) -> FloatArray:
-    if (rule.start, rule.end) == (0.0, 1.0):
-        return parameters
-    mapped = rule.start + parameters * (rule.end - rule.start)
+    mapped = rule.start + _PARAMETERS[rule.kind](points, rule.alpha) * (rule.end - rule.start)
     mapped[-1] = rule.end
     return mapped
-
-
-def appended_scale(before: CurveView, points: Sequence[Point]) -> float:
-    """Return by which factor appending `points` squeezes the parameters of the points before them.
-
-    One where the parameters stay, or where there is nothing to compare.
-    """
-    curve = before.source
-    if curve.is_manual or not before.is_current or len(curve.points) < 2:
-        return 1.0
-    return scale_of(before, replace(curve, points=(*curve.points, *points)))
-
-
-def scale_of(before: CurveView, after: Curve) -> float:
-    """Return how much longer in t the points of `before` are in `after`, where they come first.
-
-    One where their parameters all but meet, in `after` or before: then there is no curve to keep.
-    """
-    last = len(before.source.points) - 1
-    points = np.array([point.position for point in after.points])
-    try:
-        new = parameters_of(after, np.vstack([points, points[:1]]) if after.is_closed else points)
-    except CurveError:
-        return 1.0
-    old = before.parameters
-    longer, long = float(new[last] - new[0]), float(old[last] - old[0])
-    parameter_scale = longer / long if long > 0.0 else 1.0
-    return parameter_scale if 0.0 < parameter_scale < math.inf else 1.0
-
-
-def appended_parameter(before: CurveView, point: Point) -> float:
-    """Return a manual parameter for a point appended to `before`: as fast as the curve so far.
-
-    A closed curve's last segment is divided in proportion to the distances.
-    """
-    t = before.parameters
-    if len(t) == 0 or not before.is_current:
-        given, rule = (
-            [each.t for each in before.source.points if each.t is not None],
-            before.source.parametrization,
-        )
-        # After a lone point the whole interval: its handle was drawn for that.
-        step = rule.end - rule.start if len(given) == 1 else 1.0
-        return given[-1] + step if given else rule.start
-    last = len(before.points) - 1
-    new = float(np.hypot(*(np.array(point.position) - before.points[last])))
-    if before.source.is_closed:
-        back = float(np.hypot(*(np.array(point.position) - before.points[0])))
-        share = new / (new + back) if new + back > 0 else 0.5
-        return float(t[last] + np.clip(share, 0.01, 0.99) * (t[last + 1] - t[last]))
-    total = float(np.hypot(*np.diff(before.points, axis=0).T).sum())
-    span = float(t[-1] - t[0])
-    mean = span / last
-    step = span * new / total if total > 0 else mean
-    return float(t[-1]) + max(step, mean * 1e-3)

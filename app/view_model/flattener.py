@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import msgspec
+from typing import TypeAlias
+
 import numpy as np
 
 from curvecore import Curve as CoreCurve
 from curvecore import FrozenFlattening, FrozenSegments, Pieces, flatten_pieces
-from curvecore.arrays import FloatArray
 
 Box = tuple[float, float, float, float]
 FlatteningKey = tuple[float, Box | None]
@@ -17,15 +17,10 @@ _PAUSE = 30
 """Curves after one that not even samples of its own could follow, for which none are taken."""
 
 
-class Polyline(msgspec.Struct, frozen=True, eq=False):
-    """A curve as drawn: the parameters of its vertices (k,), the vertices (k, 2), and how far it is off.
+Polyline: TypeAlias = Pieces
+"""A curve as drawn: the parameters of its vertices (k,), the vertices (k, 2), and how far it is off."""
 
-    `deviation` is above the tolerance where the curve would need more vertices than a polyline may have.
-    """
-
-    parameters: FloatArray
-    points: FloatArray
-    deviation: float = 0.0
+_NOTHING = Polyline(np.empty(0), np.empty((0, 2)), np.empty(0))
 
 
 class Flattener:
@@ -42,16 +37,13 @@ class Flattener:
     def polyline(self, curve: CoreCurve | None, key: FlatteningKey) -> Polyline:
         """Return the polyline of `curve` for the tolerance and the box `key`."""
         if curve is None:
-            return Polyline(np.empty(0), np.empty((0, 2)))
+            return _NOTHING
         if len(curve.pieces) > 1:
-            return _flatten(curve, key)
-        return self._following(curve, key)
-
-    def _following(self, curve: CoreCurve, key: FlatteningKey) -> Polyline:
+            return flatten_pieces(curve, *key)
         if key != self._last:
             # The first at this scale: there may never be another one.
             self._last, self._frozen, self._pause = key, None, 0
-            return _flatten(curve, key)
+            return flatten_pieces(curve, *key)
         pieces = None if self._frozen is None else self._frozen.follow(curve)
         if pieces is None and self._pause == 0:
             self._frozen = _frozen(curve, key)
@@ -61,16 +53,8 @@ class Flattener:
                 self._frozen, self._pause = None, _PAUSE
         elif pieces is None:
             self._pause -= 1
-        return _flatten(curve, key) if pieces is None else _polyline(pieces)
+        return flatten_pieces(curve, *key) if pieces is None else pieces
 
 
 def _frozen(curve: CoreCurve, key: FlatteningKey) -> FrozenFlattening | FrozenSegments:
     return FrozenFlattening(curve, *key) if curve.bezier_pieces() is None else FrozenSegments(curve, *key)
-
-
-def _flatten(curve: CoreCurve, key: FlatteningKey) -> Polyline:
-    return _polyline(flatten_pieces(curve, *key))
-
-
-def _polyline(pieces: Pieces) -> Polyline:
-    return Polyline(pieces.parameters, pieces.points, pieces.reached)

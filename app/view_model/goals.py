@@ -1,4 +1,4 @@
-"""What a lesson asks for, measured on the curve that is edited.
+"""The goals of lessons, measured on the curve that is edited.
 
 A goal is written as ``measure comparison value``: ``lebesgue < 5``, ``family = quintic_hermite``. Beside it
 stand the curve that it is about, and what has to stay as it was given (`KEPT`): nobody shall make Λ small by
@@ -18,8 +18,8 @@ from app.document.model import Curve
 from app.document.words import number
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
+from app.view_model.plane import size_of
 from curvecore import CurveError, chord_length, joint_report
-from curvecore.arrays import FloatArray
 
 _GOAL = re.compile(r"(\w+)\s*(<=|>=|<|>|=)\s*(\S+)")
 _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {
@@ -31,7 +31,7 @@ _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {
 }
 _SAMPLES = 2000
 _LITTLE = 0.1
-"""How far a point may be moved and still count as left where it was, as a share of the drawing."""
+"""The way of a point, as a share of the drawing, up to which it counts as left where it was."""
 
 
 class GoalError(ValueError):
@@ -63,13 +63,7 @@ class Goal:
 
 @dataclass(frozen=True)
 class GoalResult:
-    """Where a curve stands.
-
-    Attributes
-    ----------
-    text
-        What is asked, and what the curve has now.
-    """
+    """Whether a curve meets a goal, and in words what is asked and what the curve has now."""
 
     is_met: bool
     text: str
@@ -134,10 +128,6 @@ def _number(goal: Goal) -> float:
         raise GoalError(f"“{goal.value}” is no number") from None
 
 
-def _lebesgue(view: CurveView) -> float:
-    return growth_of_points(view)
-
-
 def _overshoot(view: CurveView) -> float:
     """Return how far the curve leaves the box of its points, in percent of the box's longer side."""
     curve = view.curve
@@ -145,7 +135,7 @@ def _overshoot(view: CurveView) -> float:
     drawn = curve.evaluate(np.linspace(*curve.domain, _SAMPLES))
     low, high = view.points.min(axis=0), view.points.max(axis=0)
     beyond = max(float((low - drawn.min(axis=0)).max()), float((drawn.max(axis=0) - high).max()), 0.0)
-    size = float((high - low).max())
+    size = size_of(view.points)
     return 100.0 * beyond / size if size > 0 else 0.0
 
 
@@ -160,14 +150,10 @@ def _chord_gap(view: CurveView) -> float:
     """Return the largest difference between a parameter and the chord-length parameter, on [0, 1]."""
     t = view.parameters
     try:
-        chords = chord_length(_at_knots(view))
+        chords = chord_length(view.at_knots)
     except CurveError:
         return np.inf
     return float(np.abs((t - t[0]) / (t[-1] - t[0]) - chords).max())
-
-
-def _at_knots(view: CurveView) -> FloatArray:
-    return np.vstack([view.points, view.points[:1]]) if view.source.is_closed else view.points
 
 
 @dataclass(frozen=True)
@@ -191,8 +177,7 @@ def _keeps_points(view: CurveView, given: Curve) -> bool:
     before = np.array([point.position for point in given.points])
     if before.shape != view.points.shape:
         return False
-    size = float(np.ptp(before, axis=0).max())
-    return bool(np.abs(view.points - before).max() <= _LITTLE * size)
+    return bool(np.abs(view.points - before).max() <= _LITTLE * size_of(before))
 
 
 def _has_three_decimals(view: CurveView, _given: Curve) -> bool:
@@ -210,16 +195,16 @@ KEPT = {
     ),
     "decimals": Kept(_has_three_decimals, "some parameters have more than three decimals"),
 }
-"""What a goal may want left alone."""
+"""Properties that a goal may want left alone, by name."""
 
 MEASURES: dict[str, tuple[str, Callable[[CurveView], float]]] = {
     "points": ("Points", lambda view: float(len(view.points))),
-    "lebesgue": ("Lebesgue constant Λ", _lebesgue),
+    "lebesgue": ("Lebesgue constant Λ", growth_of_points),
     "overshoot": ("Overshoot in percent", _overshoot),
     "smoothness": ("Derivatives that are continuous at every joint:", _smoothness),
     "chord_gap": ("Largest distance from the chord-length parameters", _chord_gap),
 }
-"""What can be measured: how it is called, and the function of a current view."""
+"""The measures by name: the words for each, and its function of a current view."""
 
 _WORDS: dict[str, tuple[str, Callable[[CurveView], str]]] = {
     "family": ("The family is", lambda view: str(view.source.family)),

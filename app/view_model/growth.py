@@ -1,4 +1,4 @@
-"""How much errors of the points grow on the curve: the Lebesgue function Λ(t) and the constant Λ.
+"""The growth of errors of the points on the curve: the Lebesgue function Λ(t) and the constant Λ.
 
 Where velocities or accelerations are estimated they follow the points, so it is the cardinal functions of the
 points that count, Λ(t) = Σ |Cᵢ(t)|. Errors of the data, where estimated derivatives count as given, are

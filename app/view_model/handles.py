@@ -61,13 +61,13 @@ def _lone_handle(view: CurveView) -> list[Handle]:
     velocity = explicit_sides(point, 1)[1]
     if not view.source.family.derivatives or velocity is None:
         return []
-    tip = _along(point.position, velocity, _whole_interval(view) / _degree(view))
+    tip = _along(point.position, velocity, _signed_spacing(view, 0, ahead=True) / _degree(view))
     return [Handle(1, True, tip, point.position, explicit=True)]
 
 
 def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
-    if velocity is None or h is None:
+    if velocity is None:
         return []
     p = view.source.points[index].position
     tip = _along(p, velocity, h / _degree(view))
@@ -82,9 +82,6 @@ def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Ha
 def velocity_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
     """Return the velocity whose handle lies at `position`."""
     p, h = view.source.points[index].position, _signed_spacing(view, index, ahead=ahead)
-    if h is None:
-        # A point that stands alone: the interval it is going to open stands for h.
-        h = _whole_interval(view)
     degree = _degree(view)
     return (degree * float(position[0] - p[0]) / h, degree * float(position[1] - p[1]) / h)
 
@@ -95,7 +92,7 @@ def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, a
     Infinite where no number is large enough, on an interval of next to no length: no edit takes that.
     """
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
-    if velocity is None or h is None:
+    if velocity is None:
         return (0.0, 0.0)
     base = _along(view.source.points[index].position, velocity, 2 * h / 5)
     # Not by h²: it may vanish where h does not.
@@ -131,7 +128,7 @@ def _own_sides(view: CurveView, index: int) -> list[bool]:
 def _pulled(view: CurveView, index: int, visible: float, ahead: bool) -> Vector:
     """Return a velocity whose handle can be seen: the present one, or one that points the same way."""
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
-    if velocity is None or h is None:
+    if velocity is None:
         raise EditError(f"There is no tangent at point {index} yet. {view.problem}")
     if math.hypot(*velocity) * abs(h) / _degree(view) >= visible:
         return velocity
@@ -161,17 +158,15 @@ def _way_to_neighbour(view: CurveView, index: int, *, ahead: bool) -> float:
     return math.dist(p, after if ahead else before) or math.dist(p, before if ahead else after)
 
 
-def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float | None:
-    h = view.spacing(index, ahead=ahead)
+def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float:
+    """Return the h of one side, negative behind the point; the free side of an end goes by the other.
+
+    Of a point that stands alone, the interval that it is going to open.
+    """
+    h = view.spacing(index, ahead=ahead) or view.spacing(index, ahead=not ahead)
     if h is None:
-        # The free side of an end goes by the spacing of the other.
-        h = view.spacing(index, ahead=not ahead)
-    return h if h is None or ahead else -h
-
-
-def _whole_interval(view: CurveView) -> float:
-    rule = view.source.parametrization
-    return rule.end - rule.start
+        return view.source.parametrization.end - view.source.parametrization.start
+    return h if ahead else -h
 
 
 def _degree(view: CurveView) -> int:

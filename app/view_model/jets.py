@@ -1,20 +1,20 @@
-"""The data of a Hermite curve: what the person set, and what the rules estimate for the rest.
+"""The data of a Hermite curve: those that the person set, and the estimates of the rules for the rest.
 
-The knots of a curve are its points, and for a closed curve the first point once more. A corner divides the
-curve into pieces, and each piece is estimated for itself; a closed curve without a corner is estimated as
-the periodic curve it is.
+A corner divides the curve into pieces, and each piece is estimated for itself; a closed curve without a
+corner is estimated as the periodic curve it is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
-import msgspec
 import numpy as np
 
 from app.document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
-from app.view_model.point_arrays import PointArrays, arrays_of
+from app.view_model.plane import at_knots
+from app.view_model.point_arrays import PointArrays
 from curvecore import (
     bessel_velocities,
     catmull_rom_velocities,
@@ -31,25 +31,24 @@ _REACH = 64
 """Knots after which an estimate has forgotten the data: a natural spline forgets half at every knot."""
 
 
-class Sides(msgspec.Struct, frozen=True, eq=False):
+class Sides(NamedTuple):
     """The jets at the knots, before and after each; they differ only at corners. Shapes (k, R, 2)."""
 
     before: FloatArray
     after: FloatArray
 
 
-def sides_of(
-    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: PointArrays | None = None
-) -> Sides:
+def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: PointArrays) -> Sides:
     """Return the jets of `curve` at its knots, whose points (k, 2) and parameters (k,) are given."""
-    arrays = arrays or arrays_of(curve.points)
     before = np.empty((len(points), curve.family.derivatives + 1, 2))
     before[:, 0] = points
     after = before.copy()
     corners = corner_knots(arrays, len(points))
     for order, estimate in enumerate(_estimates(curve), start=1):
         _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
-        _set_explicit(before[:, order], after[:, order], arrays, order)
+        for side, jets in enumerate((before, after)):
+            rows = _given_rows(arrays, side, order, len(jets))
+            jets[rows, order] = arrays.given[rows % len(arrays.given), side, order - 1]
     return Sides(before, after)
 
 
@@ -64,9 +63,8 @@ def moved_with_points(
     corners = corner_knots(arrays, len(points))
 
     def moved(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
-        at_knots = np.vstack([moves, moves[:1]]) if curve.is_closed else moves
         # Whatever cuts and unrolls the points does so with their moves, too.
-        both = np.hstack([points, at_knots])
+        both = np.hstack([points, at_knots(moves, closed=curve.is_closed)])
         before = np.zeros((len(points), curve.family.derivatives, moves.shape[1]))
         after = before.copy()
         for order, change in enumerate(_changes(curve)):
@@ -130,52 +128,28 @@ def _estimate(
     estimate: Estimate,
     closed: bool,
 ) -> None:
+    """Estimate from corner to corner; a closed curve is unrolled and goes on where it ends."""
+    count = len(points) - closed
+    period = parameters[-1] - parameters[0]
+    is_endless = closed and not corners
+    cuts = sorted({0, count - 1, *corners})
+    if is_endless:
+        cuts = [-_REACH, count + _REACH]
+    elif closed:
+        cuts = sorted({corner % count for corner in corners})
+        cuts.append(cuts[0] + count)
+    for start, end in pairwise(cuts):
+        places = np.arange(start, end + 1)
+        turns, knots = np.divmod(places, count)
+        piece = estimate(points[knots], parameters[knots] + turns * period)
+        wanted = (places >= 0) & (places < count) | (not is_endless)
+        after[knots[:-1][wanted[:-1]]] = piece[:-1][wanted[:-1]]
+        before[knots[1:][wanted[1:]]] = piece[1:][wanted[1:]]
     if closed:
-        _estimate_closed(before, after, points, parameters, corners, estimate)
-        return
-    last = len(points) - 1
-    cuts = sorted({0, last, *corners})
-    for start, end in pairwise(cuts):
-        piece = estimate(points[start : end + 1], parameters[start : end + 1])
-        after[start:end] = piece[:-1]
-        before[start + 1 : end + 1] = piece[1:]
-    # The ends have one side only; the other is never used.
-    before[0], after[last] = after[0], before[last]
-
-
-def _estimate_closed(
-    before: FloatArray,
-    after: FloatArray,
-    points: FloatArray,
-    parameters: FloatArray,
-    corners: Sequence[int],
-    estimate: Estimate,
-) -> None:
-    """Estimate on the curve unrolled: from corner to corner, or far enough to either side without one."""
-    count, period = len(points) - 1, parameters[-1] - parameters[0]
-    corners = sorted({corner % count for corner in corners})
-    first = corners[0] if corners else -_REACH
-    last = first + count if corners else count + _REACH
-    places = np.arange(first, last + 1)
-    turns, indices = np.divmod(places, count)
-    unrolled, times = points[indices], parameters[indices] + turns * period
-    cuts = [*corners, last] if corners else [first, last]
-    for start, end in pairwise(cuts):
-        piece = estimate(unrolled[start - first : end - first + 1], times[start - first : end - first + 1])
-        for offset, place in enumerate(range(start, end + 1)):
-            if not corners and not 0 <= place < count:
-                continue
-            if offset < len(piece) - 1:
-                after[place % count] = piece[offset]
-            if offset > 0:
-                before[place % count] = piece[offset]
-    before[count], after[count] = before[0], after[0]
-
-
-def _set_explicit(before: FloatArray, after: FloatArray, arrays: PointArrays, order: int) -> None:
-    for side, derivatives in enumerate((before, after)):
-        rows = _given_rows(arrays, side, order, len(derivatives))
-        derivatives[rows] = arrays.given[rows % len(arrays.given), side, order - 1]
+        before[count], after[count] = before[0], after[0]
+    else:
+        # The ends have one side only; the other is never used.
+        before[0], after[-1] = after[0], before[-1]
 
 
 def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntArray:

@@ -1,4 +1,4 @@
-"""How lines and marks look: one vocabulary for figures, ghosts, methods, plots and their legends. No Qt.
+"""The look of lines and marks: one vocabulary for figures, ghosts, methods, plots and their legends. No Qt.
 
 A line style names its colour; the theme decides which shade that is.
 """
@@ -31,7 +31,7 @@ class Mark(enum.Enum):
 
 
 class Sign(enum.Enum):
-    """What stands for something in a legend."""
+    """The forms of an entry in a legend."""
 
     LINE = enum.auto()
     MARK = enum.auto()
@@ -40,7 +40,7 @@ class Sign(enum.Enum):
 
 
 class LineStyle(msgspec.Struct, frozen=True):
-    """How something is drawn.
+    """The look of a line, a mark or an area.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""How far apart two curves are: measured on dense samples, to tell what a change of the points did."""
+"""The distance of two curves, on dense samples: the effect of a change of the points on the shape."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.document.model import Curve
+from app.document.words import number
 from app.view_model.curve_view import CurveView
+from app.view_model.plane import size_of
+from app.view_model.sampling import all_along
 from curvecore.arrays import FloatArray
 
 _SAMPLES = 32
@@ -20,14 +23,19 @@ _KEPT = 1e-8
 def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
     """Tell whether the shape of these curves is the same but for roundings, `residual` being what changed."""
     points = np.array([point.position for curve in curves for point in curve.points])
-    return residual <= _KEPT * float(np.ptp(points, axis=0).max())
+    return residual <= _KEPT * size_of(points)
+
+
+def outcome(residual: float, curves: Sequence[Curve]) -> str:
+    """Return in words whether the shape of these curves was kept, and how much changed."""
+    kept = "shape kept" if is_kept(residual, curves) else "the shape is another"
+    return f"{kept}, largest change {number(residual, 2)}."
 
 
 def dense(knots: FloatArray) -> FloatArray:
     """Return parameters all along a curve with these knots, the knots included; as many on every segment."""
     per_segment = int(np.clip(_MOST_SAMPLES // len(knots), 5, _SAMPLES))
-    s = np.linspace(0.0, 1.0, per_segment + 1)[:-1]
-    return np.append((knots[:-1, None] + s * np.diff(knots)[:, None]).ravel(), knots[-1])
+    return all_along(knots, per_segment)
 
 
 def largest_distance(first: CurveView, at: FloatArray, second: CurveView, at_second: FloatArray) -> float:

@@ -6,12 +6,12 @@ motion is the real one.
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
 from app.view_model.motion_settings import Pace, Repeat
+from app.view_model.sampling import Samples
 from curvecore.analysis.lengths import ArcLength
 from curvecore.arrays import FloatArray, IntArray
 
@@ -40,15 +40,6 @@ def folded(seconds: FloatArray, duration: float, repeat: Repeat) -> FloatArray:
 def runs_back(seconds: float, duration: float, repeat: Repeat) -> bool:
     """Whether the dot is on its way back."""
     return repeat is Repeat.PING_PONG and bool(np.fmod(seconds, 2.0 * duration) > duration)
-
-
-class Moments(msgspec.Struct, frozen=True, eq=False):
-    """Where the dot is at some moments, and its velocity and acceleration there, per second; (m, 2) each."""
-
-    parameters: FloatArray
-    points: FloatArray
-    velocities: FloatArray
-    accelerations: FloatArray
 
 
 class Course:
@@ -108,13 +99,13 @@ class Course:
             self._is_known[new] = True
         return np.asarray(self._stations[indices])
 
-    def moments_at(self, t: FloatArray, *, back: bool = False) -> Moments:
-        """Return what is to be known of the dot at parameters (m,); on the way back it runs against t."""
+    def moments_at(self, t: FloatArray, *, back: bool = False) -> Samples:
+        """Return the dot at parameters (m,), with its derivatives per second; on the way back against t."""
         with np.errstate(all="ignore"):
             points, velocities, accelerations = (self.curve.evaluate(t, order) for order in (0, 1, 2))
             if self._lengths is not None:
                 velocities, accelerations = _at_even_speed(velocities, accelerations, self._speed)
-        return Moments(t, points, -velocities if back else velocities, accelerations)
+        return Samples(t, points, -velocities if back else velocities, accelerations)
 
 
 def _at_even_speed(

@@ -1,8 +1,9 @@
-"""What is drawn of a motion: dots with arrows and trails, and what is said about the jumps at the joints."""
+"""The picture of a motion: dots with arrows and trails, and words about the jumps at the joints."""
 
 from __future__ import annotations
 
 import enum
+import math
 from functools import partial
 
 import msgspec
@@ -10,10 +11,13 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import VelocityRule
-from app.families import HERMITE, QUINTIC_HERMITE
+from app.families import HERMITE, QUINTIC_HERMITE, Family
 from app.view_model.curve_view import CurveView, view_of
-from app.view_model.motion import STATIONS, Course, Moments, folded, round_of, runs_back
+from app.view_model.line_styles import BLUE, GREEN, ORANGE, PURPLE
+from app.view_model.motion import STATIONS, Course, folded, round_of, runs_back
 from app.view_model.motion_settings import Repeat
+from app.view_model.plane import size_of, usual_length
+from app.view_model.sampling import Samples
 from curvecore.analysis.continuity import joint_report
 from curvecore.arrays import FloatArray
 
@@ -24,41 +28,42 @@ _SHARE = 0.25
 """The longest arrow against the size of the curve."""
 
 _LONGEST = 3.0
-"""How far an acceleration may surpass nine tenths of all: at a cusp it would be infinite."""
+"""The most by which an acceleration surpasses nine tenths of all: at a cusp it would be infinite."""
 
 _SAMPLES = 121
 
 
 class Role(enum.Enum):
-    """Whose dot it is."""
+    """The curve that a dot runs along: the edited one, or one of the two that are compared with it.
 
-    OWN = enum.auto()
-    CUBIC = enum.auto()
-    QUINTIC = enum.auto()
+    Attributes
+    ----------
+    title
+        The name beside its arrows.
+    radius
+        Of the dot, in pixels: where they meet, a ring of each is seen.
+    colour
+        An Okabe–Ito colour, of which each theme has its own shade; empty for the accent.
+    family
+        The family of the rival; None for the edited curve.
+    """
 
+    def __init__(self, title: str, radius: float, colour: str, family: Family | None) -> None:
+        self.title, self.radius, self.colour, self.family = title, radius, colour, family
 
-NAMES = {Role.OWN: "", Role.CUBIC: "cubic", Role.QUINTIC: "quintic"}
-
-RADII = {Role.OWN: 6.0, Role.CUBIC: 11.0, Role.QUINTIC: 7.5}
-"""Of the dots, in pixels: where they meet, a ring of each is seen."""
-
-RIVALS = {Role.CUBIC: HERMITE, Role.QUINTIC: QUINTIC_HERMITE}
+    OWN = "", 6.0, "", None
+    CUBIC = "cubic", 11.0, ORANGE, HERMITE
+    QUINTIC = "quintic", 7.5, GREEN, QUINTIC_HERMITE
 
 
 class ArrowKind(enum.Enum):
-    """What an arrow shows, and the letter beside its tip."""
+    """The derivative that an arrow shows: the letter beside its tip, and its colour."""
 
-    VELOCITY = "v"
-    ACCELERATION = "a"
+    def __init__(self, letter: str, colour: str) -> None:
+        self.letter, self.colour = letter, colour
 
-
-COLOURS: dict[Role | ArrowKind, str] = {
-    Role.CUBIC: "#e69f00",
-    Role.QUINTIC: "#009e73",
-    ArrowKind.VELOCITY: "#0072b2",
-    ArrowKind.ACCELERATION: "#cc79a7",
-}
-"""Okabe–Ito colours; each theme has its own shade of them."""
+    VELOCITY = "v", BLUE
+    ACCELERATION = "a", PURPLE
 
 
 class Arrow(msgspec.Struct, frozen=True):
@@ -98,20 +103,14 @@ class Scales(msgspec.Struct, frozen=True):
 
 def scales_of(courses: list[Course]) -> Scales:
     """Return scales that suit all dots, so that their arrows can be compared."""
-    size = max(float(np.ptp(course.curve.points, axis=0).max()) for course in courses)
+    size = max(size_of(course.curve.points) for course in courses)
     sampled = [
         course.moments_at(course.parameters_at(np.linspace(0.0, course.duration, _SAMPLES)))
         for course in courses
     ]
-    speeds = np.concatenate([_lengths(moments.velocities) for moments in sampled])
-    pulls = np.concatenate([_lengths(moments.accelerations) for moments in sampled])
-    return Scales(_scale(speeds, size), _scale(pulls, size))
-
-
-def _scale(lengths: FloatArray, size: float) -> float:
-    usual = float(np.quantile(lengths, 0.9, method="lower"))
-    largest = min(float(lengths.max()), _LONGEST * usual) or float(lengths.max())
-    return _SHARE * size / largest if 0.0 < largest < np.inf else 0.0
+    speed = usual_length(np.vstack([moments.velocities for moments in sampled]), _LONGEST)
+    pull = usual_length(np.vstack([moments.accelerations for moments in sampled]), _LONGEST)
+    return Scales(*(_SHARE * size / longest if longest > 0.0 else 0.0 for longest in (speed, pull)))
 
 
 def dot_at(
@@ -127,7 +126,7 @@ def dot_at(
     now = course.moments_at(t, back=runs_back(seconds, course.duration, repeat))
     place = (float(now.points[0, 0]), float(now.points[0, 1]))
     trail = _trail(course, seconds, repeat) if kinds else np.empty((0, 2))
-    speed, pull = float(_lengths(now.velocities)[0]), float(_lengths(now.accelerations)[0])
+    speed, pull = math.hypot(*now.velocities[0]), math.hypot(*now.accelerations[0])
     arrow = partial(_arrow, now, place, scales)
     return Dot(role, float(t[0]), place, trail, tuple(arrow(kind) for kind in kinds), speed, pull)
 
@@ -144,7 +143,7 @@ def dots_at(courses: dict[Role, Course], seconds: float, repeat: Repeat, scales:
 
 def colour_of(dot: Dot, arrow: Arrow) -> str:
     """Return the colour of an arrow: what it shows, or where two are compared, whose it is."""
-    return COLOURS.get(dot.role, COLOURS[arrow.kind])
+    return dot.role.colour or arrow.kind.colour
 
 
 def _trail(course: Course, seconds: float, repeat: Repeat) -> FloatArray:
@@ -161,12 +160,12 @@ def _trail(course: Course, seconds: float, repeat: Repeat) -> FloatArray:
     return course.stations(folds.astype(np.intp))
 
 
-def _arrow(now: Moments, place: tuple[float, float], scales: Scales, kind: ArrowKind) -> Arrow:
+def _arrow(now: Samples, place: tuple[float, float], scales: Scales, kind: ArrowKind) -> Arrow:
     is_velocity = kind is ArrowKind.VELOCITY
     x, y = (now.velocities if is_velocity else now.accelerations)[0].tolist()
     scale = scales.velocity if is_velocity else scales.acceleration
     length = float(np.hypot(x, y))
-    return Arrow(kind, (place[0] + scale * x, place[1] + scale * y), f"|{kind.value}| {short(length)}")
+    return Arrow(kind, (place[0] + scale * x, place[1] + scale * y), f"|{kind.letter}| {short(length)}")
 
 
 def short(value: float) -> str:
@@ -174,22 +173,19 @@ def short(value: float) -> str:
     return f"{value:#.3g}".rstrip(".").replace("e+", "e")
 
 
-def _lengths(vectors: FloatArray) -> FloatArray:
-    return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))
-
-
 def rivals_of(view: CurveView) -> dict[Role, CurveView]:
     """Return the cubic and the quintic Hermite curve through the points of `view`, where both exist."""
     views = {
-        role: view if view.source.family == family else view_of(replace(view.source, family=family))
-        for role, family in RIVALS.items()
+        role: view if view.source.family == role.family else view_of(replace(view.source, family=role.family))
+        for role in Role
+        if role.family is not None
     }
     return views if all(each.is_current for each in views.values()) else {}
 
 
 def jumps_in_words(views: dict[Role, CurveView]) -> str:
     """Return what the accelerations of cubic and quintic do at the joints, as measured."""
-    return "  ".join(_jump_in_words(NAMES[role].capitalize(), view) for role, view in views.items())
+    return "  ".join(_jump_in_words(role.title.capitalize(), view) for role, view in views.items())
 
 
 def _is_estimated(view: CurveView) -> bool:

@@ -1,4 +1,4 @@
-"""How a dot runs along a curve: its speed, its pace, and what happens at the end."""
+"""The settings of a dot that runs along a curve: speed, pace, and what follows at the end."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
 class Repeat(enum.StrEnum):
-    """What happens at the end of the curve."""
+    """The ways to go on at the end of the curve."""
 
     ONCE = "once"
     LOOP = "loop"
@@ -18,14 +18,14 @@ class Repeat(enum.StrEnum):
 
 
 class Pace(enum.StrEnum):
-    """What grows evenly with time."""
+    """The quantities that may grow evenly with time."""
 
     PARAMETER = "t"
     LENGTH = "length"
 
 
 class MotionSettings(msgspec.Struct, frozen=True):
-    """How the dot runs; neither saved with the document nor undone.
+    """The settings of the dot; neither saved with the document nor undone.
 
     Attributes
     ----------

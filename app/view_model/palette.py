@@ -112,11 +112,16 @@ def _moved_off(paper: str, code: str) -> str:
 def _within_srgb(lightness: float, a: float, b: float) -> str:
     """Return the colour of a lightness and hue in OKLab with as much of its chroma as sRGB has."""
     lab = np.hstack([np.full_like(_CHROMA, lightness), _CHROMA * (a, b)])
-    rgb = (lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T
+    rgb = _rgb(lab)
     slack = 1e-4  # of the matrices, which are rounded: far below a step of eight bits
     fits = np.all((rgb >= -slack) & (rgb <= 1.0 + slack), axis=1)
     (code,) = _packed(rgb[[int(np.argmax(fits)) if fits.any() else -1]])
     return f"#{code & 0xFFFFFF:06x}"
+
+
+def _rgb(lab: FloatArray) -> FloatArray:
+    """Return colours (k, 3) of OKLab in linear light."""
+    return np.asarray((lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T)
 
 
 def _linear(code: str) -> FloatArray:
@@ -148,7 +153,7 @@ def _ramp(n: int, theme: str) -> NDArray[np.int64]:
     hue = np.radians(np.linspace(265.0, -20.0, n))
     lightness = middle + np.where(np.arange(n) % 2 == 0, -0.03, 0.03)
     lab = np.stack([lightness, chroma * np.cos(hue), chroma * np.sin(hue)], axis=-1)
-    return _packed((lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T)
+    return _packed(_rgb(lab))
 
 
 def _packed(linear: FloatArray) -> NDArray[np.int64]:

@@ -17,18 +17,17 @@ from app.document.edits import (
 )
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.words import number
-from app.view_model.appending import with_points_appended
-from app.view_model.curve_view import CurveView, appended_parameter, view_of
+from app.view_model.appending import appended_parameter, with_points_appended
+from app.view_model.curve_view import CurveView, view_of
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:
     """Return a curve of the points at `indices` alone; each carries the parameter that is in force."""
-    t = view.parameters.tolist() if view.is_current else [None] * len(view.source.points)
-    points = tuple(replace(view.source.points[index], t=t[index]) for index in sorted(indices))
     rules = view.source.parametrization
-    if any(point.t is None for point in points):
-        points = tuple(replace(point, t=None) for point in points)
-        rules = replace(rules, kind=ParametrizationKind.CHORD_LENGTH) if view.source.is_manual else rules
+    t = view.parameters.tolist() if view.is_current else [None] * len(view.source.points)
+    if view.source.is_manual and not view.is_current:
+        rules = replace(rules, kind=ParametrizationKind.CHORD_LENGTH)
+    points = tuple(replace(view.source.points[index], t=t[index]) for index in sorted(indices))
     return replace(
         view.source, points=points, parametrization=rules, closed=False, visible=True, locked=False
     )
@@ -79,33 +78,28 @@ def appended_with_parameters(view: CurveView, pasted: Sequence[Point], first_row
     """
     refuse_unordered(pasted, first_row)
     count = len(view.source.points)
-    if view.source.is_manual or view.is_current:
-        parameters = (
-            view.parameters.tolist() if view.is_current else [point.t for point in view.source.points]
-        )
-    elif count:
+    if count and not (view.source.is_manual or view.is_current):
         raise EditError(f"There are no parameters to go on from. {view.problem}")
-    else:
-        parameters = []
-    first = pasted[0].t or 0.0
-    last = parameters[count - 1] if count else None
-    if last is not None and not first > last:
+    own = [point.t or 0.0 for point in view.source.points]
+    if view.is_current:
+        own = view.parameters[:count].tolist()
+    new = [point.t or 0.0 for point in pasted]
+    if own and not new[0] > own[-1]:
         raise EditError(
-            f"Row {first_row}: t must be greater than {number(last, 6)}, the t of the last point, "
-            f"not {number(first, 6)}."
+            f"Row {first_row}: t must be greater than {number(own[-1], 6)}, the t of the last point, "
+            f"not {number(new[0], 6)}."
         )
     document = insert_points(Document((view.source,)), 0, count, pasted)
-    own = [*parameters[:count], *(point.t or 0.0 for point in pasted)]
-    return freeze_parameters(document, 0, own).curves[0]
+    return freeze_parameters(document, 0, [*own, *new]).curves[0]
 
 
 def refuse_unordered(pasted: Sequence[Point], first_row: int) -> None:
     """Raise EditError unless the parameters of the rows increase."""
-    for row, (before, point) in enumerate(pairwise(pasted), start=first_row + 1):
-        if not (point.t or 0.0) > (before.t or 0.0):
+    for row, (before, t) in enumerate(pairwise(point.t or 0.0 for point in pasted), start=first_row + 1):
+        if not t > before:
             raise EditError(
-                f"Row {row}: t must be greater than {number(before.t or 0.0, 6)}, "
-                f"the t of the row before it, not {number(point.t or 0.0, 6)}."
+                f"Row {row}: t must be greater than {number(before, 6)}, the t of the row before it, "
+                f"not {number(t, 6)}."
             )
 
 

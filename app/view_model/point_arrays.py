@@ -4,24 +4,20 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Sequence
-from typing import TypeVar
+from typing import Any
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
-from app.document.kept_handles import DERIVATIVES
 from app.document.model import Point, Vector
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
-Column = TypeVar("Column", FloatArray, BoolArray)
-
 _NONE = (np.nan, np.nan)
-
-_beside_place = operator.attrgetter("t", "corner", *(name for _, name in DERIVATIVES))
 
 
 class PointArrays(msgspec.Struct, frozen=True, eq=False):
-    """What n points hold; NaN stands for None. An array that did not change is the same object as before.
+    """The numbers of n points; NaN stands for None. An array without a change is the same object as before.
 
     Attributes
     ----------
@@ -54,28 +50,12 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     old = (previous.positions, previous.times, previous.corners, previous.given)
     if not len(rows):
         return PointArrays(points, *old)
-    changed = [(points[row], previous.points[row]) for row in rows.tolist()]
-    if all(_moved_alone(point, before) for point, before in changed):
-        return PointArrays(
-            points, _with_rows(old[0], rows, _places([point for point, _ in changed])), *old[1:]
-        )
-    fresh = _columns([point for point, _ in changed])
-    return PointArrays(
-        points,
-        _with_rows(old[0], rows, fresh[0]),
-        _with_rows(old[1], rows, fresh[1]),
-        _with_rows(old[2], rows, fresh[2]),
-        _with_rows(old[3], rows, fresh[3]),
-    )
-
-
-def _moved_alone(point: Point, before: Point) -> bool:
-    """Whether all that two points hold is the same object but for their places: as in a drag."""
-    return all(map(operator.is_, _beside_place(point), _beside_place(before)))
+    fresh = _columns([points[row] for row in rows.tolist()])
+    return PointArrays(points, *(_with_rows(*columns, rows) for columns in zip(old, fresh, strict=True)))
 
 
 def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray, FloatArray]:
-    positions = _places(points)
+    positions = np.array([(point.x, point.y) for point in points], dtype=float).reshape(-1, 2)
     times = np.array([np.nan if point.t is None else point.t for point in points], dtype=float)
     corners = np.array([point.corner for point in points], dtype=bool)
     given = np.array([_given(point) for point in points], dtype=float).reshape(-1, 2, 2, 2)
@@ -85,10 +65,6 @@ def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray
     return positions, times, corners, given
 
 
-def _places(points: Sequence[Point]) -> FloatArray:
-    return np.array([(point.x, point.y) for point in points], dtype=float).reshape(-1, 2)
-
-
 def _given(point: Point) -> tuple[Vector, Vector, Vector, Vector]:
     velocity, acceleration = point.velocity or _NONE, point.acceleration or _NONE
     if not point.corner:
@@ -96,7 +72,7 @@ def _given(point: Point) -> tuple[Vector, Vector, Vector, Vector]:
     return velocity, acceleration, point.velocity_after or _NONE, point.acceleration_after or _NONE
 
 
-def _with_rows(old: Column, rows: IntArray, fresh: Column) -> Column:
+def _with_rows(old: NDArray[Any], fresh: NDArray[Any], rows: IntArray) -> NDArray[Any]:
     # By their bytes: NaN is NaN, and a comparison of NumPy's takes ten times as long.
     if old[rows].tobytes() == fresh.tobytes():
         return old

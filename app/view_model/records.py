@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import pkgutil
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cached_property
 from importlib import import_module
-from typing import Any, Protocol, TypeVar, overload
+from typing import Any, Protocol, TypeVar
 
 
 class Record(Protocol):
-    """What can be listed in a registry."""
+    """A member of a registry."""
 
     @property
     def name(self) -> str:
@@ -20,14 +20,14 @@ class Record(Protocol):
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Where it stands among the others, in menus and panels."""
+        """The place among the others, in menus and panels."""
         ...
 
 
 _Record = TypeVar("_Record", bound=Record)
 
 
-class Records(Sequence[_Record]):
+class Records(Collection[_Record]):
     """All records of a kind, in their order.
 
     Parameters
@@ -41,12 +41,11 @@ class Records(Sequence[_Record]):
     def __init__(self, kind: type[_Record], package: str) -> None:
         self._kind, self._package = kind, package
 
-    @overload
-    def __getitem__(self, index: int) -> _Record: ...
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[_Record]: ...
-    def __getitem__(self, index: int | slice) -> _Record | Sequence[_Record]:
-        return self._records[index]
+    def __iter__(self) -> Iterator[_Record]:
+        return iter(self._records)
+
+    def __contains__(self, record: object) -> bool:
+        return record in self._records
 
     def __len__(self) -> int:
         return len(self._records)

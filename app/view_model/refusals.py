@@ -1,4 +1,4 @@
-"""Why there is no curve, in the program's words: the one place that puts refusals of the core on the screen.
+"""Refusals of the core in the program's words: the one place that puts them on the screen.
 
 The core counts arguments and indices, as its callers do. A person sees points, their t and the numbers typed.
 """

@@ -18,7 +18,7 @@ from app.document.model import Curve, Document, Point, Vector
 from app.document.words import number
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.jets import Sides
-from app.view_model.measure import dense, is_kept, largest_distance
+from app.view_model.measure import dense, largest_distance, outcome
 from curvecore.arrays import FloatArray, IntArray
 
 _ROUNDING = 64 * 2.0**-53
@@ -44,13 +44,11 @@ class Reshaped(msgspec.Struct, frozen=True):
 
     @property
     def sentence(self) -> str:
-        """What became of the shape."""
-        change = f"largest change {number(self.residual, 2)}"
+        """The outcome for the shape."""
         if self.parameters_moved:
-            return f"The parameters moved: {change}."
-        if not is_kept(self.residual, (self.curve,)):
-            return f"The shape is another, {change}."
-        return f"Shape kept, {change}."
+            return f"The parameters moved: largest change {number(self.residual, 2)}."
+        words = outcome(self.residual, (self.curve,))
+        return words[0].upper() + words[1:]
 
 
 def baked(view: CurveView) -> Curve:
@@ -104,14 +102,14 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     index = _place_between(view, t)
     curve = view.source
     point = _sampled(view, t)
+    if not curve.is_manual:
+        point = replace(point, t=None)
+    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     if curve.is_manual:
-        grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
         own = np.arange(len(curve.points))
         grown = estimates_kept(view, grown, own, np.where(own < index, own, own + 1))
         after = view_of(grown)
         return Reshaped(grown, _change(view, after, after.parameters))
-    point = replace(point, t=None)
-    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     grown = _stretched_along(view, grown, index, t)
     after = view_of(grown)
     return Reshaped(grown, _change(view, after, np.insert(view.parameters, index, t)), parameters_moved=True)
@@ -146,8 +144,7 @@ def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArr
     if before.sides is None or after.sides is None:
         return changed
     values = []
-    sides = ((before.sides.before, after.sides.before), (before.sides.after, after.sides.after))
-    for ahead, (was, now) in zip((False, True), sides, strict=True):
+    for ahead, was, now in zip((False, True), before.sides, after.sides, strict=True):
         scale = np.abs(was[:, 1:]).max(axis=(0, 2), keepdims=True)
         moved = np.abs(now[new, 1:] - was[old, 1:]) > _ROUNDING * scale
         for row, below in zip(*map(np.ndarray.tolist, np.nonzero(moved.any(axis=2))), strict=True):

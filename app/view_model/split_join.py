@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -14,7 +15,8 @@ from app.document.model import Curve, ParametrizationKind, Point, Vector
 from app.document.words import number
 from app.families import HERMITE, titles_with_derivatives
 from app.view_model.curve_view import CurveView, view_of
-from app.view_model.measure import dense, is_kept, largest_distance
+from app.view_model.measure import dense, is_kept, largest_distance, outcome
+from app.view_model.plane import size_of
 from app.view_model.reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
 from curvecore import chebyshev
 
@@ -26,7 +28,7 @@ _COINCIDE = 1e-9
 
 
 class Split(msgspec.Struct, frozen=True):
-    """What cutting a curve makes: two curves, or one that is open where a closed one was cut.
+    """The result of a cut: two curves, or one that is open where a closed one was cut.
 
     Attributes
     ----------
@@ -41,13 +43,8 @@ class Split(msgspec.Struct, frozen=True):
 
     @property
     def sentence(self) -> str:
-        """What became of the shape."""
-        change = f"largest change {number(self.residual, 2)}"
-        return (
-            f"shape kept, {change}."
-            if is_kept(self.residual, self.curves)
-            else f"the shape is another, {change}."
-        )
+        """The outcome for the shape."""
+        return outcome(self.residual, self.curves)
 
 
 def split(view: CurveView, t: float) -> Split:
@@ -176,8 +173,8 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     _refuse_to_join(first, second)
     a, b = baked(first), baked(second)
     ending, beginning = _ending(a.points[-1]), _beginning(b.points[0])
-    gap = _gap(first, second)
-    size = max(float(np.ptp(np.vstack([first.points, second.points]), axis=0).max()), 1e-300)
+    gap = math.dist(first.points[-1], second.points[0])
+    size = max(size_of(np.vstack([first.points, second.points])), 1e-300)
     if gap <= _COINCIDE * size:
         wait = 0.0
         seam, after = (_merged(ending, beginning),), b.points[1:]
@@ -210,11 +207,8 @@ def _refuse_to_join(first: CurveView, second: CurveView) -> None:
     if one.is_one_polynomial or other.is_one_polynomial:
         raise EditError(f"Two polynomials make no third; choose {titles_with_derivatives()} for both curves.")
     if one != other:
-        raise EditError(f"One curve is {one.kind}, the other {other.kind}; choose one family for both.")
-
-
-def _gap(first: CurveView, second: CurveView) -> float:
-    return float(np.hypot(*(second.points[0] - first.points[-1])))
+        first_kind, second_kind = (each.full_title.partition(" ")[0] for each in (one, other))
+        raise EditError(f"One curve is {first_kind}, the other {second_kind}; choose one family for both.")
 
 
 def _speed_at_seam(first: CurveView, second: CurveView) -> float:

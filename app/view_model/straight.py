@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-import numpy as np
-
 from app.document.edits import EditError
 from app.document.model import Curve, Document
 from app.document.straight_edits import corners_of, straighten, why_not_straight
@@ -35,9 +33,3 @@ def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:
     count = len(curve.points)
     last = count if curve.is_closed else count - 1
     return [index for index in range(last) if {index, (index + 1) % count} <= set(indices)]
-
-
-def segment_at(view: CurveView, t: float) -> int:
-    """Return the segment that runs through `t`."""
-    last = len(view.parameters) - 2
-    return min(max(int(np.searchsorted(view.parameters, t)) - 1, 0), last)

@@ -2,7 +2,7 @@
 
 - ``main_window``: the window.  ``connect``: its command sets.  ``window_layout``: its place and size.
 - ``menus``, ``context_menus``, ``toolbar``: actions on the screen.
-- ``messages``: what the line on the canvas says.  ``fresh_hints``: the hint of the status line, kept true.
+- ``messages``: what the line on the canvas says.
 - ``drops``: files that are dragged over the window.  ``given``: files by what is done with them.
 - ``program_commands``: command palette, preferences and shortcuts.  ``focus_commands``: from panel to panel.
   ``command_palette``, ``fuzzy``: type what you want.  ``preferences_dialog``, ``shortcut_editor``.

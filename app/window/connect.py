@@ -18,7 +18,6 @@ from app.widgets.toolbar_widget import ToolbarWidget
 from app.window.context_menus import ContextMenus
 from app.window.drops import Drops
 from app.window.focus_commands import FocusCommands
-from app.window.fresh_hints import FreshHints
 from app.window.messages import Messages
 from app.window.program_commands import ProgramCommands
 from app.workbench.context import Closes, Follows, Renders, StepsBack, Themed, WindowContext
@@ -49,8 +48,9 @@ class Commands:
     def __init__(self, context: WindowContext, command_sets: Sequence[type]) -> None:
         self._context = context
         self.messages = Messages(context)
-        self.hints = FreshHints(context)
+        context.connect_plot(context.central.canvas)
         self._sets = {kind: kind(context) for kind in command_sets}
+        context.central.fill(self._sets)
         self._live = [each for each in self._sets.values() if isinstance(each, Follows)]
         self._slow = [each for each in self._sets.values() if isinstance(each, Renders)]
         self.drops = Drops(context, self._sets.values())

@@ -54,9 +54,7 @@ class FocusCommands:
         context = self._context
         docks = sorted(context.docks.all, key=lambda dock: (dock.x(), dock.y()))
         panels: list[QWidget] = [
-            context.central.canvas,
-            context.central.basis_panel,
-            context.central.plot_panel,
+            *context.central.stops,
             *docks,
             context.toolbar,
         ]

@@ -28,13 +28,13 @@ from app.actions.qactions import Actions
 from app.actions.situation import Situation
 from app.appearance.icons import app_icon
 from app.appearance.theme import Theme, apply_theme, theme_of
+from app.plotting.tool_plot import ToolPlot
 from app.qt.overrides import Guarded
 from app.session import Message, MessageKind, Session
 from app.settings.preferences import Preferences
 from app.state.analysis import Analysis
 from app.state.window_state import WindowState, WindowStore
 from app.view_model.curve_view import CurveView
-from app.view_model.growth import growth_of_points
 from app.window.connect import COMMAND_SETS, Commands
 from app.window.drops import accepted
 from app.window.menus import Menus
@@ -49,9 +49,6 @@ from app.workbench.status_line import StatusLine
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
-
-_MOST_LIVE = 200
-"""Points up to which the Lebesgue constant follows a drag."""
 
 
 class MainWindow(Guarded, QMainWindow):
@@ -109,13 +106,12 @@ class MainWindow(Guarded, QMainWindow):
         files.beside = work.start
         self.context = self._make_context(files, work)
         self.commands = Commands(self.context, self._command_sets)
+        self.basis_panel = self.findChild(ToolPlot, "basisPanel")
         self.toolbar.fill(self.commands.widgets())
         self._docks.fill()
         self._connect()
         self._connect_end()
         restore_layout(self, self.splitter, self.preferences)
-        self.plot_panel.hide()
-        self.plot_panel.kept_height = self.preferences.plot_height or self.plot_panel.kept_height
         self._render_theme()
         self._render_document()
         self._render_file()
@@ -125,8 +121,9 @@ class MainWindow(Guarded, QMainWindow):
         if self.preferences.complaint:
             self.status_line.refuse(self.preferences.complaint)
         self.actions_by_name.attach(self)
-        self._fit()
-        when_first_shown(self, self._fit_again)
+        self.central.fit()
+        # Not what is usual: a lesson may be open, which has chosen what is shown.
+        when_first_shown(self, self.central.fit_again)
 
     # Building
 
@@ -134,8 +131,7 @@ class MainWindow(Guarded, QMainWindow):
         central = CentralArea(self.session, self)
         self.setCentralWidget(central.splitter)
         self.splitter, self.canvas, self.message_bar = central.splitter, central.canvas, central.message_bar
-        self.basis_panel, self.basis_pane = central.basis_panel, central.basis_pane
-        self.plot_panel, self._central = central.plot_panel, central
+        self.central = central
 
     def _build_docks(self) -> None:
         panels = [panel for each in self._command_sets for panel, _build in declared_panels(each)]
@@ -163,7 +159,7 @@ class MainWindow(Guarded, QMainWindow):
             files=files,
             work=work,
             window=self,
-            central=self._central,
+            central=self.central,
             docks=self._docks,
             toolbar=self.toolbar,
             status_line=self.status_line,
@@ -186,22 +182,13 @@ class MainWindow(Guarded, QMainWindow):
         session.selection_changed.connect(self._render_selection)
         session.selected_curves_changed.connect(self._render_selected_curves)
         session.hovered_changed.connect(self.canvas.drawing.set_hovered)
-        session.hovered_changed.connect(self.basis_panel.drawing.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
         session.file_changed.connect(self._render_file)
-        session.interrupted.connect(self.canvas.abandon_gesture)
-        session.interrupted.connect(self.basis_panel.abandon_gesture)
         session.interrupted.connect(self.status_line.forget)
-        session.opened.connect(self._fit)
+        session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
         session.message.connect(self._tell)
-        for plot in (self.canvas, self.basis_panel):
-            plot.hint_changed.connect(self.status_line.show_hint)
-            plot.progress_changed.connect(self.status_line.show_progress)
-            plot.gesture_began.connect(self.status_line.begin_gesture)
-        self.basis_panel.drag_changed.connect(self.canvas.drawing.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
-        self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.menus.fill_with_files(self.preferences, self.context.files.open, self.context.files.open_example)
         session.history_changed.connect(self._render_file)
 
@@ -220,7 +207,6 @@ class MainWindow(Guarded, QMainWindow):
         view = self._rendered = self.session.active_view
         self.canvas.render_view(view)
         self.canvas.render_others(self.session.views, self.session.active_index, self.session.selected_curves)
-        self.basis_pane.render_view(view)
         self.commands.follow(view)
         if not self.session.is_previewing:
             self._render_panels()
@@ -231,19 +217,10 @@ class MainWindow(Guarded, QMainWindow):
         """Render what need not follow a drag frame by frame."""
         self._panels_due.stop()
         view = self.session.active_view
-        self._render_growth(view)
         self.commands.render(view)
-
-    def _render_growth(self, view: CurveView) -> None:
-        """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
-        if self.session.is_previewing and view.source.family.derivatives and len(view.points) > _MOST_LIVE:
-            self.status_line.wait_for_lebesgue()
-        else:
-            self.status_line.show_lebesgue(growth_of_points(view, self.basis_panel.drawing.basis))
 
     def _render_selection(self, selection: frozenset[int]) -> None:
         self.canvas.set_selection(selection)
-        self.basis_panel.drawing.set_selection(selection)
         self._render_commands()
 
     def _render_selected_curves(self, chosen: frozenset[int]) -> None:
@@ -260,7 +237,6 @@ class MainWindow(Guarded, QMainWindow):
 
     def _render_scrub(self, t: float | None) -> None:
         self.canvas.drawing.set_scrub(t)
-        self.basis_panel.drawing.set_scrub(t)
         self.status_line.show_scrub(t)
         self.commands.follow_scrub(t)
 
@@ -287,17 +263,6 @@ class MainWindow(Guarded, QMainWindow):
         self._render_commands()
         self.status_line.clear_message()
         self.commands.messages.offer(text, self.actions_by_name[action])
-
-    def _fit(self) -> None:
-        self._central.fit()
-
-    def _fit_again(self) -> None:
-        """Fit, in the size that the window has at last, what was fitted when its document was opened.
-
-        Whoever opens a document says what of it is shown; here nobody chooses anew, for a lesson may be open.
-        """
-        self.canvas.framing.fit()
-        self.basis_pane.fit_again()
 
     # Theme and layout
 
@@ -327,12 +292,12 @@ class MainWindow(Guarded, QMainWindow):
             return
         self._theme = theme
         self.actions_by_name.set_theme(theme)
-        for part in (self.canvas, self.basis_panel, self.basis_pane, self.message_bar, self.commands):
+        for part in (self.canvas, self.message_bar, self.commands):
             part.set_theme(theme)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_commands"):
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "commands"):
             self._render_theme()
 
     def _remember_layout(self) -> None:
@@ -340,7 +305,6 @@ class MainWindow(Guarded, QMainWindow):
         self.preferences.window_geometry = self.saveGeometry()
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
-        self.preferences.plot_height = self.plot_panel.kept_height
         hide_floating(self)
 
     # Qt's events

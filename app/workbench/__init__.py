@@ -1,10 +1,12 @@
 """Parts of a window that features act on.
 
 - ``context``: the parts, and the protocols of command sets.
-- ``central_area``: the plots and what lies over them.  ``message_bar``: the line on the canvas.
+- ``central_area``: the plots and what lies over them.  ``central_pane``: one below the canvas.
+  ``message_bar``: the line on the canvas.
 - ``docks``: panels at the sides.  ``late_dock``: one that is built when it is first shown.
   ``dock_room``: room for one that needs more than its share.
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
 - ``status_line``: hints, messages and places.  ``clipboard``: what is put there.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
+  ``form_edits``: changes by a form.
 """

@@ -1,19 +1,27 @@
-"""The middle of the window: the canvas, below it the basis functions and the plots over t."""
+"""The middle of the window: the canvas, and below it the panes that features declare."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from app.canvas.canvas import Canvas
-from app.panels.basis_pane import BasisPane
-from app.panels.basis_panel import BasisPanel
-from app.panels.plot_panel import PlotPanel
+from app.plotting.camera import CameraOverT
+from app.plotting.tool_plot import ToolPlot
 from app.session import Session
 from app.tools.canvas.select import SELECT
-from app.tools.rail import RAIL
 from app.tools.toolbox import Toolbox
+from app.view_model.basis_view import BasisView
+from app.workbench.central_pane import CentralPane, declared_panes
 from app.workbench.message_bar import MessageBar
+
+_STRETCH, _HEIGHT = 2, 560
+"""Of the canvas, in a new window."""
+
+_CANVAS_SHARE, _LEAST_PANE = 0.4, 130
+"""What a pane that needs room leaves to the canvas of the height, and to another pane in pixels."""
 
 
 class CentralArea:
@@ -21,15 +29,22 @@ class CentralArea:
 
     Attributes
     ----------
-    canvas, basis_panel
-        The two plots.
-    basis_pane, plot_panel
-        The basis functions with their header; the plots over t.
+    canvas
+        The drawing.
+    panes
+        What stands below it, from the top down.
+    t_camera
+        The camera of the pane whose t axis the others share; that pane sets it.
+    basis
+        The functions drawn over that axis, None without a curve.
     message_bar
         The line on the canvas.
     splitter, under_canvas
         What holds all of them; where bars stand under the canvas.
     """
+
+    t_camera: CameraOverT
+    basis: BasisView | None = None
 
     def __init__(self, session: Session, parent: QWidget) -> None:
         # Each in its parent from the start: what is moved gets its style anew, with all that is in it.
@@ -39,29 +54,89 @@ class CentralArea:
         self.canvas = Canvas(Toolbox(session, SELECT), pane)
         self.message_bar = MessageBar(self.canvas.viewport())
         self.canvas.framing.covered_top = lambda: self.message_bar.covered
-        self.basis_panel = BasisPanel(Toolbox(session, RAIL))
-        self.basis_pane = BasisPane(self.basis_panel, self.splitter)
         self.under_canvas = QVBoxLayout(pane)
         self.under_canvas.setContentsMargins(0, 0, 0, 0)
         self.under_canvas.setSpacing(0)
         self.under_canvas.addWidget(self.canvas, 1)
-        self.plot_panel = PlotPanel(self.splitter)
-        self.splitter.setStretchFactor(0, 2)
-        self.splitter.setStretchFactor(1, 1)
-        self.splitter.setSizes([560, 280])
+        self.panes: tuple[CentralPane, ...] = ()
+        self.splitter.setStretchFactor(0, _STRETCH)
         self.splitter.setChildrenCollapsible(False)
         # Else what lies behind the window's middle is seen beside the thin line of a handle.
         self.splitter.setAutoFillBackground(True)
 
+    def fill(self, command_sets: Mapping[type, object]) -> None:
+        """Build the panes that command sets declare, in their order."""
+        heights = [_HEIGHT]
+        for kind, commands in command_sets.items():
+            for build, declared in declared_panes(kind):
+                pane = build(commands, self.splitter)
+                pane.setObjectName(declared.name)
+                self.panes += (pane,)
+                self.splitter.setStretchFactor(len(self.panes), declared.stretch)
+                heights += [declared.height] if declared.height else []
+        self.splitter.setSizes(heights)
+        # Else the window takes the least size of the canvas alone for that of its middle.
+        self.splitter.updateGeometry()
+        self._order_tabs()
+
+    def _order_tabs(self) -> None:
+        """Let Tab go from the canvas down, though toolbar and docks were there before the panes."""
+        last: QWidget = self.message_bar.findChildren(QToolButton)[-1]
+        for pane in self.panes:
+            for widget in pane.findChildren(QWidget):
+                if widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
+                    QWidget.setTabOrder(last, widget)
+                    last = widget
+
+    def __getitem__(self, name: str) -> CentralPane:
+        return next(pane for pane in self.panes if pane.objectName() == name)
+
+    @property
+    def plots(self) -> list[ToolPlot]:
+        """The canvas and the plots below it, as far as they are made."""
+        return [self.canvas, *(pane.plot for pane in self.panes if pane.plot is not None)]
+
+    @property
+    def stops(self) -> list[QWidget]:
+        """Stops of F6, from the top down."""
+        return [self.canvas, *(pane.stop for pane in self.panes)]
+
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
-        return (
-            self.canvas.cancel_gesture()
-            or self.basis_panel.cancel_gesture()
-            or self.plot_panel.cancel_gesture()
-        )
+        return any(plot.cancel_gesture() for plot in self.plots)
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge points, lines and numbers, for a projector."""
+        for plot in self.plots:
+            plot.set_scale(scale)
 
     def fit(self) -> None:
-        """Show all curves and all functions."""
+        """Show all curves, and what the panes usually show."""
         self.canvas.framing.fit()
-        self.basis_pane.fit()
+        for pane in self.panes:
+            pane.fit()
+
+    def fit_panes(self) -> None:
+        """Show all that is drawn below the canvas, however far it reaches."""
+        for pane in self.panes:
+            pane.fit_all()
+
+    def fit_again(self) -> None:
+        """Fit everything as it was fitted last: the window has another size."""
+        self.canvas.framing.fit()
+        for pane in self.panes:
+            pane.fit_again()
+
+    def make_room(self, pane: CentralPane, height: int) -> None:
+        """Give a pane that height at least, first of the canvas, then of the other panes."""
+        heights, place = self.splitter.sizes(), self.splitter.indexOf(pane)
+        missing, least = height - heights[place], int(_CANVAS_SHARE * sum(heights))
+        if missing <= 0:
+            return
+        for other in range(len(heights)):
+            if other != place:
+                given = max(min(missing, heights[other] - (_LEAST_PANE if other else least)), 0)
+                heights[other] -= given
+                heights[place] += given
+                missing -= given
+        self.splitter.setSizes(heights)

@@ -7,10 +7,12 @@ from pathlib import Path
 from typing import Protocol, runtime_checkable
 
 import msgspec
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMainWindow, QToolBar
 
 from app.actions.qactions import Actions
 from app.appearance.theme import Theme
+from app.plotting.tool_plot import ToolPlot
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.state.analysis import Analysis
@@ -56,6 +58,20 @@ class WindowContext(msgspec.Struct, frozen=True):
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
         return self.central.cancel_gesture() or (self.session.is_previewing and self.session.interrupt())
+
+    def connect_plot(self, plot: ToolPlot) -> None:
+        """Let the status line say what the mouse does on a plot, and keep that true.
+
+        What a press would do changes with every step, also under a pointer that rests.
+        """
+        session, line = self.session, self.status_line
+        plot.hint_changed.connect(line.show_hint)
+        plot.progress_changed.connect(line.show_progress)
+        plot.gesture_began.connect(line.begin_gesture)
+        session.interrupted.connect(plot.abandon_gesture)
+        for changed in (session.history_changed, session.active_changed):
+            # Later, when everything has been drawn that has changed.
+            changed.connect(plot.hover_again, Qt.ConnectionType.QueuedConnection)
 
 
 @runtime_checkable

@@ -129,34 +129,65 @@ def bezier_stretch(curve: Curve, start: float, end: float) -> FloatArray:
     CurveError
         If the stretch is no single polynomial, or leaves the domain.
     """
+    return _columns([_bernstein(powers) for powers in _powers(curve, start, end, MOST)])
+
+
+def power_coefficients(curve: Curve, start: float, end: float) -> FloatArray:
+    """Return the coefficients of a stretch of a curve by powers of s = (t - start) / (end - start).
+
+    Parameters
+    ----------
+    curve, start, end
+        As for `bezier_stretch`, but of any number of points.
+
+    Returns
+    -------
+    ndarray, shape (degree + 1, dim)
+        Lowest power first; the exact ones, rounded once, limited to the largest finite number.
+
+    Raises
+    ------
+    CurveError
+        If the stretch is no single polynomial, or leaves the domain.
+    """
+    return _columns(_powers(curve, start, end))
+
+
+def _columns(exact: list[list[Fraction]]) -> FloatArray:
+    """Return exact numbers, an axis a list, as columns of floats."""
+    rounded = [[as_float(each.numerator, each.denominator) for each in column] for column in exact]
+    return np.array(rounded).T.copy()
+
+
+def _powers(curve: Curve, start: float, end: float, most: float = math.inf) -> list[list[Fraction]]:
+    """Return the exact coefficients of each axis by powers of s; refuse more points than `most`."""
     low, high = finite_number(start, "start"), finite_number(end, "end")
     first, last = curve.domain
     if not first <= low < high <= last:
         raise CurveError(f"start and end must ascend inside the domain, from {first} to {last}")
-    nodes, jets = _interpolant_over(curve, low, high)
-    if len(nodes) > MOST:
-        raise CurveError(f"curve must have at most {MOST} points to be converted, not {len(nodes)}")
-    columns = [
-        _bernstein(interpolated(nodes.tolist(), jets[:, :, axis].tolist()), low, high)
+    parameters, jets = _interpolant_over(curve, low, high)
+    if len(parameters) > most:
+        raise CurveError(f"curve must have at most {most} points to be converted, not {len(parameters)}")
+    return [
+        _shifted(interpolated(parameters.tolist(), jets[:, :, axis].tolist()), low, high)
         for axis in range(jets.shape[2])
     ]
-    return np.array(columns).T.copy()
 
 
 def _interpolant_over(curve: Curve, low: float, high: float) -> Interpolant:
     interpolants = curve.interpolants()
     if interpolants is None:
         raise CurveError("curve must be of polynomials whose data are known to be converted exactly")
-    ends = np.array([each.nodes[-1] for each in interpolants[:-1]])
+    ends = np.array([each.parameters[-1] for each in interpolants[:-1]])
     found = interpolants[int(np.searchsorted(ends, low, side="right"))]
-    if high > found.nodes[-1]:
-        joint = int(np.searchsorted(curve.parameters, found.nodes[-1]))
+    if high > found.parameters[-1]:
+        joint = int(np.searchsorted(curve.parameters, found.parameters[-1]))
         raise CurveError(f"parameters[{joint}] is inside the stretch; no joint must be", (joint,))
     return found
 
 
-def _bernstein(polynomial: CommonPolynomial, low: float, high: float) -> list[float]:
-    """Return the Bernstein coefficients on [low, high], each rounded once."""
+def _shifted(polynomial: CommonPolynomial, low: float, high: float) -> list[Fraction]:
+    """Return the coefficients by powers of s on [low, high]."""
     start, length = Fraction(low), Fraction(high) - Fraction(low)
     # Coefficients in powers of s by repeated division by t - start (Taylor shift).
     shifted = [Fraction(each, polynomial.denominator) for each in polynomial.coefficients]
@@ -164,27 +195,29 @@ def _bernstein(polynomial: CommonPolynomial, low: float, high: float) -> list[fl
     for i in range(degree):
         for k in range(degree - 1, i - 1, -1):
             shifted[k] += start * shifted[k + 1]
-    scaled = [each * length**k / math.comb(degree, k) for k, each in enumerate(shifted)]
-    result = []
-    for k in range(degree + 1):
-        total = sum((math.comb(k, j) * scaled[j] for j in range(k + 1)), Fraction(0))
-        result.append(as_float(total.numerator, total.denominator))
-    return result
+    return [each * length**k for k, each in enumerate(shifted)]
+
+
+def _bernstein(powers: list[Fraction]) -> list[Fraction]:
+    """Return the Bernstein coefficients of a polynomial given by powers of s."""
+    degree = len(powers) - 1
+    scaled = [each / math.comb(degree, k) for k, each in enumerate(powers)]
+    return [sum((math.comb(k, j) * scaled[j] for j in range(k + 1)), Fraction(0)) for k in range(degree + 1)]
 
 
 def _condition(parameters: FloatArray) -> float:
     """Return the largest sum over i of |Bernstein coefficient k of L_i|."""
-    nodes, _ = scaled_integers(parameters.tolist())
-    first, last = nodes[0], nodes[-1]
-    n = len(nodes)
+    places, _ = scaled_integers(parameters.tolist())
+    first, last = places[0], places[-1]
+    n = len(places)
     rows = [Fraction(0)] * n
-    for i, node in enumerate(nodes):
+    for i, place in enumerate(places):
         # t - t_j is (last - t_j) s - (t_j - first) r: products stay homogeneous in r and s.
         product, below = [1], 1
-        for j, other in enumerate(nodes):
+        for j, other in enumerate(places):
             if j != i:
                 a, b = last - other, first - other
-                below *= node - other
+                below *= place - other
                 product = [
                     (a * product[k - 1] if k else 0) + (b * product[k] if k < len(product) else 0)
                     for k in range(len(product) + 1)

@@ -216,17 +216,17 @@ def _bezier_pieces(curve: Curve, controls: FloatArray, tolerance: float, box: Fl
 
 
 def _uniform_pieces(curve: Curve, arcs: _Division) -> Pieces:
-    joints = curve.breaks
-    room = max(MAX_VERTICES, 4 * len(joints)) - 1
+    breaks = curve.breaks
+    room = max(MAX_VERTICES, 4 * len(breaks)) - 1
     # Data that differ by hundreds of orders of magnitude may ask for more than any number, or for none.
     need = np.fmin(arcs.need, room)
     if need.sum() > room:
         need = np.maximum(1.0, np.floor(need * ((room - need.size) / need.sum())))
     arc, step = equal_parts(need.astype(np.intp))
     position = arcs.start[arc] + (arcs.end - arcs.start)[arc] * (step / need[arc])
-    segment = np.minimum(position.astype(np.intp), len(joints) - 2)
-    t = joints[segment] + (position - segment) * (joints[segment + 1] - joints[segment])
-    t = np.append(np.minimum(t, joints[segment + 1]), joints[-1])
+    segment = np.minimum(position.astype(np.intp), len(breaks) - 2)
+    t = breaks[segment] + (position - segment) * (breaks[segment + 1] - breaks[segment])
+    t = np.append(np.minimum(t, breaks[segment + 1]), breaks[-1])
     distinct = t[1:] > t[:-1]
     t = np.append(t[:-1][distinct], t[-1])
     return Pieces(t, points_at(curve, t), (arcs.bound / need**2)[arc][distinct])

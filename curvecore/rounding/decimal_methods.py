@@ -208,33 +208,33 @@ def _powers(t: Decimal, count: int, a: Arithmetic) -> Row:
 
 
 def _newton(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes = decimals(data.parameters)
+    parameters = decimals(data.parameters)
     tables = _columns(data.jets[:, 0])
     for column in tables:
-        for order in range(1, len(nodes)):
-            for i in range(len(nodes) - 1, order - 1, -1):
-                gap = a.subtract(nodes[i], nodes[i - order])
+        for order in range(1, len(parameters)):
+            for i in range(len(parameters) - 1, order - 1, -1):
+                gap = a.subtract(parameters[i], parameters[i - order])
                 column[i] = a.divide(a.subtract(column[i], column[i - 1]), gap)
-    return Prepared(tables, [nodes])
+    return Prepared(tables, [parameters])
 
 
 def _newton_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
-    (nodes,) = prepared.helpers
+    (parameters,) = prepared.helpers
     row = []
     for column in prepared.coefficients:
         result = column[-1]
-        for i in range(len(nodes) - 2, -1, -1):
-            result = a.add(a.multiply(result, a.subtract(t, nodes[i])), column[i])
+        for i in range(len(parameters) - 2, -1, -1):
+            result = a.add(a.multiply(result, a.subtract(t, parameters[i])), column[i])
         row.append(result)
     return row
 
 
-def _product_without(x: Decimal, nodes: Row, skipped: int, a: Arithmetic) -> Decimal:
+def _product_without(x: Decimal, parameters: Row, skipped: int, a: Arithmetic) -> Decimal:
     """Return the product of x - t_j over all j but one, in ascending order."""
     result: Decimal | None = None
-    for j, node in enumerate(nodes):
+    for j, t_j in enumerate(parameters):
         if j != skipped:
-            factor = a.subtract(x, node)
+            factor = a.subtract(x, t_j)
             result = factor if result is None else a.multiply(result, factor)
     assert result is not None
     return result
@@ -248,30 +248,30 @@ def _dot(weights: Row, column: Row, a: Arithmetic) -> Decimal:
 
 
 def _lagrange(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes = decimals(data.parameters)
-    below = [_product_without(node, nodes, i, a) for i, node in enumerate(nodes)]
-    return Prepared(_columns(data.jets[:, 0]), [nodes, below])
+    parameters = decimals(data.parameters)
+    below = [_product_without(t_i, parameters, i, a) for i, t_i in enumerate(parameters)]
+    return Prepared(_columns(data.jets[:, 0]), [parameters, below])
 
 
 def _lagrange_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
-    nodes, below = prepared.helpers
-    basis = [a.divide(_product_without(t, nodes, i, a), denominator) for i, denominator in enumerate(below)]
+    parameters, below = prepared.helpers
+    basis = [a.divide(_product_without(t, parameters, i, a), divisor) for i, divisor in enumerate(below)]
     return [_dot(basis, column, a) for column in prepared.coefficients]
 
 
 def _barycentric(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes, one = decimals(data.parameters), Decimal(1)
-    weights = [a.divide(one, _product_without(node, nodes, i, a)) for i, node in enumerate(nodes)]
-    return Prepared([weights, *_columns(data.jets[:, 0])], [nodes])
+    parameters, one = decimals(data.parameters), Decimal(1)
+    weights = [a.divide(one, _product_without(t_i, parameters, i, a)) for i, t_i in enumerate(parameters)]
+    return Prepared([weights, *_columns(data.jets[:, 0])], [parameters])
 
 
 def _barycentric_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
-    (nodes,), (weights, *columns) = prepared.helpers, prepared.coefficients
-    if t in nodes:
+    (parameters,), (weights, *columns) = prepared.helpers, prepared.coefficients
+    if t in parameters:
         # The point itself, as a k-digit number: a product with 1 rounds it.
-        hit = nodes.index(t)
+        hit = parameters.index(t)
         return [a.multiply(Decimal(1), column[hit]) for column in columns]
-    shares = [a.divide(w, a.subtract(t, node)) for w, node in zip(weights, nodes, strict=True)]
+    shares = [a.divide(w, a.subtract(t, t_i)) for w, t_i in zip(weights, parameters, strict=True)]
     total = shares[0]
     for share in shares[1:]:
         total = a.add(total, share)
@@ -289,8 +289,8 @@ def _derivative_row(powers: Row, order: int, a: Arithmetic) -> Row:
 
 
 def _hermite_basis(data: Data, segment: int, _a: Arithmetic) -> Prepared:
-    nodes, jets = data.stretch(segment)
-    return Prepared([decimals(axis) for axis in jets.reshape(-1, jets.shape[2]).T], [decimals(nodes)])
+    parameters, jets = data.stretch(segment)
+    return Prepared([decimals(axis) for axis in jets.reshape(-1, jets.shape[2]).T], [decimals(parameters)])
 
 
 def _hermite_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:

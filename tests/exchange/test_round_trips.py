@@ -15,7 +15,7 @@ from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.points import points_table
 from app.exchange.formats.samples import sampled_table
-from app.exchange.options import Extras, Options
+from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
@@ -172,7 +172,7 @@ def test_a_thinned_polyline_stays_within_the_tolerance(tolerance):
 
 def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
     plain = svg_of(document).text
-    full = svg_of(document, Options(points=True, extras=Extras(handles=True, grid=True, basis=0))).text
+    full = svg_of(document, Options(points=True, handles=True, grid=True, basis=0)).text
     for name in ("grid", "handles", "basis", "points"):
         assert f'<g id="{name}"' in full
         assert f'<g id="{name}"' not in plain
@@ -188,5 +188,5 @@ def test_handles_are_drawn_where_the_control_points_are():
         make_curve([(0.0, 0.0), (3.0, 0.0)], family=HERMITE),
         points=(Point(0.0, 0.0, velocity=(3.0, 6.0)), Point(3.0, 0.0, velocity=(3.0, -6.0))),
     )
-    text = svg_of(Document((curve,)), Options(extras=Extras(handles=True))).text
+    text = svg_of(Document((curve,)), Options(handles=True)).text
     assert "M 0 0 L 1 -2 M 3 0 L 2 -2" in text

@@ -25,8 +25,8 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.features.motion.commands import MotionCommands
+from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
-from app.panels.plot_panel import USUAL_HEIGHT
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
@@ -172,7 +172,7 @@ class KeptEditor:
         window = self._editor.window
         if window.store.state.scale != 1.0:
             window.actions_by_name["usualSize"].trigger()
-        window.plot_panel.kept_height = USUAL_HEIGHT
+        window.central["plotPanel"].kept_height = USUAL_HEIGHT
         if (stage := window.commands[MotionCommands]._stage) is not None:
             stage.player.change(**msgspec.structs.asdict(MotionSettings()))
             stage.player.clock = time.perf_counter

@@ -92,7 +92,7 @@ def test_it_is_offered_wherever_families_are(editor):
         assert action.text() == family.label
         assert not action.icon().isNull()
         assert action.shortcut().toString() == str(place)
-        assert editor.action(f"ghost{family.camel_case}").isCheckable()
+        assert editor.action(family.action_name.replace("family", "ghost")).isCheckable()
         assert family.label in editor.find_command(family.label)
         editor.key(Qt.Key.Key_Escape)
 
@@ -174,7 +174,7 @@ def test_the_curve_is_bent_and_follows_the_pointer(drawn, own, kind, keys):
     found = NearestPoint(editor.session.active_view).within(target, 1.0)
     assert found.distance < 1.5 * editor.pixel
     now = editor.parameters
-    assert now[2] < found.t < now[3]
+    assert now[2] < found.parameter < now[3]
 
 
 def test_parameters_are_dragged_and_typed_on_the_rail(drawn, own):

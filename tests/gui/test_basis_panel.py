@@ -13,8 +13,8 @@ from app.appearance.theme import LIGHT
 from app.document.edits import set_position
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.panels.basis_layers import rail_height
-from app.panels.crest_names import apart, crests_of
+from app.features.basis.crest_names import apart, crests_of
+from app.features.basis.layers import rail_height
 from app.plotting.colours import colours_of
 
 
@@ -287,7 +287,7 @@ def test_kinds_can_be_switched(editor, panel):
 
 def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, panel):
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
-    note = editor.window.basis_pane.extent_text
+    note = editor.window.central["basisPane"].extent_text
     assert "The functions reach" in note
     assert editor.window.width() == 1200
     fit = editor.window.findChild(QToolButton, "fitBasis")
@@ -298,7 +298,7 @@ def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, 
     _, y_min, _, y_max = panel.pixel_map.box
     assert y_min < low
     assert high < y_max
-    assert editor.window.basis_pane.extent_text == ""
+    assert editor.window.central["basisPane"].extent_text == ""
     # With nothing to fit any more, and the usual range shown, the button goes (it stayed, and did nothing).
     editor.trigger("undo")
     editor.fit()
@@ -328,7 +328,7 @@ def test_functions_of_derivatives_never_leave_the_usual_range(editor, panel):
     low, high = panel.drawing.basis.extent((1, 2))
     assert -0.5 <= low < -0.4
     assert 0.4 < high <= 0.5
-    assert editor.window.basis_pane.extent_text == ""
+    assert editor.window.central["basisPane"].extent_text == ""
 
 
 def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
@@ -347,7 +347,7 @@ def test_the_header_fits_whatever_it_has_to_say(editor, width, family):
     editor.window.resize(width, 700)
     editor.choose_family(family)
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
-    pane = editor.window.basis_pane
+    pane = editor.window.central["basisPane"]
     editor.settle()
     holder = pane.findChild(QWidget, "basisHeader")
     assert holder.width() <= pane.width()

@@ -97,7 +97,7 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     uneven.trigger("plotLebesgue")
     uneven.settle()
     assert label(uneven, "lebesgueConstant") == "Λ 8.56"
-    (plot,) = uneven.window.plot_panel.pane.canvas.plots
+    (plot,) = uneven.window.central["plotPanel"].pane.canvas.plots
     assert plot.levels[0].name == "Lebesgue constant Λ = 8.56"
     uneven.scrub(0.4)
     weights = uneven.window.canvas.drawing.points.weights
@@ -111,7 +111,7 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     uneven.send(canvas, QEvent.Type.MouseMove, QPointF(start) + QPointF(12, 9))
     uneven.send(canvas, QEvent.Type.MouseButtonRelease, QPointF(start) + QPointF(12, 9), held=False)
     uneven.settle()
-    (plot,) = uneven.window.plot_panel.pane.canvas.plots
+    (plot,) = uneven.window.central["plotPanel"].pane.canvas.plots
     assert plot.levels[0].value == pytest.approx(uneven.session.active_view.growth)
     assert plot.levels[0].value < 8
     assert label(uneven, "lebesgueConstant") == f"Λ {uneven.session.active_view.growth:.3g}"

@@ -56,7 +56,7 @@ def test_what_is_hidden_or_covered_cannot_be_reached(editor):
         with impossible("is not shown"):
             gesture()
     with impossible("is not shown"):
-        editor.type_text(editor.window.plot_panel, "x")
+        editor.type_text(editor.window.central["plotPanel"], "x")
     editor.window.canvas.setEnabled(False)
     with impossible("is disabled"):
         editor.key(Qt.Key.Key_A)

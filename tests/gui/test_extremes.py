@@ -16,7 +16,8 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.plotting.camera import GREATEST_SPAN
 from app.plotting.pixel_map import PixelMap
-from app.view_model.curve_view import scale_of, view_of
+from app.view_model.appending import scale_of
+from app.view_model.curve_view import view_of
 
 
 @pytest.fixture
@@ -42,7 +43,7 @@ def uniform_wave(n):
 def test_wild_functions_are_fitted_about_zero_as_far_as_an_axis_reaches(opened, n):
     """At n = 60 the range was -4.1e13 to -3.1e13; at n = 100 it was empty, and every paint failed."""
     editor = opened(uniform_wave(n))
-    pane, panel = editor.window.basis_pane, editor.window.basis_panel
+    pane, panel = editor.window.central["basisPane"], editor.window.basis_panel
     said = pane.extent_text
     pane._fit.click()
     editor.settle()

@@ -160,7 +160,7 @@ def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab, 
     away = np.hypot(*(np.vstack(trace.pieces) - truth).T)
     find(lab, QToolButton, "plotErrorsButton").click()
     settled(lab, qtbot)
-    (plot,) = lab.window.plot_panel.added
+    (plot,) = lab.window.analysis.added_plots.values()
     line = next(each for each in plot.lines if each.name == "Lagrange")
     assert line.values == pytest.approx(away, abs=1e-14)
     assert float(text(lab, "error_lagrange")) == pytest.approx(away.max(), rel=0.06)
@@ -379,7 +379,7 @@ def test_the_curves_are_drawn_in_both_themes(lab):
 def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
     lab.trigger("plotErrors")
     settled(lab, qtbot)
-    (plot,) = lab.window.plot_panel.added
+    (plot,) = lab.window.analysis.added_plots.values()
     assert plot.title == "Errors of the methods"
     drawn = {line.name: line.values for line in plot.lines}
     trial = commands(lab).trial
@@ -387,14 +387,14 @@ def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
         (values,) = [values for values in drawn.values() if values is outcome.errors]
         assert values.max() == outcome.errors.max()
     lab.trigger("toggleLaboratory")
-    assert lab.window.plot_panel.added == []
+    assert lab.window.analysis.added_plots == {}
     lab.trigger("plotErrors")
     lab.trigger("plotErrors")
     settled(lab, qtbot)
     assert lab.action("toggleLaboratory").isChecked()
-    assert len(lab.window.plot_panel.added) == 1
+    assert len(lab.window.analysis.added_plots) == 1
     lab.trigger("plotErrors")
-    assert lab.window.plot_panel.added == []
+    assert lab.window.analysis.added_plots == {}
 
 
 def test_sixteen_digits_fit_the_dock(lab, qtbot):

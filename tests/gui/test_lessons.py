@@ -16,9 +16,9 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+from app.features.basis.layers import rail_height
 from app.features.lessons.commands import LessonCommands
 from app.features.lessons.lesson import LessonError, lesson_names, load_lesson, parse_lesson
-from app.panels.basis_layers import rail_height
 from app.session import Session
 from app.storage.files import load
 from app.view_model.analysis.errors import POINT_ERROR
@@ -117,7 +117,7 @@ def test_the_functions_that_a_step_speaks_of_are_all_in_sight(editor, qtbot):
         shown = editor.window.basis_panel.pixel_map
         assert shown.y(lowest) < shown.height - rail_height(1.0)
         assert shown.y(highest) > 0
-        assert editor.window.basis_pane.extent_text == ""
+        assert editor.window.central["basisPane"].extent_text == ""
     open_step(editor, qtbot, "01_basis_functions", 0)
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert shown == editor.window.basis_panel.pixel_map

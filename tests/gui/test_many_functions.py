@@ -11,7 +11,7 @@ from app.appearance.theme import LIGHT
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.document.parameter_edits import set_parameters
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
-from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
+from app.features.basis.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.pixel_map import PixelMap
 from app.plotting.stamps import cells_of
 from app.testing import Editor

@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSlider, QToolButton
 
-from app.panels.plot_pane import PlotPane
+from app.features.plots.pane import PlotPane
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.plot import PLOTS, Plot

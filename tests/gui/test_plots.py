@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import LAGRANGE
-from app.panels.value_scale import ValueScale
+from app.features.plots.value_scale import ValueScale
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
@@ -30,7 +30,7 @@ ACTIONS = {
 
 
 def pane(editor):
-    return editor.window.plot_panel.pane
+    return editor.window.central["plotPanel"].pane
 
 
 def canvas(editor):
@@ -72,7 +72,7 @@ def test_each_plot_is_switched_on_and_off(editor, name):
 
 def test_nothing_is_built_before_there_is_something_to_plot(new_editor):
     new_editor.drag_point(1, to=(2, 3))
-    assert new_editor.window.plot_panel.pane is None
+    assert new_editor.window.central["plotPanel"].pane is None
 
 
 def test_the_buttons_of_the_header_choose(editor, qtbot):
@@ -85,7 +85,7 @@ def test_the_buttons_of_the_header_choose(editor, qtbot):
     assert not button.isChecked()
     assert [each.title for each in canvas(editor).plots] == [curvature.CURVATURE.title]
     qtbot.mouseClick(editor.window.findChild(QToolButton, "closePlots"), Qt.MouseButton.LeftButton)
-    assert editor.window.plot_panel.isHidden()
+    assert editor.window.central["plotPanel"].isHidden()
     assert not editor.action("plotCurvature").isChecked()
 
 
@@ -234,11 +234,11 @@ def test_after_a_plot_was_closed_others_can_add_as_many(editor):
     editor.trigger("plotSpeed")
     assert not canvas(editor).plots
     t = np.linspace(0, 1, 50)
-    editor.window.plot_panel.show_lines([PlotLine("monomial", t, 1e-3 * (1 + t))], Scale.LOG, "Errors")
+    editor.window.analysis.add_plot(plot_of("Errors", [PlotLine("monomial", t, 1e-3 * (1 + t))], Scale.LOG))
     editor.settle()
-    assert editor.window.plot_panel.isVisible()
+    assert editor.window.central["plotPanel"].isVisible()
     assert [each.title for each in canvas(editor).plots] == ["Errors"]
-    editor.window.plot_panel.hide_lines("Errors")
+    editor.window.analysis.remove_plot("Errors")
 
 
 def test_others_can_add_lines_of_their_own(editor):
@@ -247,17 +247,17 @@ def test_others_can_add_lines_of_their_own(editor):
         PlotLine("monomial", t, 1e-3 * (1 + t)),
         PlotLine("Newton", t, 1e-9 + 0 * t, LineStyle("warning", dashes=DASHED)),
     ]
-    editor.window.plot_panel.show_lines(lines, Scale.LOG, "Error of each method")
+    editor.window.analysis.add_plot(plot_of("Error of each method", lines, Scale.LOG))
     editor.settle()
-    assert editor.window.plot_panel.isVisible()
+    assert editor.window.central["plotPanel"].isVisible()
     editor.trigger("plotSpeed")
     assert [each.title for each in canvas(editor).plots] == [lengths.SPEED.title, "Error of each method"]
     editor.scrub(0.5)
     assert "Newton 1e−9" in pane(editor).values_text
     editor.trigger("plotSpeed")
-    assert editor.window.plot_panel.isVisible()
-    editor.window.plot_panel.hide_lines("Error of each method")
-    assert editor.window.plot_panel.isHidden()
+    assert editor.window.central["plotPanel"].isVisible()
+    editor.window.analysis.remove_plot("Error of each method")
+    assert editor.window.central["plotPanel"].isHidden()
 
 
 def test_the_height_of_the_plots_is_remembered(qtbot, tmp_path):
@@ -266,14 +266,14 @@ def test_the_height_of_the_plots_is_remembered(qtbot, tmp_path):
     sizes = first.window.splitter.sizes()
     first.window.splitter.setSizes([sizes[0] - 60, sizes[1], sizes[2] + 60])
     first.settle()
-    height = first.window.plot_panel.height()
+    height = first.window.central["plotPanel"].height()
     assert height == pytest.approx(sizes[2] + 60, abs=3)
     first._discard_changes()
     first.window.close()
     second = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"))
-    assert second.window.plot_panel.isHidden()
+    assert second.window.central["plotPanel"].isHidden()
     second.trigger("plotLebesgue")
-    assert second.window.plot_panel.height() == pytest.approx(height, abs=3)
+    assert second.window.central["plotPanel"].height() == pytest.approx(height, abs=3)
 
 
 def test_all_plots_fit_a_small_window(qtbot):
@@ -282,10 +282,10 @@ def test_all_plots_fit_a_small_window(qtbot):
         editor.trigger(name)
     window = editor.window
     assert (window.width(), window.height()) == (1024, 700)
-    bottom = window.plot_panel.mapTo(window, QPoint(0, window.plot_panel.height())).y()
+    bottom = window.central["plotPanel"].mapTo(window, QPoint(0, window.central["plotPanel"].height())).y()
     assert bottom <= window.status_line.y()
     assert window.canvas.height() >= 0.35 * window.splitter.height()
-    assert window.basis_pane.height() >= 120
+    assert window.central["basisPane"].height() >= 120
     assert canvas(editor).getViewBox().rect().height() > 150
 
 
@@ -379,10 +379,11 @@ def test_arrow_keys_move_the_scrub_line(editor):
 
 
 def test_lines_that_others_add_follow_a_drag_without_a_jump_of_the_scale(editor):
-    panel, title, t = editor.window.plot_panel, "Errors", np.linspace(0, 1, 50)
+    title, t = "Errors", np.linspace(0, 1, 50)
 
     def show(size):
-        panel.show_lines([PlotLine("", t, size * (1 + t))], Scale.LINEAR, title, "e")
+        lines = [PlotLine("", t, size * (1 + t))]
+        editor.window.analysis.add_plot(plot_of(title, lines, Scale.LINEAR, "e"))
 
     editor.trigger("plotSpeed")
     show(1.0)
@@ -398,7 +399,7 @@ def test_lines_that_others_add_follow_a_drag_without_a_jump_of_the_scale(editor)
     editor.escape()
     show(1.0)
     assert canvas(editor).scale_of(title).high == pytest.approx(rest)
-    panel.hide_lines(title)
+    editor.window.analysis.remove_plot(title)
 
 
 def test_axes_write_the_minus_that_the_canvas_writes(editor):

@@ -393,7 +393,7 @@ def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor, family):
 def test_other_digits_of_a_note_lay_nothing_out(qtbot, width):
     """Whenever the note on the functions was written, the window was laid out: in a drag all the time."""
     editor = Editor(qtbot, size=(width, 800))
-    pane, before = editor.window.basis_pane, editor.parameters
+    pane, before = editor.window.central["basisPane"], editor.parameters
     notes = []
     for step in range(3):
         t = before[4] - 0.02 - 1e-3 * step

@@ -86,7 +86,7 @@ def test_a_place_on_another_curve_that_doubles_back_is_met_there():
     curve = view_of(make_curve([(0, 0), (4, 0.001), (1, 0.002), (3, 0.003)]))
     place = tuple(curve.curve.evaluate(0.3916).tolist())
     for reach in (0.01, 9.0):
-        assert NearestPoint(curve).within(place, reach).position == pytest.approx(place, abs=1e-12)
+        assert NearestPoint(curve).within(place, reach).point == pytest.approx(place, abs=1e-12)
 
 
 def test_another_curve_is_met_exactly():

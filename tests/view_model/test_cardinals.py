@@ -22,10 +22,11 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.basis_view import basis_view, weights_at
-from app.view_model.bend import Bend, BendWith
+from app.view_model.bend import Bend
 from app.view_model.cardinal_view import cardinal_view
 from app.view_model.curve_view import view_of
 from app.view_model.growth import growth_of_data, growth_of_points
+from app.view_model.hold import BendWith
 from app.view_model.parameter_slopes import parameter_moves
 from curvecore import ensemble, lebesgue_constant, worst_case_band
 

@@ -13,7 +13,7 @@ from app.storage.files import load
 from app.tasks.progress import Cancelled
 from app.view_model.analysis.cost import cost_chart, cost_of
 from app.view_model.analysis.cures import CURES, cures_of
-from app.view_model.analysis.laboratory import Refused, digits_at, try_methods
+from app.view_model.analysis.laboratory import digits_at, try_methods
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
 from app.view_model.analysis.laboratory_words import trial_words
 from app.view_model.analysis.teaching import Topic, warnings_of
@@ -98,7 +98,7 @@ def test_work_that_nobody_waits_for_ends():
 
 
 def test_without_a_curve_the_reason_is_given():
-    assert try_methods(view_of(make_curve(POINTS[:1])), ALL) == Refused("A curve needs at least two points.")
+    assert try_methods(view_of(make_curve(POINTS[:1])), ALL) == "A curve needs at least two points."
     assert digits_at(view_of(make_curve(POINTS[:1])), ALL, 0.5) is None
     assert explain(view_of(make_curve(POINTS[:1])), 0.5) is None
 
@@ -143,11 +143,11 @@ def test_cures_promise_what_they_do():
     document = Document((make_curve(POINTS),))
     view = view_of(document.curves[0])
     found = cures_of(document, 0, view, 2)
-    assert [cure.name for cure in found.cures] == [key for key, _, _ in CURES]
+    assert [cure.remedy for cure in found.cures] == list(CURES)
     for cure in found.cures:
         if cure.document is None:
             assert cure.is_in_use
-            assert cure.name == "chordLength"
+            assert cure.remedy.name == "chordLength"
             continue
         cured = view_of(cure.document.curves[0])
         assert cure.overshoot == overshoot(cured, 2)[0]

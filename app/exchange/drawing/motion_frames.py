@@ -15,7 +15,7 @@ from app.exchange.drawing.drawing import Drawing, Frame, drawing_of
 from app.exchange.drawing.image import paint_drawing
 from app.view_model.arrow import arrow_segments
 from app.view_model.motion import round_of
-from app.view_model.motion_picture import COLOURS, RADII, TRAIL, Dot, Role, colour_of, dots_at, scales_of
+from app.view_model.motion_picture import TRAIL, Dot, Role, colour_of, dots_at, scales_of
 from app.view_model.motion_settings import Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 from curvecore.arrays import FloatArray
@@ -95,7 +95,7 @@ class FrameMaker:
     def _colour(self, role: Role) -> QColor:
         """Return the colour of a dot and its trail, the same as on a screen with this paper."""
         accent = ACCENT[self._film.style.theme]
-        return QColor(colour_on(self._paper, COLOURS[role]) if role in COLOURS else accent)
+        return QColor(colour_on(self._paper, role.colour) if role.colour else accent)
 
     def _pixels(self, points: FloatArray) -> FloatArray:
         frame = self._frame
@@ -123,7 +123,7 @@ class FrameMaker:
             return
         painter.setPen(QPen(QColor(self._paper), 1.5 * self._scale))
         painter.setBrush(self._colour(dot.role))
-        radius = RADII[dot.role] * self._scale
+        radius = dot.role.radius * self._scale
         painter.drawEllipse(QPointF(*place), radius, radius)
 
 

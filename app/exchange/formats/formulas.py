@@ -17,20 +17,13 @@ from app.exchange.drawing.drawing import drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, Options
-from app.exchange.parts import (
-    as_float,
-    beziers_of,
-    checked_tolerance,
-    local_fractions,
-    measured,
-    monomials_of,
-    sources_of,
-)
+from app.exchange.parts import beziers_of, checked_tolerance, measured, sources_of
 from app.exchange.svg.writer import path_data
 from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
-from curvecore import bezier_segments
+from curvecore import bezier_segments, power_coefficients
 from curvecore.arrays import FloatArray
+from curvecore.scaling import LARGEST
 
 MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
@@ -144,8 +137,8 @@ def _coefficients(piece: CoreCurve) -> FloatArray:
             f"A polynomial through {len(piece.points)} points has no usable coefficients; "
             f"{MOST_COEFFICIENTS} points are the most. Export code instead."
         )
-    exact = monomials_of(piece.points, local_fractions(piece.parameters))
-    return np.array([[as_float(value) for value in column] for column in exact]).T[None]
+    found = power_coefficients(piece, *piece.domain)[None]
+    return np.where(np.abs(found) < LARGEST, found, np.inf)
 
 
 def _from_bernstein(controls: FloatArray) -> FloatArray:
@@ -158,7 +151,7 @@ def _from_bernstein(controls: FloatArray) -> FloatArray:
             exact = [Fraction(value) for value in column]
             row = []
             for k in range(degree + 1):
-                row.append(as_float(comb(degree, k) * exact[0]))
+                row.append(float(comb(degree, k) * exact[0]))
                 exact = [after - before for before, after in pairwise(exact)]
             columns.append(row)
         rows.append(columns)

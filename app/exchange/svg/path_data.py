@@ -24,7 +24,7 @@ from curvecore.arrays import FloatArray
 
 _GAP = r"[ \t\r\n\f]*"
 _PASSED_OVER = re.compile(rf"(?:^|[A-Za-z,]){_GAP}(,)|[VAa]{_GAP}([A-Za-z]|\Z)")
-"""What svgelements takes for nothing: a comma that separates no numbers, and V and A without any."""
+"""Flaws that svgelements passes over: a comma that separates no numbers, and V and A without any."""
 _BARE_POINT = re.compile(r"(?<![\d.eE])(\d+)\.(?![\deE.])")
 """The point of ``1.``, which SVG 1.1 allowed and programs still write."""
 _NO_MOVE = re.compile(rf"{_GAP}[ZLHVCSQTAzlhvcsqta]")
@@ -127,7 +127,7 @@ _Pair = tuple[float, float]
 
 
 class _Pen:
-    """Takes what svgelements reads, whose names these are; points are absolute.
+    """Pen that draws the commands svgelements reads, whose names these are; points are absolute.
 
     Attributes
     ----------

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,6 +11,7 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.document.words import NamedEnum
 from app.exchange.cubics_in import Imported
 from app.exchange.errors import ExchangeError
+from app.exchange.naming import numbered
 from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
 from app.exchange.table.layout import MissingNumber, RowProblem
 from app.exchange.table.table import Table
@@ -98,11 +98,12 @@ def document_of_table(
     columns = _columns_of(table, chosen)
     all_groups = _groups(table, chosen, options.name)
     groups = _numbered(_without_missing(table, columns, all_groups, options.missing))
-    curves, deviation, repeats = [], 0.0, Repeats()
+    curves, deviation, repeats, first_repeat = [], 0.0, 0, 0
     for place, (title, rows) in enumerate(groups):
         own = _Rows(table, columns, rows)
         found = own.repeats
-        repeats = repeats.and_of(found, own.line_of)
+        if len(found):
+            repeats, first_repeat = repeats + len(found), first_repeat or own.line_of(int(found[0]))
         if own.t is None:
             # Parameters by distance, which are the rule then, cannot tell these points apart.
             own = own.without(found)
@@ -114,8 +115,8 @@ def document_of_table(
             kept = thinned(own.points, own.t, options.thin, options.thinning, report=away)
             curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
             deviation = max(deviation, kept.deviation)
-    said = repeats.said(are_kept="t" in columns)
-    return Imported(_checked(curves), deviation, (said,) if said else ())
+    remarks = _on_repeats(repeats, first_repeat, are_kept="t" in columns)
+    return Imported(_checked(curves), deviation, remarks)
 
 
 def _columns_of(table: Table, mapping: ColumnMapping) -> dict[str, int]:
@@ -165,13 +166,8 @@ def _numbered(groups: list[Group]) -> list[Group]:
     """Return the groups, of which those with one name are numbered."""
     if len(groups) > MOST_CURVES:
         raise ExchangeError(f"The table holds {len(groups)} curves; {MOST_CURVES} can be read.")
-    titles = Counter(title for title, _ in groups)
-    seen: Counter[str] = Counter()
-    result = []
-    for title, rows in groups:
-        seen[title] += 1
-        result.append((f"{title} ({seen[title]})" if titles[title] > 1 else title, rows))
-    return result
+    titles = numbered([title for title, _ in groups])
+    return [(title, rows) for title, (_, rows) in zip(titles, groups, strict=True)]
 
 
 def _family_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Family) -> tuple[Family, bool]:
@@ -187,38 +183,16 @@ def _family_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Fa
     return family, word.startswith(CLOSED)
 
 
-@dataclass(frozen=True)
-class Repeats:
-    """Rows that hold the same point as the row before.
-
-    Attributes
-    ----------
-    count
-        How many there are.
-    first
-        The row of the file that holds the first one.
-    """
-
-    count: int = 0
-    first: int = 0
-
-    def and_of(self, rows: IntArray, line_of: Callable[[int], int]) -> Repeats:
-        """Return these and more, of another curve."""
-        first = self.first or (line_of(int(rows[0])) if len(rows) else 0)
-        return Repeats(self.count + len(rows), first)
-
-    def said(self, *, are_kept: bool) -> str:
-        """Return what there is to say of them and of what became of them; empty where there are none."""
-        if not self.count:
-            return ""
-        kept = "kept, with {} t of {} own"
-        merged = "merged with that, for parameters by distance need distinct points"
-        if self.count == 1:
-            became = f"is {kept.format('a', 'its')}" if are_kept else f"was {merged}"
-            return f"Row {self.first} repeats the point of the row before; it {became}."
-        became = f"are {kept.format('a', 'their')}" if are_kept else f"were {merged}"
-        where = f"row {self.first} first"
-        return f"{self.count:,} rows repeat the point of the row before, {where}; they {became}."
+def _on_repeats(count: int, first: int, *, are_kept: bool) -> tuple[str, ...]:
+    """Return what there is to say of rows that repeat the point before, from line `first` on."""
+    if count == 0:
+        return ()
+    merged = "merged with that, for parameters by distance need distinct points"
+    if count == 1:
+        became = "is kept, with a t of its own" if are_kept else f"was {merged}"
+        return (f"Row {first} repeats the point of the row before; it {became}.",)
+    became = "are kept, with a t of their own" if are_kept else f"were {merged}"
+    return (f"{count:,} rows repeat the point of the row before, row {first} first; they {became}.",)
 
 
 @dataclass(frozen=True, eq=False)

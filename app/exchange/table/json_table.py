@@ -11,6 +11,7 @@ import msgspec
 import numpy as np
 
 from app.exchange.errors import ExchangeError
+from app.exchange.naming import numbered
 from app.exchange.table.layout import RowProblem
 from app.exchange.table.table import Table, table_of
 from app.storage.format import not_json
@@ -117,12 +118,10 @@ def _lines(content: dict[str, Any]) -> Table:
     found = list(_found(content, "Line", lost))
     if not found:
         raise ExchangeError(f"The GeoJSON has no lines. {_lost(lost)}".strip())
-    times, seen = Counter(name for name, _ in found), Counter[str]()
+    titles = numbered([name for name, _ in found])
     names: list[str] = []
     points: list[list[object]] = []
-    for name, line in found:
-        seen[name] += 1
-        title = f"{name} ({seen[name]})" if times[name] > 1 else name
+    for title, (_, line) in zip(titles, found, strict=True):
         names += [title] * len(line)
         points += [point[:2] if isinstance(point, list) else [point] for point in line]
     values = _numbers(points)

@@ -1,4 +1,4 @@
-"""What the t-rail offers: parameters to start from, and a number typed at a tick."""
+"""The pane of the basis functions in a window, and the actions of the t-rail."""
 
 from __future__ import annotations
 
@@ -6,16 +6,24 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import Action, action, action_for_each, also
 from app.actions.keymap import action_name
 from app.actions.needs import TWO_POINTS, Need
 from app.actions.sections import CURVE_PARAMETERS, CURVE_STARTS
 from app.actions.strips import RAIL_MENU
-from app.controllers.rail import RailController
+from app.appearance.theme import Theme
 from app.document import edits
 from app.document.model import ParametrizationKind
-from app.view_model.curve_view import view_of
+from app.features.basis.pane import BasisPane
+from app.features.basis.panel import BasisPanel
+from app.state.window_state import WindowState
+from app.tools.rail import RAIL
+from app.tools.toolbox import Toolbox
+from app.view_model.curve_view import CurveView, view_of
+from app.view_model.growth import growth_of_points
+from app.workbench.central_pane import Pane
 from app.workbench.context import WindowContext
 from app.workbench.strip_menu import strip_menu
 
@@ -42,14 +50,83 @@ _STARTS = (
 )  # fmt: skip
 
 
-class RailCommands:
-    """The menu of the t-rail."""
+_MOST_LIVE = 200
+"""Points up to which the Lebesgue constant follows a drag."""
+
+
+class BasisCommands:
+    """Shows the functions of the active curve, and edits its parameters at the t-rail."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session = context.session
-        self._controller = RailController(context.session, context.central.basis_panel)
-        context.central.basis_panel.menu_requested.connect(self._show_menu)
+
+    @Pane("basisPane", stretch=1, height=280)
+    def build_pane(self, parent: QWidget) -> BasisPane:
+        """Return the functions with their header."""
+        context, session = self._context, self._session
+        panel = self._panel = BasisPanel(Toolbox(session, RAIL))
+        pane = self._pane = BasisPane(panel, context.actions["toggleEstimates"], parent)
+        pane.set_with_estimates(context.store.state.with_estimates)
+        context.store.changed.connect(self._show_state)
+        context.connect_plot(panel)
+        context.central.t_camera = panel.camera
+        session.hovered_changed.connect(panel.drawing.set_hovered)
+        session.selection_changed.connect(panel.drawing.set_selection)
+        session.scrub_changed.connect(panel.drawing.set_scrub)
+        panel.pointed_at.connect(context.status_line.show_t)
+        panel.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
+        panel.tick_edit.typed.connect(self._set_parameter)
+        panel.tick_pointed.connect(self._select)
+        panel.menu_requested.connect(self._show_menu)
+        return pane
+
+    # What is shown
+
+    def follow(self, view: CurveView) -> None:
+        """Show the functions of `view`."""
+        self._pane.render_view(view)
+        self._context.central.basis = self._panel.drawing.basis
+
+    def render(self, view: CurveView) -> None:
+        """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
+        if self._session.is_previewing and view.source.family.derivatives and len(view.points) > _MOST_LIVE:
+            self._context.status_line.wait_for_lebesgue()
+        else:
+            self._context.status_line.show_lebesgue(growth_of_points(view, self._panel.drawing.basis))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._pane.set_theme(theme)
+
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        if after.basis != before.basis:
+            self._pane.setVisible(after.basis)
+        if after.with_estimates != before.with_estimates:
+            self._pane.set_with_estimates(after.with_estimates)
+            self.follow(self._session.active_view)
+
+    # At the t-rail
+
+    def _set_parameter(self, knot: int, t: float) -> None:
+        """Set the t that was typed at a tick; where it is refused, say why there."""
+        session, view = self._session, self._session.active_view
+        if knot < len(view.parameters):
+            change = session.change(
+                f"Change t of point {view.owner(knot)}",
+                lambda document: edits.set_parameter(
+                    document, session.active_index, knot, t, session.active_view.parameters.tolist()
+                ),
+            )
+            if change.refusal:
+                self._panel.tick_edit.refuse(change.refusal)
+                return
+        self._panel.tick_edit.close_and_return()
+
+    def _select(self, point: int) -> None:
+        """Select a point whose tick the menu is about, unless it is among those selected already."""
+        if point not in self._session.selection:
+            self._session.select([point])
 
     def _show_menu(self, place: QPoint) -> None:
         strip_menu(self._context, RAIL_MENU, "railMenu").popup(place)
@@ -94,7 +171,7 @@ class RailCommands:
         """Type the parameter of the selected point at its tick."""
         selected = self._session.selected
         if selected is not None:
-            self._context.central.basis_panel.edit_tick(selected)
+            self._panel.edit_tick(selected)
 
 
-COMMAND_SETS = (RailCommands,)
+COMMAND_SETS = (BasisCommands,)

@@ -21,7 +21,7 @@ from app.document import curve_edits, edits
 from app.document.model import Curve, Document, Parametrization
 from app.document.several_curves import named, place_in, step_curves
 from app.document.words import number
-from app.view_model.closing import with_closed
+from app.view_model.appending import with_closed
 from app.view_model.curve_view import view_of
 from app.view_model.measure import is_kept
 from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted

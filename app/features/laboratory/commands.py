@@ -13,7 +13,7 @@ from app.actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from app.canvas.trace_layer import Trace
 from app.document.words import number
 from app.features import laboratory
-from app.features.laboratory.error_plot import ErrorPlot
+from app.features.laboratory.error_plot import TITLE, error_plot
 from app.qt.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -56,7 +56,7 @@ class LaboratoryCommands(Guarded, QObject):
         )  # fmt: skip
         self._dock = context.docks["laboratoryDock"]
         self._dock.installEventFilter(self)
-        self._error_plot = ErrorPlot(context.central.plot_panel)
+        self._plotted: Trial | None = None
         self._connect()
 
     def _connect(self) -> None:
@@ -173,7 +173,7 @@ class LaboratoryCommands(Guarded, QObject):
     def _take(self, result: object) -> None:
 
         self._trial = result if isinstance(result, analysis.laboratory.Trial) else None
-        self._problem = result.reason if isinstance(result, analysis.laboratory.Refused) else ""
+        self._problem = result if isinstance(result, str) else ""
         self._show()
         self._plot_errors()
         self._ask_digits()
@@ -208,7 +208,7 @@ class LaboratoryCommands(Guarded, QObject):
 
     def _show(self) -> None:
         busy, trial = self._task.is_busy, self._trial
-        basis = self._context.central.basis_panel.drawing.basis
+        basis = self._context.central.basis
         if self._panel is not None:
             lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
             self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)
@@ -222,7 +222,14 @@ class LaboratoryCommands(Guarded, QObject):
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)
 
     def _plot_errors(self) -> None:
-        self._error_plot.show(self._trial if self._context.store.state.error_plot else None)
+        trial = self._trial if self._context.store.state.error_plot else None
+        if trial is self._plotted:
+            return
+        self._plotted = trial
+        if trial is None:
+            self._analysis.remove_plot(TITLE)
+        else:
+            self._analysis.add_plot(error_plot(trial))
 
     def _show_cost(self) -> None:
         if self._panel is not None:

@@ -13,7 +13,6 @@ from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.motion import Course
 from app.view_model.motion_picture import (
-    RIVALS,
     Role,
     Scales,
     dots_at,
@@ -123,7 +122,7 @@ class MotionStage(Guarded, QObject):
     def _lines(self) -> list[tuple[Role, FloatArray]]:
         """Return the curves that are compared, but for the one that is drawn anyway."""
         family = self._context.session.active_view.source.family
-        return [(role, view.polyline) for role, view in self._rivals.items() if RIVALS[role] != family]
+        return [(role, view.polyline) for role, view in self._rivals.items() if role.family != family]
 
     def _render(self) -> None:
         player = self.player

@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QWidget
 
-from app import panels
 from app.actions.declaration import Action, action_for_each
 from app.actions.sections import PLOTS_OVER_T
+from app.features import plots
+from app.features.plots.panel import PlotPanel
 from app.tasks.debounced_task import DebouncedTask
 from app.tools.rail import SCRUB
 from app.tools.toolbox import Toolbox
@@ -18,17 +20,16 @@ from app.view_model import analysis
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
+from app.workbench.central_pane import Pane
 from app.workbench.context import WindowContext
 
 if TYPE_CHECKING:
+    from app.features.plots.pane import PlotPane
     from app.view_model.analysis.plot_lines import PlotData
 
 
 _CALM_MS = 300
 """How long after the last change of the visible part the scales fit again."""
-
-_CANVAS_SHARE, _LEAST_BASIS = 0.4, 130
-"""What plots leave to the canvas of the height, and to the basis functions in pixels."""
 
 
 class PlotCommands:
@@ -39,6 +40,7 @@ class PlotCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
+        self._session, self._analysis = context.session, context.analysis
         self._task = DebouncedTask(context.window)
         self._task.ready.connect(self._show_settled)
         self._calm = QTimer(context.window, singleShot=True, interval=_CALM_MS)
@@ -46,22 +48,31 @@ class PlotCommands:
         self._own: list[PlotData] = []
         self._plotted: CurveView | None = None
         self._was_calm = False
-        context.analysis.changed.connect(self._arrange)
-        context.central.plot_panel.changed.connect(self._follow_added)
-        context.session.scrub_changed.connect(self._show_scrub)
-        context.session.interrupted.connect(self._abandon_gesture)
-        context.central.basis_panel.camera.changed.connect(self._follow_range)
+
+    @Pane("plotPanel")
+    def build_panel(self, parent: QWidget) -> PlotPanel:
+        """Return the place of the plots."""
+        self._panel = PlotPanel(self._context.preferences.plot_height, parent)
+        self._analysis.changed.connect(self._arrange)
+        self._analysis.added.connect(self._follow_added)
+        self._session.scrub_changed.connect(self._show_scrub)
+        self._context.central.t_camera.changed.connect(self._follow_range)
+        return self._panel
+
+    def close(self) -> None:
+        """Remember how high the plots are."""
+        self._context.preferences.plot_height = self._panel.kept_height
 
     def follow(self, view: CurveView) -> None:
         """Plot `view`; during a drag the scales only grow."""
-        calm = self._context.session.is_previewing
-        if self._is_on and not (self._shows_same(view) and calm == self._was_calm):
-            self._plot(view, calm=calm)
+        calm = self._session.is_previewing
+        pane = self._shown
+        if pane is not None and not (self._shows_same(view) and calm == self._was_calm):
+            self._plot(pane, view, calm=calm)
 
     def _shows_same(self, view: CurveView) -> bool:
         """Whether only points have moved, and nothing but the Lebesgue function is plotted."""
-        shown = self._context.analysis.settings.plots
-        follow = any(plot.follows_points for plot in shown)
+        follow = any(plot.follows_points for plot in self._analysis.settings.plots)
         if follow or self._plotted is None or not view.is_current:
             return False
         same = view.source.family == self._plotted.source.family
@@ -69,8 +80,14 @@ class PlotCommands:
         return same and (not view.source.family.derivatives or view.cardinal is self._plotted.cardinal)
 
     @property
-    def _is_on(self) -> bool:
-        return bool(self._context.analysis.settings.plots or self._context.central.plot_panel.added)
+    def _count(self) -> int:
+        """How many plots there are."""
+        return len(self._analysis.settings.plots) + len(self._analysis.added_plots)
+
+    @property
+    def _shown(self) -> PlotPane | None:
+        """Header and plots while there are any."""
+        return self._panel.pane if self._count else None
 
     # Which plots there are
 
@@ -88,73 +105,60 @@ class PlotCommands:
         ),
     )
     def _switch(self, plot: Plot) -> None:
-        analysis = self._context.analysis
-        analysis.show_plot(plot, plot not in analysis.settings.plots)
+        self._analysis.show_plot(plot, plot not in self._analysis.settings.plots)
 
     def _arrange(self) -> None:
         """Show or hide the panel, and plot."""
-        panel = self._context.central.plot_panel
-        if not self._is_on:
+        panel, view = self._panel, self._session.active_view
+        if not self._count:
             self._task.give_up()
             panel.hide()
             if panel.pane is not None:
                 # Else they would stand there when the panel is next opened, until others are computed.
-                panel.pane.canvas.render_plots([], self._context.session.active_view.parameters, calm=False)
+                panel.pane.canvas.render_plots([], view.parameters, calm=False)
             return
-        pane = panel.fill(self._build)
+        if panel.pane is None:
+            panel.hold(self._build())
+        assert panel.pane is not None
         # What it was before: on its way to the screen the panel gets other heights.
         kept = panel.kept_height if panel.isHidden() else 0
         panel.show()
-        count = len(self._context.analysis.settings.plots) + len(panel.added)
-        self._make_room(max(pane.wanted_height(count), kept))
-        pane.canvas.camera.show_t(*self._context.central.basis_panel.camera.t_range)
-        pane.canvas.set_scrub(self._context.session.scrub)
-        self._plot(self._context.session.active_view, calm=self._context.session.is_previewing)
+        self._context.central.make_room(panel, max(panel.pane.wanted_height(self._count), kept))
+        panel.pane.canvas.camera.show_t(*self._context.central.t_camera.t_range)
+        panel.pane.canvas.set_scrub(self._session.scrub)
+        self._plot(panel.pane, view, calm=self._session.is_previewing)
 
     def _follow_added(self) -> None:
         """Show what others have added; where only their values are other ones, the rest stays."""
-        pane = self._context.central.plot_panel.pane
-        count = len(self._context.analysis.settings.plots) + len(self._context.central.plot_panel.added)
-        if self._is_on and pane is not None and count == len(pane.canvas.plots):
-            self._show(self._own, calm=self._context.session.is_previewing)
+        pane = self._shown
+        if pane is not None and self._count == len(pane.canvas.plots):
+            self._show(pane, self._own, calm=self._session.is_previewing)
         else:
             self._arrange()
 
-    def _build(self) -> panels.plot_pane.PlotPane:
+    def _build(self) -> PlotPane:
         context = self._context
-        canvas = panels.plot_canvas.PlotCanvas(Toolbox(context.session, SCRUB))
-        canvas.camera.range_asked.connect(context.central.basis_panel.camera.show_t)
+        canvas = plots.canvas.PlotCanvas(Toolbox(self._session, SCRUB))
+        canvas.set_scale(context.store.state.scale)
+        canvas.camera.range_asked.connect(context.central.t_camera.show_t)
         canvas.scrub_nudged.connect(self._nudge_scrub)
-        canvas.hint_changed.connect(context.status_line.show_hint)
         canvas.pointed_at.connect(context.status_line.show_t)
+        context.connect_plot(canvas)
         choices = [(plot.symbol, context.actions[plot.action_name]) for plot in PLOTS]
-        pane = panels.plot_pane.PlotPane(canvas, choices)
-        pane.close_asked.connect(lambda: context.analysis.change(plots=frozenset()))
+        pane = plots.pane.PlotPane(canvas, choices)
+        pane.close_asked.connect(lambda: self._analysis.change(plots=frozenset()))
         return pane
-
-    def _make_room(self, height: int) -> None:
-        """Give the plots that height, first of the canvas, then of the basis functions."""
-        splitter = self._context.central.splitter
-        canvas, basis, plots = splitter.sizes()
-        total = canvas + basis + plots
-        missing = max(height - plots, 0)
-        if missing:
-            of_canvas = min(missing, max(canvas - int(_CANVAS_SHARE * total), 0))
-            of_basis = min(missing - of_canvas, max(basis - _LEAST_BASIS, 0))
-            splitter.setSizes([canvas - of_canvas, basis - of_basis, plots + of_canvas + of_basis])
 
     # What they show
 
-    def _plot(self, view: CurveView, *, calm: bool) -> None:
-        pane, kinds = self._context.central.plot_panel.pane, self._context.analysis.settings.plots
-        assert pane is not None
+    def _plot(self, pane: PlotPane, view: CurveView, *, calm: bool) -> None:
+        kinds = self._analysis.settings.plots
         self._plotted, self._was_calm = view if view.is_current else None, calm
         if not view.is_current:
             self._task.give_up()
             pane.canvas.say(view.problem)
             return
-        basis = self._context.central.basis_panel.drawing.basis
-        constant = growth_of_points(view, basis)
+        constant = growth_of_points(view, self._context.central.basis)
         compute = partial(
             analysis.plotted.plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant
         )
@@ -163,70 +167,55 @@ class PlotCommands:
             self._task.ask(lambda _report: compute())
             return
         self._task.give_up()
-        self._show(compute(), calm=calm)
+        self._show(pane, compute(), calm=calm)
 
     def _show_settled(self, plots: list[PlotData]) -> None:
-        if self._is_on:
-            self._show(plots, calm=self._context.session.is_previewing)
+        if (pane := self._shown) is not None:
+            self._show(pane, plots, calm=self._session.is_previewing)
 
-    def _show(self, own: list[PlotData], *, calm: bool) -> None:
-        pane = self._context.central.plot_panel.pane
-        assert pane is not None
+    def _show(self, pane: PlotPane, own: list[PlotData], *, calm: bool) -> None:
         self._own = own
-        plots = [*own, *self._context.central.plot_panel.added]
-        pane.canvas.render_plots(plots, self._context.session.active_view.parameters, calm=calm)
-        self._show_values()
+        added = self._analysis.added_plots.values()
+        pane.canvas.render_plots([*own, *added], self._session.active_view.parameters, calm=calm)
+        self._show_values(pane)
 
     def _fit_values(self) -> None:
         """Fit the scales again, after the visible part of t has changed."""
-        if self._is_on and not self._context.session.is_previewing:
-            self._plot(self._context.session.active_view, calm=False)
+        if (pane := self._shown) is not None and not self._session.is_previewing:
+            self._plot(pane, self._session.active_view, calm=False)
 
     def _follow_range(self) -> None:
-        if self._is_on:
-            pane = self._context.central.plot_panel.pane
-            assert pane is not None
-            pane.canvas.camera.show_t(*self._context.central.basis_panel.camera.t_range)
-            self._plot(self._context.session.active_view, calm=True)
+        if (pane := self._shown) is not None:
+            pane.canvas.camera.show_t(*self._context.central.t_camera.t_range)
+            self._plot(pane, self._session.active_view, calm=True)
             self._calm.start()
 
     # The scrub line
 
     def _show_scrub(self, t: float | None) -> None:
-        if self._is_on:
-            pane = self._context.central.plot_panel.pane
-            assert pane is not None
+        if (pane := self._shown) is not None:
             pane.canvas.set_scrub(t)
-            self._show_values()
+            self._show_values(pane)
 
     def _nudge_scrub(self, by: float) -> None:
         """Move the scrub line along t; without one, show it in the middle of what is visible."""
-        session, pane = self._context.session, self._context.central.plot_panel.pane
-        if session.active_view.curve is None or pane is None:
+        session = self._session
+        if session.active_view.curve is None:
             return
         start, end = session.active_view.curve.domain
-        t = sum(pane.canvas.camera.t_range) / 2 if session.scrub is None else session.scrub + by
-        session.set_scrub(min(max(t, start), end))
+        middle = sum(self._context.central.t_camera.t_range) / 2
+        session.set_scrub(min(max(middle if session.scrub is None else session.scrub + by, start), end))
 
-    def _show_values(self) -> None:
-
-        panel, t = self._context.central.plot_panel, self._context.session.scrub
-        assert panel.pane is not None
+    def _show_values(self, pane: PlotPane) -> None:
+        t = self._session.scrub
         values: dict[str, float] = {}
         if t is not None:
-            known = analysis.plotted.values_at(
-                self._context.session.active_view, self._context.analysis.settings.plots, t
-            )
+            known = analysis.plotted.values_at(self._session.active_view, self._analysis.settings.plots, t)
             values |= {plot.symbol: value for plot, value in known.items()}
-            for plot in panel.added:
+            for plot in self._analysis.added_plots.values():
                 for line in plot.lines:
                     values[line.name or plot.symbol] = line.value_at(t)
-        panel.pane.show_values(t, values)
-
-    def _abandon_gesture(self) -> None:
-        pane = self._context.central.plot_panel.pane
-        if pane is not None:
-            pane.canvas.abandon_gesture()
+        pane.show_values(t, values)
 
 
 COMMAND_SETS = (PlotCommands,)

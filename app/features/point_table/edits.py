@@ -9,8 +9,8 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Point
-from app.view_model.appending import with_points_appended
-from app.view_model.curve_view import CurveView, appended_parameter, view_of
+from app.view_model.appending import appended_parameter, with_points_appended
+from app.view_model.curve_view import CurveView, view_of
 from app.view_model.jets import explicit_sides
 from app.view_model.point_columns import PARAMETER, POSITION, Column, knot_parameters
 from curvecore.arrays import FloatArray

@@ -17,8 +17,9 @@ from app.document.model import Curve, Document, Point
 from app.document.straight_edits import corners_of, ends_of, why_not_straight
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import with_velocities_pulled
+from app.view_model.sampling import segment_at
 from app.view_model.smoothness import ENDS_STAY, inner_points, made_smooth, with_corners
-from app.view_model.straight import segment_at, segments_between, with_straight_segments
+from app.view_model.straight import segments_between, with_straight_segments
 from app.workbench.context import WindowContext
 
 _VISIBLE = 16.0
@@ -151,7 +152,7 @@ class TangentCommands:
     @PlaceAction("straightHere", "Straight Segment", like="straightSegment")
     def straighten_at(self, t: float) -> None:
         """Make the segment of the active curve straight that runs through `t`."""
-        self._straighten([segment_at(self._session.active_view, t)])
+        self._straighten([segment_at(self._session.active_view.parameters, t)])
 
     def _straighten(self, segments: Sequence[int]) -> None:
         session, view = self._session, self._session.active_view

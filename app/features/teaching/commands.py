@@ -53,7 +53,7 @@ class TeachingCommands(QObject):
 
     def _warnings(self, view: CurveView) -> list[Warned]:
         if self._known is None or self._known[0] is not view:
-            basis = self._context.central.basis_panel.drawing.basis
+            basis = self._context.central.basis
             self._known = (
                 view,
                 warnings_of(view, growth_of_points(view, basis)) if basis is not None else [],

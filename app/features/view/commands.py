@@ -43,20 +43,11 @@ class ViewCommands:
         self._session, self._store = context.session, context.store
         self._before_presentation = b""
         self._before_folding = b""
-        pane = context.central.basis_pane
-        pane.offer_estimates(context.actions["toggleEstimates"])
-        pane.set_with_estimates(self._store.state.with_estimates)
         self._store.changed.connect(self._show_state)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
-        central = self._context.central
         if after.grid != before.grid:
-            central.canvas.drawing.grid.set_visible(after.grid)
-        if after.basis != before.basis:
-            central.basis_pane.setVisible(after.basis)
-        if after.with_estimates != before.with_estimates:
-            central.basis_pane.set_with_estimates(after.with_estimates)
-            central.basis_pane.render_view(self._session.active_view)
+            self._context.central.canvas.drawing.grid.set_visible(after.grid)
         if after.side_panel != before.side_panel:
             self._show_side_panel(after)
         if after.presentation != before.presentation:
@@ -243,8 +234,7 @@ class ViewCommands:
 
     def _show_scale(self, scale: float, factor: float) -> None:
         central, docks = self._context.central, self._context.docks
-        for plots in (central.canvas, central.basis_panel, central.plot_panel):
-            plots.set_scale(scale)
+        central.set_scale(scale)
         late = [dock for dock in docks.all if isinstance(dock, LateDock)]
         for dock in late:
             dock.set_scale(scale)

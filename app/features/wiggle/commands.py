@@ -157,11 +157,11 @@ class WiggleCommands(QObject):
         """Return a cure that belongs to the document as it is now."""
         if self._cures is None or self._task.is_busy:
             return None
-        return next((each for each in self._cures.cures if each.name == key and each.document), None)
+        return next((each for each in self._cures.cures if each.remedy.name == key and each.document), None)
 
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
-        traces = (Trace((cure.points,), CURE_STYLE, cure.label),) if cure is not None else ()
+        traces = (Trace((cure.points,), CURE_STYLE, cure.remedy.label),) if cure is not None else ()
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Preview")
 
     def _apply(self, key: str) -> None:
@@ -170,7 +170,7 @@ class WiggleCommands(QObject):
             document = cure.document
             knot = self._cures.knot if self._cures is not None else 0
             self._preview("")
-            if self._session.change(cure.step, lambda _: document):
+            if self._session.change(cure.remedy.step, lambda _: document):
                 self._stay_in(knot)
 
     def _stay_in(self, knot: int) -> None:

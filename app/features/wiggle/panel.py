@@ -125,7 +125,7 @@ class WigglePanel(QScrollArea):
             "How far the curve swings out of the straight line between the two points"
         )
         self._headings[2].setToolTip("The Lebesgue constant: how much errors in the points can grow")
-        for row, (key, text, tip) in enumerate(CURES, start=1):
+        for row, (key, text, tip, *_) in enumerate(CURES, start=1):
             button = CureButton(key, text, tip)
             button.looked_at.connect(lambda key=key: self.looked_at.emit(key))
             button.left.connect(lambda: self.looked_at.emit(""))
@@ -155,7 +155,7 @@ class WigglePanel(QScrollArea):
 
     def render_cures(self, cures: Cures | None, *, busy: bool) -> None:
         """Show what each cure would do; muted while they are tried out."""
-        for place, (key, _, tip) in enumerate(CURES):
+        for place, (key, _, tip, *_) in enumerate(CURES):
             cure = cures.cures[place] if cures is not None else None
             self.buttons[key].setEnabled(cure is not None and cure.document is not None)
             self.buttons[key].setStatusTip(cure.problem or tip if cure is not None else tip)

@@ -1,4 +1,4 @@
-"""Why the curve goes where it goes: what the overlays, plots and tables show, as arrays to draw.
+"""Analysis of a curve: overlays, plots and tables as arrays to draw and words.
 
 - ``settings``: what is switched on and how; no part of the document.
 - ``overlay``, ``overlays``: what can be drawn over the curve: the record, and one file for each or two.

@@ -1,4 +1,4 @@
-"""What it costs to solve a system for coefficients, against the basis form that needs none.
+"""The cost of solving a system for coefficients, against the basis form that needs none.
 
 Operations are counted exactly; times are measured on this machine.
 """
@@ -63,7 +63,7 @@ class SolvingCost:
 
     @property
     def ratio(self) -> float:
-        """How many times the operations of the basis form solving takes."""
+        """The operations of solving over those of the basis form."""
         return self.solving / self.basis
 
 
@@ -81,26 +81,32 @@ def cost_of(view: CurveView, report: Report = silent) -> SolvingCost | None:
     if not view.is_current:
         return None
     t = view.parameters
-    points = view.points[[view.owner(knot) for knot in range(len(t))]]
-    middle = 0.5 * (t[0] + t[1])
+    points, middle = view.at_knots, 0.5 * (t[0] + t[1])
     solving, basis = _counts(len(t))
     seconds = (
         _median(lambda: _solve(t, points, middle), report),
         _median(lambda: _sum_basis(t, points, middle), report),
     )
-    family = view.source.family
-    pieces = family.derivatives if calculations(view) else 0
-    small = operation_counts(Calculation.MONOMIAL, len(t), derivatives=pieces) if pieces else None
+    family, piecewise, other = view.source.family, None, ""
+    if not calculations(view):
+        other = family.a_curve
+    elif family.derivatives:
+        piecewise = operation_counts(Calculation.MONOMIAL, len(t), derivatives=family.derivatives).setup
     solved, form, barycentric = (
         operation_counts(each, len(t)).per_point
         for each in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
     )
-    further = (solved, form, barycentric)
     twice = _counts(2 * len(t))
-    doubled = (twice[0] / solving, twice[1] / basis)
-    piecewise = small.setup if small is not None else None
-    other = "" if calculations(view) else family.a_curve
-    return SolvingCost(len(t), solving, basis, further, seconds, doubled, piecewise, other)
+    return SolvingCost(
+        count=len(t),
+        solving=solving,
+        basis=basis,
+        further=(solved, form, barycentric),
+        seconds=seconds,
+        doubled=(twice[0] / solving, twice[1] / basis),
+        piecewise=piecewise,
+        other=other,
+    )
 
 
 def cost_chart() -> CostChart:

@@ -1,15 +1,16 @@
-"""What would calm a curve: other parameters or another family, each tried out beside the document."""
+"""Cures for a curve that swings out: other parameters or another family, each tried beside the document."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from msgspec.structs import replace
 
 from app.document import edits
-from app.document.model import Document, ParametrizationKind, VelocityRule
-from app.families import HERMITE, QUINTIC_HERMITE
+from app.document.model import Curve, Document, ParametrizationKind, VelocityRule
+from app.families import HERMITE, QUINTIC_HERMITE, Family
 from app.tasks.progress import Report, silent, told
 from app.view_model.analysis.wiggle import overshoot
 from app.view_model.curve_view import CurveView, view_of
@@ -22,18 +23,62 @@ _MOST_LAGRANGE = 250
 """Points up to which Lagrange curves are tried: beyond it takes seconds, and nobody would want one."""
 
 
-@dataclass(frozen=True, eq=False)
-class Cure:
-    """Something to try.
+class Remedy(NamedTuple):
+    """Other parameters, or another family with a velocity rule.
 
     Attributes
     ----------
     name
-        Its key in `CURES`.
-    label
-        What the window calls it.
-    step
-        The name of the step in the history.
+        A key, of which object names are made.
+    label, step
+        Its words in the window, and the name of the step in the history.
+    rule, family
+        The rule for the parameters, or the family.
+    velocity_rule, estimates
+        The rule for the velocities of the family, and whether what was set by hand is estimated, too.
+    """
+
+    name: str
+    label: str
+    step: str
+    rule: ParametrizationKind | None = None
+    family: Family = HERMITE
+    velocity_rule: VelocityRule = VelocityRule.NATURAL_SPLINE
+    estimates: bool = False
+
+    def applied(self, document: Document, curve: int, parameters: list[float]) -> Document:
+        """Return the document with this remedy applied to one of its curves."""
+        if self.rule is not None:
+            return edits.set_parametrization(document, curve, self.rule, parameters)
+        result = edits.set_family(document, curve, self.family)
+        result = edits.set_velocity_rule(result, curve, self.velocity_rule)
+        if self.estimates:
+            result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].points)))
+        return result
+
+
+CURES = (
+    Remedy("chordLength", "Chord-length t", "Use chord length parameters", ParametrizationKind.CHORD_LENGTH),
+    Remedy("centripetal", "Centripetal t", "Use centripetal parameters", ParametrizationKind.CENTRIPETAL),
+    Remedy("chebyshev", "Chebyshev t", "Use chebyshev parameters", ParametrizationKind.CHEBYSHEV),
+    Remedy(
+        "hermite",
+        "Hermite, local tangents",
+        "Convert to Hermite",
+        velocity_rule=VelocityRule.BESSEL,
+    ),
+    Remedy("quintic", "Quintic Hermite", "Convert to quintic Hermite", family=QUINTIC_HERMITE),
+    Remedy("spline", "C² cubic spline", "Convert to the C² spline", estimates=True),
+)
+"""All remedies, in the order of the window."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cure:
+    """A remedy tried out on a curve.
+
+    Attributes
+    ----------
     document
         The document with it; None where it changes nothing or cannot be.
     points
@@ -46,19 +91,17 @@ class Cure:
         Why it cannot be, as a sentence; empty if it can.
     """
 
-    name: str
-    label: str
-    step: str
-    document: Document | None
-    points: FloatArray
-    overshoot: float
-    lebesgue: float
+    remedy: Remedy
+    document: Document | None = None
+    points: FloatArray = field(default_factory=lambda: np.empty((0, 2)))
+    overshoot: float = np.nan
+    lebesgue: float = np.nan
     problem: str = ""
 
     @property
     def is_in_use(self) -> bool:
         """Whether the curve is like that already."""
-        return self.document is None and self.problem == _IN_USE
+        return self.problem == _IN_USE
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,74 +110,41 @@ class Cures:
 
     Attributes
     ----------
-    view
-        The curve as it is.
     knot
-        Where the segment begins.
+        The beginning of the segment.
     """
 
-    view: CurveView
     knot: int
     overshoot: float
     lebesgue: float
     cures: tuple[Cure, ...]
 
 
-CURES = (
-    ("chordLength", "Chord-length t", "Use chord length parameters"),
-    ("centripetal", "Centripetal t", "Use centripetal parameters"),
-    ("chebyshev", "Chebyshev t", "Use chebyshev parameters"),
-    ("hermite", "Hermite, local tangents", "Convert to Hermite"),
-    ("quintic", "Quintic Hermite", "Convert to quintic Hermite"),
-    ("spline", "C² cubic spline", "Convert to the C² spline"),
-)
-"""The key, what the row says, and the name of the step."""
-
-_KINDS = {
-    "chordLength": ParametrizationKind.CHORD_LENGTH,
-    "centripetal": ParametrizationKind.CENTRIPETAL,
-    "chebyshev": ParametrizationKind.CHEBYSHEV,
-}
-
-
-def cured(document: Document, curve: int, key: str, parameters: list[float]) -> Document:
-    """Return the document with a cure applied to one of its curves."""
-    if key in _KINDS:
-        return edits.set_parametrization(document, curve, _KINDS[key], parameters)
-    family = QUINTIC_HERMITE if key == "quintic" else HERMITE
-    rule = VelocityRule.BESSEL if key == "hermite" else VelocityRule.NATURAL_SPLINE
-    result = edits.set_velocity_rule(edits.set_family(document, curve, family), curve, rule)
-    if key == "spline":
-        result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].points)))
-    return result
-
-
 def cures_of(document: Document, curve: int, view: CurveView, knot: int, report: Report = silent) -> Cures:
     """Try all cures for a segment."""
     found = []
-    for key, label, step in told(CURES, report, "Trying"):
-        document_then = cured(document, curve, key, view.parameters.tolist())
-        found.append(_tried((key, label, step), document_then, curve, view, knot))
-    return Cures(view, knot, overshoot(view, knot)[0], _lebesgue(view), tuple(found))
+    for remedy in told(CURES, report, "Trying"):
+        document_then = remedy.applied(document, curve, view.parameters.tolist())
+        found.append(_tried(remedy, document_then, curve, view, knot))
+    return Cures(knot, overshoot(view, knot)[0], _lebesgue(view), tuple(found))
 
 
-def _tried(words: tuple[str, str, str], document: Document, curve: int, view: CurveView, knot: int) -> Cure:
-    nothing = np.empty((0, 2))
-    if _shape(document, curve) == _shape(Document((view.source,)), 0):
-        return Cure(*words, None, nothing, overshoot(view, knot)[0], _lebesgue(view), _IN_USE)
-    family = document.curves[curve].family
+def _tried(remedy: Remedy, document: Document, curve: int, view: CurveView, knot: int) -> Cure:
+    source = document.curves[curve]
+    if _shape(source) == _shape(view.source):
+        return Cure(remedy, overshoot=overshoot(view, knot)[0], lebesgue=_lebesgue(view), problem=_IN_USE)
+    family = source.family
     if not family.is_local and len(view.parameters) > _MOST_LAGRANGE:
         what = "for one polynomial" if family.is_one_polynomial else "to try it"
-        return Cure(*words, None, nothing, np.nan, np.nan, f"Too many points {what}.")
-    other = view_of(document.curves[curve])
+        return Cure(remedy, problem=f"Too many points {what}.")
+    other = view_of(source)
     if not other.is_current or knot > len(other.parameters) - 2:
-        return Cure(*words, None, nothing, np.nan, np.nan, other.problem or "There is no such segment.")
-    return Cure(*words, document, other.polyline, overshoot(other, knot)[0], _lebesgue(other))
+        return Cure(remedy, problem=other.problem or "There is no such segment.")
+    return Cure(remedy, document, other.polyline, overshoot(other, knot)[0], _lebesgue(other))
 
 
-def _shape(document: Document, curve: int) -> object:
-    """Return what shapes a curve: the velocity rule of a curve without velocities does not."""
-    source = document.curves[curve]
+def _shape(source: Curve) -> Curve:
+    """Return a curve without what does not shape it: the velocity rule where there are no velocities."""
     if not source.family.derivatives:
         return replace(source, velocity_rule=VelocityRule.NATURAL_SPLINE)
     return source

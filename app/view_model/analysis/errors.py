@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from app.view_model.analysis.figures import number
 from app.view_model.analysis.settings import AnalysisSettings, ErrorSize
 from app.view_model.curve_view import CurveView
+from app.view_model.plane import size_of
 
 
 def usual_error(view: CurveView) -> float:
     """Return a round number near one hundredth of the size of the points."""
-    size = float(np.ptp(view.points, axis=0).max()) if len(view.points) else 0.0
+    size = size_of(view.points) if len(view.points) else 0.0
     return float(f"{size / 100:.0e}") if size > 0 else 0.01
 
 

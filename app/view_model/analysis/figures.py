@@ -1,4 +1,4 @@
-"""What can be drawn over a curve: geometry in the plane, and what it means."""
+"""Figures over a curve: geometry in the plane, each in a style that has a meaning."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from curvecore.arrays import FloatArray
 
 
 class Shape(enum.Enum):
-    """How the points of a figure belong together."""
+    """The ways in which the points of a figure belong together."""
 
     LINE = enum.auto()
     """A polyline; a row of NaN ends one and begins the next."""

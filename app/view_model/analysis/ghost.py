@@ -32,7 +32,7 @@ class Ghost(msgspec.Struct, frozen=True):
 
     @property
     def title(self) -> str:
-        """What people read: Chord length."""
+        """The words in the window: Chord length."""
         return self.family.label if self.family is not None else str(self.kind).replace("_", " ").capitalize()
 
     @property
@@ -42,7 +42,7 @@ class Ghost(msgspec.Struct, frozen=True):
 
     @property
     def tip(self) -> str:
-        """What its action does."""
+        """The tooltip of its action."""
         if self.family is not None:
             return f"Draw the same points as a {self.family.full_title} curve, too"
         rule = "Chebyshev" if self.kind is ParametrizationKind.CHEBYSHEV else str(self.kind).replace("_", "-")
@@ -50,7 +50,7 @@ class Ghost(msgspec.Struct, frozen=True):
 
     @property
     def style(self) -> LineStyle:
-        """How it looks: no two ghosts have the same dashes."""
+        """The look of its line: no two ghosts have the same dashes."""
         if self.family is None:
             return _RULE_STYLES[_rules().index(self)]
         place = FAMILIES.index(self.family)

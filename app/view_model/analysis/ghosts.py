@@ -6,14 +6,13 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
 from app.document import edits
 from app.document.model import Curve, Document, ParametrizationKind
 from app.families import Family
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.scene import is_quick
 from app.view_model.curve_view import Box, CurveView, view_of
+from app.view_model.sampling import all_along
 from curvecore.arrays import FloatArray
 
 
@@ -63,10 +62,8 @@ class GhostView:
     def _sampled(self) -> FloatArray:
         curve = self.view.curve
         assert curve is not None
-        knots = curve.parameters
-        count = max(_SAMPLES // (len(knots) - 1), _PER_SEGMENT)
-        inner = knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0.0, 1.0, count, endpoint=False)
-        return curve.evaluate(np.append(inner.ravel(), knots[-1]))
+        count = max(_SAMPLES // (len(curve.parameters) - 1), _PER_SEGMENT)
+        return curve.evaluate(all_along(curve.parameters, count))
 
 
 def with_ghost_real(document: Document, curve: int, ghost: Ghost) -> Document:

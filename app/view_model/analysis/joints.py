@@ -11,6 +11,7 @@ from enum import Enum
 import numpy as np
 
 from app.view_model.curve_view import CurveView
+from app.view_model.plane import size_of
 from curvecore import Joint, joint_report
 
 _MOST_NAMED = 3
@@ -21,7 +22,7 @@ _RESIDUE = 1e-9
 
 
 class JointKind(Enum):
-    """What happens at a joint, from smooth to broken; the value is its sign, beside its colour."""
+    """The kinds of joints, from smooth to broken; the value is the sign, beside its colour."""
 
     SMOOTH = "✓"
     ACCELERATION = "△"
@@ -40,7 +41,9 @@ _WORDS = {
     (0, 2): "The speed jumps, but direction and curvature go on: the drawn line shows no joint.",
     (0, 1): "Speed and curvature jump; the direction goes on: no corner, but a mover feels a blow.",
     (0, 0): "A corner: the direction jumps.",
+    (-1, -1): "The curve is broken.",
 }
+_RAISED = str.maketrans("012", "⁰¹²")
 
 
 @dataclass(frozen=True)
@@ -61,8 +64,10 @@ class JointRow:
         Between the tangents before and after, in degrees; NaN where the curve stands still.
     curvature
         The jump of the curvature; NaN where the curve stands still.
+    continuity
+        The orders of parametric and geometric continuity, up to 2; -1 for a break.
     smoothness
-        The class, as "C²", "C¹, G²" or "break".
+        The same as "C²", "C¹, G²" or "break".
     kind, words
         What that means.
     """
@@ -74,6 +79,7 @@ class JointRow:
     jumps: tuple[float, float, float]
     angle: float
     curvature: float
+    continuity: tuple[int, int]
     smoothness: str
     kind: JointKind
     words: str
@@ -110,25 +116,23 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
     point = view.owner(joint.joint)
     x, y = view.points[point].tolist()
     measured = (joint.point_jump, joint.velocity_jump, joint.acceleration_jump)
-    sizes = [0.0 if order <= joint.parametric else _size(each) for order, each in enumerate(measured)]
+    sizes = (math.hypot(*jump.tolist()) for jump in measured)
+    c, v, a = (0.0 if order <= joint.parametric else size for order, size in enumerate(sizes))
+    continuity = (joint.parametric, max(joint.parametric, joint.geometric))
     kind = _kind(joint)
-    words = _WORDS.get((joint.parametric, joint.geometric), "The curve is broken.")
     return JointRow(
         joint=point,
         t=joint.parameter,
         place=(x, y),
         reach=reaches[point],
-        jumps=(sizes[0], sizes[1], sizes[2]),
+        jumps=(c, v, a),
         angle=0.0 if joint.geometric >= 1 else math.degrees(joint.angle),
         curvature=_curvature_jump(joint),
-        smoothness=_class_text(joint),
+        continuity=continuity,
+        smoothness=joint.label.translate(_RAISED),
         kind=kind,
-        words=_RESTS if kind is JointKind.REST else words,
+        words=_RESTS if kind is JointKind.REST else _WORDS[continuity],
     )
-
-
-def _size(jump: np.ndarray[tuple[int], np.dtype[np.float64]]) -> float:
-    return math.hypot(*jump.tolist())
 
 
 def _curvature_jump(joint: Joint) -> float:
@@ -149,17 +153,6 @@ def _kind(joint: Joint) -> JointKind:
     return JointKind.SPEED if joint.geometric >= 1 else JointKind.CORNER
 
 
-def _class_text(joint: Joint) -> str:
-    if joint.parametric < 0:
-        return "break"
-    more = f", G{_raised(joint.geometric)}" if joint.geometric > joint.parametric else ""
-    return f"C{_raised(joint.parametric)}{more}"
-
-
-def _raised(order: int) -> str:
-    return "⁰¹²"[order]
-
-
 def _reaches(view: CurveView) -> list[float]:
     """Return for every point the distance to the nearer of its neighbours that is elsewhere."""
     points = view.points
@@ -169,28 +162,21 @@ def _reaches(view: CurveView) -> list[float]:
         steps[0] = steps[-1] = np.inf
     steps[steps == 0] = np.inf
     nearer = np.minimum(steps[:-1], steps[1:])
-    size = float(np.ptp(points, axis=0).max()) or 1.0
+    size = size_of(points) or 1.0
     reaches: list[float] = np.where(np.isfinite(nearer), nearer, size).tolist()
     return reaches
 
 
 def _summary(rows: Sequence[JointRow]) -> str:
     """Say the class of most joints, and which ones are less smooth, or have no direction."""
-    usual = Counter(row.smoothness for row in rows).most_common(1)[0][0]
-    rank = {row.smoothness: _rank(row) for row in rows}
-    worse = [row for row in rows if rank[row.smoothness] < rank[usual] or row.kind is JointKind.REST]
+    (orders, usual), _ = Counter((row.continuity, row.smoothness) for row in rows).most_common(1)[0]
+    worse = [row for row in rows if row.continuity < orders or row.kind is JointKind.REST]
     if not worse:
         return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its one joint."
     if len(worse) > _MOST_NAMED:
         return f"{usual} everywhere except at {len(worse)} of {len(rows)} joints."
     named = "; ".join(f"joint {row.joint}: {_brief(row)}" for row in worse)
     return f"{usual} everywhere except {named}."
-
-
-def _rank(row: JointRow) -> tuple[int, int]:
-    """Return how smooth a joint is: larger is smoother."""
-    digits = ["⁰¹²".index(mark) for mark in row.smoothness if mark in "⁰¹²"]
-    return (digits[0], digits[-1]) if digits else (-1, -1)
 
 
 def _brief(row: JointRow) -> str:

@@ -6,9 +6,10 @@ through few points it is computed in fractions; else in double precision, which 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,9 +17,9 @@ from app.tasks.progress import Report, silent
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 from app.view_model.curve_view import CoreCurve, CurveView
 from app.view_model.refusals import in_words
+from app.view_model.sampling import all_along
 from curvecore import (
     CurveError,
-    Method,
     available_methods,
     digits_lost,
     evaluate_rounded,
@@ -48,10 +49,12 @@ done once for all parameters costs too much to be done for each chunk."""
 _MOST_CONDITION = 128
 _FARTHEST = 1e12
 
+_Result = TypeVar("_Result")
+
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What one method made of the curve.
+    """The result of one method.
 
     Attributes
     ----------
@@ -74,7 +77,7 @@ class Outcome:
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """What the laboratory found out about one curve.
+    """The findings of the laboratory about one curve.
 
     Attributes
     ----------
@@ -101,22 +104,6 @@ class Trial:
     def outcome(self, calculation: Calculation) -> Outcome | None:
         """Return what this method made, None if it was not tried."""
         return next((each for each in self.outcomes if each.calculation is calculation), None)
-
-
-@dataclass(frozen=True, eq=False)
-class ErrorLine:
-    """The distance to the true curve over t, for one method: t (m,) and errors (m,), some may be infinite."""
-
-    calculation: Calculation
-    t: FloatArray
-    errors: FloatArray
-
-
-@dataclass(frozen=True)
-class Refused:
-    """Why there is no trial, as a sentence."""
-
-    reason: str
 
 
 @dataclass(frozen=True)
@@ -147,47 +134,42 @@ def calculations(view: CurveView) -> tuple[Calculation, ...]:
     return tuple(Calculation(method.value) for method in available_methods(view.source.family.derivatives))
 
 
-def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = silent) -> Trial | Refused:
-    """Compute a curve by the chosen methods."""
+def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = silent) -> Trial | str:
+    """Compute a curve by the chosen methods; where that cannot be, return why, as a sentence."""
     if not view.is_current:
-        return Refused(view.problem or "There is no curve yet.")
+        return view.problem
     if not calculations(view):
-        return Refused(
+        return (
             f"The laboratory computes polynomials through the points; {view.source.family.a_curve} is "
             "made of other functions."
         )
     count = len(view.parameters)
     if count > MOST_AT_ALL:
-        return Refused(
-            f"{count} points are too many for arithmetic done digit by digit; it goes up to {MOST_AT_ALL}."
-        )
+        return f"{count} points are too many for arithmetic done digit by digit; it goes up to {MOST_AT_ALL}."
     try:
         return _trial(view, settings, report)
     except CurveError as problem:
-        return Refused(_refusal(settings, problem))
+        return _refusal(settings, problem)
 
 
 def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Trial:
     count = len(view.parameters)
     chosen, note = _affordable(view, settings)
-    trials = [_Experiment(piece, settings) for piece in view.pieces]
     per_segment = max(3, SAMPLES // (count - 1))
-    where = [_samples(piece.parameters, per_segment) for piece in view.pieces]
-    truths = [trial.truth(t) for trial, t in zip(trials, where, strict=True)]
+    experiments = [
+        (_Experiment(piece, settings), all_along(piece.parameters, per_segment)) for piece in view.pieces
+    ]
+    t = np.concatenate([where for _, where in experiments])
+    truth = np.vstack([experiment.truth(where) for experiment, where in experiments])
     outcomes, computed = list[Outcome](), list[FloatArray]()
     for calculation in chosen:
         # From rounded data, with exact arithmetic, all methods come to the same.
         if settings.rounding is not RoundedPart.DATA or not outcomes:
-            computed = [trial.values(t, calculation, report) for trial, t in zip(trials, where, strict=True)]
-        outcomes.append(_outcome(calculation, computed, truths, where, settings))
+            computed = [each.values(where, calculation, report) for each, where in experiments]
+        outcomes.append(_outcome(calculation, computed, truth, t, settings.digits))
     solves = settings.rounding is RoundedPart.EVERY_STEP and count <= _MOST_CONDITION
-    condition = max(trial.condition() for trial in trials) if solves else None
-    return Trial(view, settings, np.concatenate(where), tuple(outcomes), condition, note)
-
-
-def error_lines(trial: Trial) -> list[ErrorLine]:
-    """Return what a plot on a logarithmic scale shows of a trial."""
-    return [ErrorLine(each.calculation, trial.t, each.errors) for each in trial.outcomes]
+    condition = max(experiment.condition() for experiment, _ in experiments) if solves else None
+    return Trial(view, settings, t, tuple(outcomes), condition, note)
 
 
 def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
@@ -196,8 +178,7 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
         return None
     start, end = view.parameters[[0, -1]].tolist()
     t = min(max(t, start), end)
-    pieces = view.pieces
-    piece = next((each for each in pieces if t <= each.parameters[-1]), pieces[-1])
+    piece = next(each for each in view.pieces if t <= each.parameters[-1])
     try:
         experiment = _Experiment(piece, settings)
         rows = tuple(
@@ -217,10 +198,10 @@ class _Experiment:
     def __init__(self, piece: CoreCurve, settings: LaboratorySettings) -> None:
         self._piece, self._settings = piece, settings
         self._shifted = piece.parameters + settings.shift
-        jets, parameters = piece.jets, self._shifted
+        self._jets, self._parameters = piece.jets, self._shifted
         if settings.decimals is not None:
-            jets, parameters = round_data(jets, settings.decimals), round_data(parameters, settings.decimals)
-        self._jets, self._parameters = jets, parameters
+            self._jets = round_data(self._jets, settings.decimals)
+            self._parameters = round_data(self._parameters, settings.decimals)
         # Refused where they make no curve.
         self._shifted_curve = piece.with_data(piece.jets, self._shifted)
         self._given_curve = piece.with_data(self._jets, self._parameters)
@@ -239,37 +220,24 @@ class _Experiment:
         for start in range(0, len(t), chunk):
             report(start / len(t), "Computing")
             part = slice(start, start + chunk)
-            result[part] = evaluate_rounded(
-                self._jets[:, 0],
-                self._parameters,
-                at[part],
-                *self._how(calculation),
-                *self._derivatives(),
-                rounding=self._settings.rounding.value,
-            )
+            result[part] = self._rounded(evaluate_rounded, at[part], calculation)
         return result
 
     def digits(self, t: float, calculation: Calculation) -> tuple[str, str]:
         """Return the digits of x and y at one t."""
-        ((x, y),) = rounded_decimals(
-            self._jets[:, 0],
-            self._parameters,
-            t + self._settings.shift,
-            *self._how(calculation),
-            *self._derivatives(),
-            rounding=self._settings.rounding.value,
-        )
+        ((x, y),) = self._rounded(rounded_decimals, t + self._settings.shift, calculation)
         if self._settings.rounding is RoundedPart.EVERY_STEP:
             return str(x), str(y)
         # As many as are shown of the truth: what is computed exactly has no last digit of its own.
         shown = self._settings.digits + 2
         return f"{x:.{shown}g}", f"{y:.{shown}g}"
 
-    def _how(self, calculation: Calculation) -> tuple[Method, int]:
-        return Method(calculation.value), self._settings.digits
-
-    def _derivatives(self) -> Iterator[FloatArray]:
-        return (self._jets[:, order] for order in range(1, self._jets.shape[1]))
+    def _rounded(
+        self, compute: Callable[..., _Result], at: FloatArray | float, calculation: Calculation
+    ) -> _Result:
+        points, *derivatives = self._jets.swapaxes(0, 1)
+        how = (calculation, self._settings.digits, *derivatives)
+        return compute(points, self._parameters, at, *how, rounding=self._settings.rounding)
 
     def condition(self) -> float:
         """Return the condition number of the system for the coefficients in powers of t."""
@@ -304,24 +272,14 @@ def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
     return f"The shift is too large: neighbouring t become the same number ({in_words(str(problem))})."
 
 
-def _samples(knots: FloatArray, per_segment: int) -> FloatArray:
-    """Return so many t for each segment, and the knots."""
-    shares = np.arange(per_segment) / per_segment
-    return np.append((knots[:-1, None] + np.diff(knots)[:, None] * shares).ravel(), knots[-1])
-
-
 def _outcome(
-    calculation: Calculation,
-    computed: list[FloatArray],
-    truths: list[FloatArray],
-    where: list[FloatArray],
-    settings: LaboratorySettings,
+    calculation: Calculation, computed: list[FloatArray], truth: FloatArray, t: FloatArray, digits: int
 ) -> Outcome:
-    found, truth, t = np.concatenate(computed), np.concatenate(truths), np.concatenate(where)
+    found = np.vstack(computed)
     with np.errstate(over="ignore"):
         away = found - truth
         errors = np.nan_to_num(np.hypot(away[:, 0], away[:, 1]), nan=np.inf)
-    lost = float(digits_lost(found, truth, settings.digits).max())
+    lost = float(digits_lost(found, truth, digits).max())
     worst = int(np.argmax(errors))
     pieces = tuple(part for each in computed for part in _finite_runs(each))
     return Outcome(calculation, pieces, errors, lost, (float(errors[worst]), float(t[worst])))

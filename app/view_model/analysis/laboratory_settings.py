@@ -1,4 +1,4 @@
-"""What the stability laboratory computes: an experiment, no part of the document."""
+"""The experiment of the stability laboratory: no part of the document."""
 
 from __future__ import annotations
 
@@ -10,6 +10,14 @@ from app.view_model.line_styles import BLUE, GREEN, PURPLE, USUAL_STYLE, VERMILL
 LEAST_DIGITS, MOST_DIGITS = 2, 16
 MOST_DECIMALS = 6
 USUAL_SHIFT = 100.0
+
+
+def _dashed(colour: str, *dashes: float) -> LineStyle:
+    return LineStyle(colour, width=2.0, dashes=dashes)
+
+
+_BASIS_FORM = _dashed(BLUE, 2, 2)
+"""The line of a basis form; no curve has two of them."""
 
 
 class Calculation(NamedEnum):
@@ -31,36 +39,21 @@ class Calculation(NamedEnum):
         "monomial",
         "Monomials",
         "Solve the system for the coefficients of 1, t, t², …, then Horner's scheme",
-        LineStyle(VERMILLION, width=2.0, dashes=(5.0, 2.0)),
+        _dashed(VERMILLION, 5, 2),
     )
     NEWTON = (
         "newton",
         "Newton",
         "Divided differences, then Newton's form",
-        LineStyle(PURPLE, width=2.0, dashes=(6.0, 2.0, 1.0, 2.0)),
+        _dashed(PURPLE, 6, 2, 1, 2),
     )
-    LAGRANGE = (
-        "lagrange",
-        "Lagrange",
-        "The basis functions Lᵢ as products, times the points",
-        LineStyle(BLUE, width=2.0, dashes=(2.0, 2.0)),
-    )
-    BARYCENTRIC = (
-        "barycentric",
-        "Barycentric",
-        "The second barycentric formula",
-        LineStyle(GREEN, width=2.0, dashes=(1.0, 1.5)),
-    )
-    BASIS = (
-        "basis",
-        "Hermite basis",
-        "The Hermite basis functions of the local parameter",
-        LineStyle(BLUE, width=2.0, dashes=(2.0, 2.0)),
-    )
+    LAGRANGE = "lagrange", "Lagrange", "The basis functions Lᵢ as products, times the points", _BASIS_FORM
+    BARYCENTRIC = "barycentric", "Barycentric", "The second barycentric formula", _dashed(GREEN, 1, 1.5)
+    BASIS = "basis", "Hermite basis", "The Hermite basis functions of the local parameter", _BASIS_FORM
 
 
 class RoundedPart(NamedEnum):
-    """What is rounded, in the order in which the window lists it."""
+    """The numbers that are rounded, in the order in which the window lists them."""
 
     EVERY_STEP = "every_step", "every step"
     COEFFICIENTS = "coefficients", "the coefficients"

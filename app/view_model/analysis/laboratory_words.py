@@ -1,4 +1,4 @@
-"""What is to be seen in the laboratory, in a sentence or two."""
+"""The findings of the laboratory, in a sentence or two."""
 
 from __future__ import annotations
 

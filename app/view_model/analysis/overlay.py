@@ -29,7 +29,7 @@ Entry = tuple[LineStyle, str]
 
 
 class Group(enum.IntEnum):
-    """What an overlay shows; overlays of a group stand together."""
+    """The subjects of overlays; overlays of a group stand together."""
 
     SHAPE = 0
     POLYGONS = 1
@@ -85,7 +85,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Where it stands among the others."""
+        """The place among the others."""
         return self.group, self.place
 
     @property

@@ -16,7 +16,7 @@ from app.view_model.curve_view import CurveView
 
 
 class Picture(msgspec.Struct, frozen=True, eq=False):
-    """What is drawn over a curve, the first figure at the bottom, and a sentence to some of the overlays."""
+    """The figures over a curve, the first one at the bottom, and a sentence to some of the overlays."""
 
     figures: list[Figure] = []
     notes: dict[Overlay, str] = {}

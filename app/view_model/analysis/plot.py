@@ -77,7 +77,7 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Where it stands among the others."""
+        """The place among the others."""
         return (self.place,)
 
     @property

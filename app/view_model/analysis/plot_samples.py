@@ -1,4 +1,4 @@
-"""Where a curve is sampled for plots over t: no more often than there are pixels, one-sided at joints."""
+"""The samples of a curve for plots over t: no more of them than there are pixels, one-sided at joints."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.view_model.curve_view import CurveView
+from app.view_model.sampling import one_sided
 from curvecore import lebesgue_function
 from curvecore.arrays import FloatArray, IntArray
 
@@ -81,14 +82,9 @@ def _of_segments(cuts: FloatArray, pixels: float, knots: FloatArray) -> PlotSamp
     """Sample every segment between cuts in proportion to the pixels it takes, both of its ends included."""
     spacing = np.diff(cuts)
     counts = np.clip(np.ceil(spacing * pixels / _PIXELS_A_SAMPLE), _LEAST, _MOST_A_SEGMENT).astype(np.intp)
-    first = np.concatenate([[0], np.cumsum(counts)])
-    segment = np.repeat(np.arange(len(spacing)), counts)
-    share = (np.arange(first[-1]) - first[segment]) / (counts[segment] - 1)
-    t = cuts[segment] + share * spacing[segment]
-    # A hair before the joint, so that it counts to the segment before.
-    t[first[1:] - 1] = np.nextafter(cuts[1:], cuts[:-1])
-    if cuts[-1] == knots[-1]:
-        t[-1] = cuts[-1]
+    t, first = one_sided(cuts, counts)
+    if cuts[-1] < knots[-1]:
+        t[-1] = np.nextafter(cuts[-1], cuts[-2])
     return PlotSamples(t, first[1:-1].astype(np.intp))
 
 

@@ -8,9 +8,11 @@ import msgspec
 import numpy as np
 
 from app.tasks.progress import Report, silent
-from app.view_model.analysis.samples import PieceSamples, samples_of
+from app.view_model.analysis.samples import samples_of
 from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 from app.view_model.curve_view import CurveView
+from app.view_model.plane import size_of
+from app.view_model.sampling import Samples
 from curvecore.arrays import FloatArray
 
 _QUICK = 64
@@ -38,14 +40,14 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self.settings.value(setting)
 
     @cached_property
-    def samples(self) -> list[PieceSamples]:
+    def samples(self) -> list[Samples]:
         """Samples of every piece; computed once for all overlays."""
         return samples_of(self.view)
 
     @cached_property
     def size(self) -> float:
         """The larger side of the box around the points."""
-        return float(np.ptp(self.view.points, axis=0).max())
+        return size_of(self.view.points)
 
     def at_scrub(self, order: int) -> FloatArray | None:
         """Return a derivative at the scrub line, None without a line or where it is not finite."""
@@ -59,16 +61,3 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
 def is_quick(view: CurveView) -> bool:
     """Whether derivatives along the whole curve can be had in every frame of a drag."""
     return view.curve is None or view.curve.is_local or len(view.parameters) <= _QUICK
-
-
-def usual_length(vectors: FloatArray, longest: float) -> float:
-    """Return the length that nine tenths of the vectors keep, or the longest if that is not far above.
-
-    One endless vector, at a cusp for instance, shall not make all others invisible.
-    """
-    lengths = np.hypot(vectors[:, 0], vectors[:, 1])
-    lengths = lengths[np.isfinite(lengths)]
-    if not len(lengths):
-        return 0.0
-    usual = float(np.quantile(lengths, 0.9, method="lower"))
-    return min(float(lengths.max()), longest * usual) if usual > 0 else float(lengths.max())

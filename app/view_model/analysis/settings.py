@@ -1,4 +1,4 @@
-"""What is shown over the curve, and how: neither saved with the document nor undone."""
+"""The settings of all that is shown over the curve: neither saved with the document nor undone."""
 
 from __future__ import annotations
 

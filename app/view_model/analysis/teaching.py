@@ -1,4 +1,4 @@
-"""When the numbers of a curve deserve a word of warning, and which."""
+"""Warnings about the numbers of a curve."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ however many, never come below a third."""
 
 
 class Topic(enum.Enum):
-    """What a warning is about."""
+    """The subjects of warnings."""
 
     LEBESGUE = enum.auto()
     GAP = enum.auto()

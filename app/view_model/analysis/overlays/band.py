@@ -16,11 +16,12 @@ import curvecore
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
 from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
-from app.view_model.analysis.samples import PieceSamples, unit_tangents
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.line_styles import LineStyle, Sign
 from app.view_model.parameter_slopes import parameter_moves
+from app.view_model.plane import to_the_left, unit_tangents
+from app.view_model.sampling import Samples
 from curvecore.arrays import BoolArray, FloatArray
 
 AREA = LineStyle("accent", 0.16, sign=Sign.AREA)
@@ -72,25 +73,24 @@ def _band(scene: Scene) -> Drawn:
     return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
 
 
-def _thinned(piece: PieceSamples, most: int) -> PieceSamples:
+def _thinned(piece: Samples, most: int) -> Samples:
     """Leave out samples that repeat the one before, and more than a drawing needs."""
     t = piece.parameters
     kept = np.flatnonzero(np.append(np.diff(t) > 1e-9 * (t[-1] - t[0]), True))
     step = -(-len(kept) // most)
     kept = np.unique(np.append(kept[::step], kept[-1]))
-    return PieceSamples(t[kept], piece.points[kept], piece.velocities[kept], piece.accelerations[kept])
+    return Samples(*(column[kept] for column in piece))
 
 
-def _strip(piece: PieceSamples, radii: FloatArray) -> list[FloatArray]:
+def _strip(piece: Samples, radii: FloatArray) -> list[FloatArray]:
     """Return polygons that cover the discs around the samples and what lies between them."""
     tangents = unit_tangents(piece.velocities)
-    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     speed = np.hypot(piece.velocities[:, 0], piece.velocities[:, 1])
     growth = np.gradient(radii, piece.parameters) / np.where(speed > 0, speed, np.inf)
     # Where discs grow they touch their envelope behind the centre; faster than the curve, they have none.
     behind = np.clip(np.nan_to_num(growth), -1.0, 1.0)
     middle = piece.points - (radii * behind)[:, None] * tangents
-    half = (radii * np.sqrt(1.0 - behind**2))[:, None] * normals
+    half = (radii * np.sqrt(1.0 - behind**2))[:, None] * to_the_left(tangents)
     left, right = middle + half, middle - half
     discs = _abrupt(behind, tangents)
     return [*_ribbons(left, right, tangents), *_discs(piece.points[discs], radii[discs])]

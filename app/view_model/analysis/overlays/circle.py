@@ -7,15 +7,15 @@ import numpy as np
 import curvecore
 from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.samples import unit_tangents
 from app.view_model.analysis.scene import Scene
 from app.view_model.line_styles import PURPLE, LineStyle
+from app.view_model.plane import to_the_left, unit_tangents
 
 LINE = LineStyle(PURPLE, width=1.4)
 CENTRE = LineStyle(PURPLE, 0.8)
 
 _REACH = 10.0
-"""How much of a large circle is drawn to either side, in sizes of the curve."""
+"""The part of a large circle that is drawn to either side, in sizes of the curve."""
 
 _STRAIGHT = 1e-6
 """Share of 1 / size below which a curvature counts as none."""
@@ -36,8 +36,8 @@ def _circle(scene: Scene) -> Drawn:
     if np.isnan(curvature):
         return [], AT_REST
     reach = _REACH * scene.size
-    tangent = unit_tangents(velocity[None])[0]
-    normal = np.array([-tangent[1], tangent[0]])
+    tangents = unit_tangents(velocity[None])
+    tangent, normal = tangents[0], to_the_left(tangents)[0]
     if abs(curvature) * scene.size < _STRAIGHT:
         line = here + np.outer([-reach, reach], tangent)
         return [Figure(LINE, Shape.LINE, line)], NO_BEND

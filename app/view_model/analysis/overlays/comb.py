@@ -11,10 +11,11 @@ import numpy as np
 import curvecore
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.samples import PieceSamples, unit_tangents
-from app.view_model.analysis.scene import Scene, usual_length
+from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Factor
 from app.view_model.line_styles import LineStyle
+from app.view_model.plane import to_the_left, unit_tangents, usual_length
+from app.view_model.sampling import Samples
 from curvecore.arrays import FloatArray
 
 TEETH = LineStyle("accent", 0.35)
@@ -27,13 +28,13 @@ _SHARE = 0.2
 """The longest tooth against the size of the points at scale 1."""
 
 _LONGEST = 5.0
-"""How far a tooth may surpass nine tenths of all teeth: at a cusp it would be infinite."""
+"""The most by which a tooth surpasses nine tenths of all teeth: at a cusp it would be infinite."""
 
 
 def _comb(scene: Scene) -> Drawn:
     """Return the comb of a curve: its teeth, and the line through their ends."""
     pieces = scene.samples
-    teeth = [_normals(piece) * -np.nan_to_num(_curvature(piece))[:, None] for piece in pieces]
+    teeth = [_tooth(piece) for piece in pieces]
     if not pieces:
         return [], ""
     longest = usual_length(np.vstack(teeth), _LONGEST)
@@ -46,14 +47,10 @@ def _comb(scene: Scene) -> Drawn:
     return figures, ""
 
 
-def _curvature(piece: PieceSamples) -> FloatArray:
-    return curvecore.curvature_of(piece.velocities, piece.accelerations)
-
-
-def _normals(piece: PieceSamples) -> FloatArray:
-    """Return unit normals to the left of the curve, zero where it stands still."""
-    tangents = unit_tangents(piece.velocities)
-    return np.column_stack([-tangents[:, 1], tangents[:, 0]])
+def _tooth(piece: Samples) -> FloatArray:
+    """Return the curvature as vectors to the outer side of the bend, zero where the curve stands still."""
+    curvature = np.nan_to_num(curvecore.curvature_of(piece.velocities, piece.accelerations))
+    return to_the_left(unit_tangents(piece.velocities)) * -curvature[:, None]
 
 
 COMB = Overlay(

@@ -12,7 +12,7 @@ from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Count, OverlaySetting
 from app.view_model.line_styles import LineStyle
 from app.view_model.refusals import in_words
-from curvecore.arrays import FloatArray
+from app.view_model.sampling import all_along
 
 LINES = LineStyle("muted", 0.3)
 
@@ -40,17 +40,11 @@ def _disturbed_curves(scene: Scene) -> Drawn:
     except curvecore.CurveError as reason:
         text = in_words(str(reason).replace("parameter_error", "δ"))
         return [], f"Not drawn: {text}."
-    curves = made.evaluate(_parameters(curve.parameters))
+    per_segment = max(_SAMPLES // (len(curve.parameters) - 1), 3)
+    curves = made.evaluate(all_along(curve.parameters, per_segment))
     lines = np.concatenate([curves, np.full((len(curves), 1, 2), np.nan)], axis=1)
     words = f"{len(curves)} curves, seed {seed}."
     return [Figure(LINES, Shape.LINE, lines.reshape(-1, 2))], words
-
-
-def _parameters(knots: FloatArray) -> FloatArray:
-    """Return parameters for a drawing, the knots among them."""
-    count = max(_SAMPLES // (len(knots) - 1), 3)
-    inner = knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0.0, 1.0, count, endpoint=False)
-    return np.append(inner.ravel(), knots[-1])
 
 
 ENSEMBLE = Overlay(

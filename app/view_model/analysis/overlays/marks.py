@@ -1,4 +1,4 @@
-"""Where the curve bends otherwise, bends most, bends least, and crosses itself."""
+"""Inflections, the sharpest and the flattest places of the curve, and its crossings with itself."""
 
 from __future__ import annotations
 

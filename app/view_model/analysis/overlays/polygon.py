@@ -12,9 +12,7 @@ SIDES = LineStyle("muted", 0.8, dashes=(2.0, 4.0))
 
 def _polygon(scene: Scene) -> Drawn:
     """Return the polygon through the points."""
-    view = scene.view
-    points = view.points[[*range(len(view.points)), *([0] if view.source.is_closed else [])]]
-    return [Figure(SIDES, Shape.LINE, points)], ""
+    return [Figure(SIDES, Shape.LINE, scene.view.at_knots)], ""
 
 
 POLYGON = Overlay(

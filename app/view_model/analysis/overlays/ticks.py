@@ -6,10 +6,10 @@ import numpy as np
 
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.samples import unit_tangents
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Count
 from app.view_model.line_styles import LineStyle
+from app.view_model.plane import to_the_left, unit_tangents
 
 TICK = LineStyle("accent", width=1.4)
 
@@ -24,7 +24,7 @@ def _ticks(scene: Scene) -> Drawn:
         return [], ""
     t = np.linspace(*curve.domain, int(scene.value(COUNT)) + 1)
     places, tangents = curve.evaluate(t), unit_tangents(curve.evaluate(t, 1))
-    across = np.column_stack([-tangents[:, 1], tangents[:, 0]]) * scene.size
+    across = to_the_left(tangents) * scene.size
     points = np.hstack([places, places + across]).reshape(-1, 2)
     return [Figure(TICK, Shape.TICKS, points)], ""
 

@@ -8,9 +8,10 @@ import numpy as np
 
 from app.view_model.analysis.figures import Figure, Shape, number
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene, usual_length
+from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Factor
 from app.view_model.line_styles import GREEN, VERMILLION, LineStyle
+from app.view_model.plane import usual_length
 from curvecore.arrays import FloatArray
 
 VELOCITY = LineStyle(GREEN, width=1.6)
@@ -64,33 +65,28 @@ def _at_knots(scene: Scene, order: int) -> tuple[FloatArray, FloatArray]:
     return np.vstack(places), np.vstack(arrows)
 
 
-VELOCITIES = Overlay(
-    name="velocities",
-    text="Velocities",
-    full_name="Velocities as Arrows",
-    tip="Draw c′ as arrows at the points and at the scrub line",
-    key="Ctrl+Alt+2",
-    icon="velocity",
-    group=Group.SHAPE,
-    place=20,
-    layer=70,
-    draw=partial(_vectors, 1, VELOCITY, VELOCITY_SCALE, "|c′|"),
-    settings=(VELOCITY_SCALE,),
-    follows_scrub=True,
-    legend=lambda _settings: [(VELOCITY, "Velocity c′")],
-)
-ACCELERATIONS = Overlay(
-    name="accelerations",
-    text="Accelerations",
-    full_name="Accelerations as Arrows",
-    tip="Draw c″ as arrows at the points and at the scrub line; two where it jumps",
-    key="Ctrl+Alt+3",
-    icon="acceleration",
-    group=Group.SHAPE,
-    place=30,
-    layer=80,
-    draw=partial(_vectors, 2, ACCELERATION, ACCELERATION_SCALE, "|c″|"),
-    settings=(ACCELERATION_SCALE,),
-    follows_scrub=True,
-    legend=lambda _settings: [(ACCELERATION, "Acceleration c″")],
+def _overlay(
+    order: int, name: str, plural: str, symbol: str, style: LineStyle, scale: Factor, more: str = ""
+) -> Overlay:
+    """Return the overlay of a derivative, whose vectors have this name."""
+    return Overlay(
+        name=plural.lower(),
+        text=plural,
+        full_name=f"{plural} as Arrows",
+        tip=f"Draw {symbol} as arrows at the points and at the scrub line{more}",
+        key=f"Ctrl+Alt+{order + 1}",
+        icon=name.lower(),
+        group=Group.SHAPE,
+        place=10 + 10 * order,
+        layer=60 + 10 * order,
+        draw=partial(_vectors, order, style, scale, f"|{symbol}|"),
+        settings=(scale,),
+        follows_scrub=True,
+        legend=lambda _settings: [(style, f"{name} {symbol}")],
+    )
+
+
+VELOCITIES = _overlay(1, "Velocity", "Velocities", "c′", VELOCITY, VELOCITY_SCALE)
+ACCELERATIONS = _overlay(
+    2, "Acceleration", "Accelerations", "c″", ACCELERATION, ACCELERATION_SCALE, "; two where it jumps"
 )

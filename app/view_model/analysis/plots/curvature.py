@@ -11,7 +11,7 @@ from app.view_model.analysis.plot import Plot, Sampled
 from app.view_model.analysis.plot_lines import PlotData
 
 _SPIKE = 6.0
-"""How far a curvature may surpass nine tenths of all: at a cusp it would be infinite."""
+"""The most by which a curvature surpasses nine tenths of all: at a cusp it would be infinite."""
 
 
 def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:

@@ -1,46 +1,26 @@
-"""How long the derivatives are: speed, acceleration and jerk."""
+"""The lengths of the derivatives over t: speed, acceleration and jerk."""
 
 from __future__ import annotations
 
-from app.view_model.analysis.plot import Plot, Sampled
-from curvecore.arrays import FloatArray
+from app.view_model.analysis.plot import Plot
 from curvecore.vectors import vector_lengths
 
 
-def _length(sampled: Sampled, order: int) -> FloatArray:
-    return vector_lengths(sampled.derivatives[order])
+def _length_of(order: int, title: str, symbol: str, tip: str) -> Plot:
+    """Return the plot of the length of a derivative."""
+    return Plot(
+        name=title.lower(),
+        text=title,
+        tip=tip,
+        icon=f"plot-{title.lower()}",
+        title=f"{title} {symbol}",
+        symbol=symbol,
+        place=10 * order,
+        orders=(order,),
+        values=lambda sampled: vector_lengths(sampled.derivatives[order]),
+    )
 
 
-SPEED = Plot(
-    name="speed",
-    text="Speed",
-    tip="Plot the speed |c′| over t, below the basis functions",
-    icon="plot-speed",
-    title="Speed |c′|",
-    symbol="|c′|",
-    place=10,
-    orders=(1,),
-    values=lambda sampled: _length(sampled, 1),
-)
-ACCELERATION = Plot(
-    name="acceleration",
-    text="Acceleration",
-    tip="Plot the size of the acceleration |c″| over t",
-    icon="plot-acceleration",
-    title="Acceleration |c″|",
-    symbol="|c″|",
-    place=20,
-    orders=(2,),
-    values=lambda sampled: _length(sampled, 2),
-)
-JERK = Plot(
-    name="jerk",
-    text="Jerk",
-    tip="Plot |c‴| over t: how fast the acceleration changes",
-    icon="plot-jerk",
-    title="Jerk |c‴|",
-    symbol="|c‴|",
-    place=30,
-    orders=(3,),
-    values=lambda sampled: _length(sampled, 3),
-)
+SPEED = _length_of(1, "Speed", "|c′|", "Plot the speed |c′| over t, below the basis functions")
+ACCELERATION = _length_of(2, "Acceleration", "|c″|", "Plot the size of the acceleration |c″| over t")
+JERK = _length_of(3, "Jerk", "|c‴|", "Plot |c‴| over t: how fast the acceleration changes")

@@ -7,10 +7,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
-from app.panels.basis_hits import hit_test
-from app.panels.basis_layers import rail_height
-from app.panels.basis_scene import BasisScene
-from app.panels.tick_edit import TickEdit
+from app.features.basis.hits import hit_test
+from app.features.basis.layers import rail_height
+from app.features.basis.scene import BasisScene
+from app.features.basis.tick_edit import TickEdit
 from app.plotting.camera import CameraOverT
 from app.plotting.tool_plot import ToolPlot
 from app.tools.pointer import Hit, Part, Pointer

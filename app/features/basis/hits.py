@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.panels.basis_layers import RailLayer, rail_height
+from app.features.basis.layers import RailLayer, rail_height
 from app.plotting.pixel_map import PixelMap
 from app.tools.pointer import Hit, Part, Pointer
 from app.view_model.basis_view import BasisView

@@ -12,8 +12,8 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.appearance.theme import mix
 from app.document.words import number
-from app.panels.crest_names import CrestNames
-from app.panels.function_lines import FunctionDrawing, FunctionLines, way_to_draw
+from app.features.basis.crest_names import CrestNames
+from app.features.basis.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.colours import colours_of
 from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer

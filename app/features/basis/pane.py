@@ -6,10 +6,10 @@ from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from app.appearance.theme import LIGHT, Theme
+from app.appearance.theme import Theme
 from app.document.words import number
-from app.panels.basis_panel import BasisPanel
-from app.panels.function_lines import note_on_drawing
+from app.features.basis.function_lines import note_on_drawing
+from app.features.basis.panel import BasisPanel
 from app.plotting.pens import SIGN, sign_pixmap
 from app.qt.labels import Label
 from app.qt.overrides import Guarded
@@ -20,6 +20,7 @@ from app.widgets.action_switch import mirror
 from app.widgets.choice_style import choice_style
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.fitting import Scrolled
+from app.workbench.central_pane import CentralPane
 
 _NOTHING = "none while the rule gives no parameters"
 _NAMES = ("position", "velocity", "acceleration")
@@ -36,16 +37,15 @@ _LEAST_HEADER = QSize(260, 100)
 """Largest minimum size of the header."""
 
 
-class BasisPane(Guarded, QWidget):
+class BasisPane(Guarded, CentralPane):
     """The lower third of the window."""
 
-    def __init__(self, panel: BasisPanel, parent: QWidget | None = None) -> None:
+    def __init__(self, panel: BasisPanel, estimates: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("basisPane")
-        self._panel = panel
+        self.plot = self._panel = panel
         self._title = Label("Basis functions")
         self._title.setObjectName("basisTitle")
-        self._estimates = self._estimates_button()
+        self._estimates = self._estimates_button(estimates)
         self._with_estimates = self._shows_cardinals = False
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._formulas: tuple[str, ...] = ()
@@ -61,25 +61,20 @@ class BasisPane(Guarded, QWidget):
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._write_reach)
         self._lay_out()
-        self.set_theme(LIGHT)
         panel.drawing.extent_changed.connect(self._show_extent)
         self._write_reach()
-
-    def offer_estimates(self, action: QAction) -> None:
-        """Put the switch between the family's functions and cardinal ones into the header."""
-        mirror(self._estimates, action)
 
     def set_with_estimates(self, shown: bool) -> None:
         """Show what each point does with the estimates that follow it, or the family's functions."""
         self._with_estimates = shown
         self._panel.drawing.set_with_estimates(shown)
 
-    def _estimates_button(self) -> QToolButton:
+    def _estimates_button(self, action: QAction) -> QToolButton:
         button = QToolButton()
         button.setObjectName("withEstimates")
-        button.setCheckable(True)
         button.setText("With estimates")
         button.setAccessibleName("Show what each point does with its estimates")
+        mirror(button, action)
         return button
 
     def _kind_button(self, kind: int) -> QToolButton:
@@ -134,6 +129,10 @@ class BasisPane(Guarded, QWidget):
         layout.addWidget(row)
         layout.addWidget(self._panel, 1)
 
+    @property
+    def stop(self) -> QWidget:
+        return self._panel
+
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`, and the legend that goes with its family."""
         self._panel.drawing.render_view(view)
@@ -179,6 +178,7 @@ class BasisPane(Guarded, QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
+        self._panel.set_theme(theme)
         for button, dashes in zip(self._kinds, KIND_DASHES, strict=True):
             button.setIcon(QIcon(sign_pixmap(LineStyle("ink", width=1.5, dashes=dashes), theme, 2.0)))
         self._estimates.setStyleSheet(choice_style(theme))
@@ -193,7 +193,7 @@ class BasisPane(Guarded, QWidget):
         self._panel.drawing.calm_values()
         self._panel.drawing.fit_domain()
 
-    def fit_functions(self) -> None:
+    def fit_all(self) -> None:
         """Show the whole interval and all functions: the usual range where it holds them."""
         self.fit()
         self._wants_all = True
@@ -204,7 +204,7 @@ class BasisPane(Guarded, QWidget):
     def fit_again(self) -> None:
         """Fit what was fitted last: the pane has its size only now."""
         if self._wants_all:
-            self.fit_functions()
+            self.fit_all()
         else:
             self.fit()
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout
 from app.appearance.icons import icon
 from app.appearance.theme import theme_of
 from app.document.words import number
-from app.panels.plot_canvas import PlotCanvas
+from app.features.plots.canvas import PlotCanvas
 from app.qt.overrides import Guarded
 from app.widgets.action_switch import mirror
 from app.widgets.choice_style import choice_style

@@ -9,7 +9,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QPainter, QPen
 
-from app.panels.value_scale import ValueScale
+from app.features.plots.value_scale import ValueScale
 from app.plotting.drawing import Segments, Stroke, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, line_in_pixels, with_dashes

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
+from app.features.basis.layers import FunctionLayer, RailLayer, rail_height
 from app.plotting.camera import GREATEST_SPAN, CameraOverT
 from app.plotting.tool_plot import ToolPlot
 from app.view_model.basis_view import BasisView, basis_view

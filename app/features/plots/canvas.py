@@ -9,8 +9,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from app.panels.plot_layers import PlotLayer, ScrubLayer, bands
-from app.panels.value_scale import ValueScale
+from app.features.plots.layers import PlotLayer, ScrubLayer, bands
+from app.features.plots.value_scale import ValueScale
 from app.plotting.camera import CameraOverT
 from app.plotting.tool_plot import ToolPlot
 from app.tools.toolbox import Toolbox
