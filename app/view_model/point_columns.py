@@ -6,7 +6,7 @@ column is to add its record to `COLUMNS`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 
@@ -52,6 +52,9 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Returns which of the numbers (n,) a rule estimates.
     estimate
         Returns which rule that is, in words.
+    reset
+        Returns the document (document, curve, indices) where a rule estimates those of some points again;
+        None if none does.
     after
         Returns the number after a point that is a corner, where `get` returns the one before it; None if a
         corner has one number.
@@ -59,7 +62,8 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Which datum of a point it is: -1 its parameter, 0 its position, 1 its velocity, 2 its acceleration,
         and 0 for x, 1 for y; order None for anything else.
     derivatives
-        How many derivatives a family has at least that shows the column.
+        How many derivatives a family has at least that shows the column; one that needs some is written with
+        as few digits as they are.
     """
 
     name: str
@@ -69,6 +73,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     set_many: Callable[[Document, int, CurveView, Mapping[int, float]], Document] | None = None
     is_estimated: Callable[[CurveView], BoolArray] = _nothing_estimated
     estimate: Callable[[Curve], str] | None = None
+    reset: Callable[[Document, int, Collection[int]], Document] | None = None
     after: Callable[[CurveView, int], float] | None = None
     order: int | None = None
     component: int = 0
@@ -83,6 +88,11 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     def is_derivative(self) -> bool:
         """Whether it is a derivative of the point, which a rule may estimate."""
         return self.order is not None and self.order > POSITION
+
+    @property
+    def is_of_the_place(self) -> bool:
+        """Whether it says where the point is, in the plane or along the curve."""
+        return self.order is not None and self.order <= POSITION
 
     def at(self, index: int) -> str:
         """Return what it holds of a point, as "x of point 3"."""
@@ -251,6 +261,10 @@ def _set_derivatives(
     return edits.set_points(document, curve, points)
 
 
+def _reset_derivatives(order: int, document: Document, curve: int, indices: Collection[int]) -> Document:
+    return edits.estimate_derivatives(document, curve, indices, (order,))
+
+
 def _set_derivative(
     order: int, component: int, document: Document, curve: int, view: CurveView, index: int, value: float
 ) -> Document:
@@ -285,6 +299,7 @@ def _derivative_column(
         set_many=partial(_set_derivatives, order, component),
         is_estimated=partial(_is_missing, order),
         estimate=estimate,
+        reset=partial(_reset_derivatives, order),
         after=partial(_derivative_after, order, component),
         order=order,
         component=component,
