@@ -7,6 +7,7 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import nullcontext
 
 from app import __version__, cli, exchange, storage
 from app.cli.refusals import RefusalError, one_line, reason_of, say
@@ -49,8 +50,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         options, words = common_options().parse_known_args(words)
-        with logged(options.log):
-            code = _run_with_families(options.families, words)
+        families = cli.families.families_of_files(options.families) if options.families else nullcontext()
+        with logged(options.log), families:
+            code = _run(words)
         say(end="")  # what was printed by others
     except BrokenPipeError:
         return _leave_closed_pipe()
@@ -91,13 +93,6 @@ def common_options() -> argparse.ArgumentParser:
         help="run this file and have the curve families that it defines; may be given more than once",
     )
     return parser
-
-
-def _run_with_families(paths: list[str], words: list[str]) -> int:
-    if not paths:
-        return _run(words)
-    with cli.families.families_of_files(paths):
-        return _run(words)
 
 
 def _run(words: list[str]) -> int:

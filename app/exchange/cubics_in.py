@@ -161,7 +161,8 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
             groups.append(())
             continue
         _check_numbers(path)
-        pieces = _without_points(path.pieces)
+        # Without those that are no more than a point.
+        pieces = path.pieces[(path.pieces != path.pieces[:, :1]).any(axis=(1, 2))]
         if len(pieces) == 0:
             remarks = (*remarks, f"“{path.name}” is a single point.")
             continue
@@ -193,10 +194,6 @@ def _check_numbers(path: ImportedPath) -> None:
         raise ExchangeError(f"“{path.name}” has coordinates beyond −1e12 to 1e12.")
     if len(path.pieces) > MAX_PIECES:
         raise ExchangeError(f"“{path.name}” has {len(path.pieces)} pieces; {MAX_PIECES} can be read.")
-
-
-def _without_points(pieces: FloatArray) -> FloatArray:
-    return np.asarray(pieces[(pieces != pieces[:, :1]).any(axis=(1, 2))])
 
 
 def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:

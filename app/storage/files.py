@@ -46,11 +46,8 @@ class Stamp(msgspec.Struct, frozen=True):
 
     def is_of(self, status: os.stat_result) -> bool:
         """Whether a file with this status is in all likelihood the same, without reading it."""
-        return self._facts == (status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev)
-
-    @property
-    def _facts(self) -> tuple[int, int, int, int]:
-        return self.size, self.modified, self.inode, self.device
+        own = (self.size, self.modified, self.inode, self.device)
+        return own == (status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev)
 
 
 class Content(msgspec.Struct, frozen=True):

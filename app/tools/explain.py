@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.tools.pointer import Hint, Part
-from app.tools.tool import Gesture, Tool, ToolContext, ToolRecord
+from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
 
 
 class ExplainTool(Tool):
@@ -13,7 +13,7 @@ class ExplainTool(Tool):
         """Move the scrub line here."""
         hit = context.hit
         if hit is not None and hit.part is Part.CURVE:
-            context.host.set_scrub(hit.t)
+            context.host.selected.set_scrub(hit.t)
         else:
             context.host.refuse("Click on the curve itself, where it swings out.")
 
@@ -28,5 +28,5 @@ EXPLAIN = ToolRecord(
     make=ExplainTool,
     hint="Click on the curve where it swings out; V goes back to Select.",
     doing="explaining",
-    gestures=(Gesture("Click the curve", "explain why it swings out there"),),
+    gestures=(GestureRow("Click the curve", "explain why it swings out there"),),
 )

@@ -274,23 +274,10 @@ def inflections(curve: Curve) -> FloatArray:
 
 @np.errstate(under="ignore")
 def curvature_extrema(curve: Curve) -> CurvatureExtrema:
-    """Return where the signed curvature has a local maximum or minimum.
+    """Return where the signed curvature of a plane curve has a local maximum or minimum, inside the domain.
 
-    Parameters
-    ----------
-    curve : Curve
-        Plane (dim 2).
-
-    Returns
-    -------
-    CurvatureExtrema
-        Inside the domain. At joints where the curvature jumps there is none,
-        nor on arcs of circles and straight parts.
-
-    Raises
-    ------
-    CurveError
-        If the curve is not plane.
+    At joints where the curvature jumps there is none, nor on arcs of circles
+    and straight parts. Argument and errors are those of `inflections`.
 
     Notes
     -----

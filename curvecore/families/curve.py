@@ -225,9 +225,7 @@ class Curve(Immutable, ABC):
             The parameters are neither copied nor checked again.
         """
         curve = object.__new__(type(self))
-        for name in (name for each in type(self).__mro__ for name in getattr(each, "__slots__", ())):
-            setattr(curve, name, None if name in self._caches else getattr(self, name))
-        curve._jets = read_only(jet_array(jets, self._jets.shape[:2]))
+        curve.__setstate__({**self.__getstate__(), "_jets": jet_array(jets, self._jets.shape[:2])})
         return curve
 
     # What follows from the basis

@@ -116,7 +116,7 @@ class ProductForm(NamedTuple):
         low, high = int(weights.exponent.min()), int(weights.exponent.max())
         middle = (low + high) // 2
         plain = None
-        # ProductForm that are all but zero relative to the length are left to the general method.
+        # Parameters that are all but zero relative to the length are left to the general method.
         if high - low <= 800 and not _has_tiny(scaled, parameters):
             plain = np.ldexp(weights.mantissa, (weights.exponent - middle).astype(np.intc))
         return cls(parameters, scaled, shift, least_bits, weights, plain, middle)
@@ -184,13 +184,9 @@ class ProductForm(NamedTuple):
 
     def _general(self, t: FloatArray, hits: Hits) -> Scaled:
         """Order 0 with an exponent for every factor."""
-        difference = _scaled_differences(t, self.given, self.shift)
-        difference.mantissa[hits.rows, hits.columns] = 0.5
-        difference.exponent[hits.rows, hits.columns] = 1
-        total = _column_product(difference.mantissa, _block(1.0))
-        common = total.exponent + difference.exponent.sum(axis=0)
+        difference, total = _differences_and_product(t, self.given, self.shift, hits)
         values = (self.weights.mantissa[:, None] / difference.mantissa) * total.mantissa
-        exponent = self.weights.exponent[:, None] - difference.exponent + common
+        exponent = self.weights.exponent[:, None] - difference.exponent + total.exponent
         _put_units(values, hits)
         exponent[:, hits.columns] = 0
         return Scaled(values, exponent)
@@ -212,7 +208,7 @@ def _rounding_of_product(
 
     A parameter t_i larger than x has coarser digits, so the difference loses the same
     last bits of x for all such parameters: these roundings do not average out, and
-    add up to about n u / 4. ProductForm smaller than x, whose roundings are as good
+    add up to about n u / 4. Parameters smaller than x, whose roundings are as good
     as independent, may come out as 0 here.
     """
     rest = difference + parameters[:, None]
@@ -244,37 +240,43 @@ def _block(bits: float) -> int:
 
 def _weights(scaled: FloatArray, least_bits: float) -> Scaled:
     n = len(scaled)
-    mantissa = np.empty(n)
-    exponent = np.empty(n, dtype=np.int64)
     size = max(1, _CHUNK // n)
     block = _block(max(3.0, least_bits))
+    products = []
     for start in range(0, n, size):
         where = slice(start, min(start + size, n))
         difference = scaled[where] - scaled[:, None]
         columns = np.arange(where.stop - start)
-        difference[start + columns, columns] = 1.0
+        hits = Hits(columns, start + columns)
+        difference[hits.rows, hits.columns] = 1.0
         product = _column_product(difference, block)
         if n > _MANY:
-            correction = _rounding_of_product(
-                scaled[where], scaled, difference, Hits(columns, start + columns)
-            )
-            product.mantissa[:] *= 1.0 + correction
-        mantissa[where] = 1.0 / product.mantissa
-        exponent[where] = -product.exponent
-    return Scaled(mantissa, exponent)
+            product.mantissa[:] *= 1.0 + _rounding_of_product(scaled[where], scaled, difference, hits)
+        products.append(product)
+    return _reciprocals(products)
 
 
 def _weights_far_apart(parameters: FloatArray, shift: int) -> Scaled:
     """Weights with an exponent for every factor."""
-    n = len(parameters)
-    mantissa = np.empty(n)
-    exponent = np.empty(n, dtype=np.int64)
-    for i in range(n):
-        difference = _scaled_differences(parameters[i : i + 1], np.delete(parameters, i), shift)
-        product = _column_product(difference.mantissa, _block(1.0))
-        mantissa[i] = 1.0 / product.mantissa[0]
-        exponent[i] = -(product.exponent[0] + difference.exponent.sum())
-    return Scaled(mantissa, exponent)
+    hits = [Hits(np.array([0]), np.array([i])) for i in range(len(parameters))]
+    columns = zip(parameters[:, None], hits, strict=True)
+    return _reciprocals([_differences_and_product(t, parameters, shift, hit)[1] for t, hit in columns])
+
+
+def _reciprocals(products: list[Scaled]) -> Scaled:
+    mantissa, exponent = (np.concatenate(column) for column in zip(*products, strict=True))
+    return Scaled(1.0 / mantissa, -exponent)
+
+
+def _differences_and_product(
+    t: FloatArray, parameters: FloatArray, shift: int, hits: Hits
+) -> tuple[Scaled, Scaled]:
+    """Return (t - t_i) * 2**shift, (n, m), with 1 in place of 0, and the products of the columns."""
+    difference = _scaled_differences(t, parameters, shift)
+    difference.mantissa[hits.rows, hits.columns] = 0.5
+    difference.exponent[hits.rows, hits.columns] = 1
+    total = _column_product(difference.mantissa, _block(1.0))
+    return difference, Scaled(total.mantissa, total.exponent + difference.exponent.sum(axis=0))
 
 
 def _scaled_differences(t: FloatArray, parameters: FloatArray, shift: int) -> Scaled:

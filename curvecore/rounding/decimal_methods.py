@@ -11,6 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from decimal import ROUND_HALF_EVEN, Context, Decimal
+from functools import reduce
+from itertools import accumulate
 from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
@@ -201,10 +203,7 @@ def _power_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
 
 
 def _powers(t: Decimal, count: int, a: Arithmetic) -> Row:
-    powers = [Decimal(1), t]
-    while len(powers) < count:
-        powers.append(a.multiply(powers[-1], t))
-    return powers[:count]
+    return [Decimal(1), *accumulate([t] * (count - 1), a.multiply)]
 
 
 def _newton(data: Data, _segment: int, a: Arithmetic) -> Prepared:
@@ -231,20 +230,11 @@ def _newton_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
 
 def _product_without(x: Decimal, parameters: Row, skipped: int, a: Arithmetic) -> Decimal:
     """Return the product of x - t_j over all j but one, in ascending order."""
-    result: Decimal | None = None
-    for j, t_j in enumerate(parameters):
-        if j != skipped:
-            factor = a.subtract(x, t_j)
-            result = factor if result is None else a.multiply(result, factor)
-    assert result is not None
-    return result
+    return reduce(a.multiply, (a.subtract(x, t_j) for j, t_j in enumerate(parameters) if j != skipped))
 
 
 def _dot(weights: Row, column: Row, a: Arithmetic) -> Decimal:
-    total = a.multiply(weights[0], column[0])
-    for weight, value in zip(weights[1:], column[1:], strict=True):
-        total = a.add(total, a.multiply(weight, value))
-    return total
+    return reduce(a.add, map(a.multiply, weights, column))
 
 
 def _lagrange(data: Data, _segment: int, a: Arithmetic) -> Prepared:
@@ -272,9 +262,7 @@ def _barycentric_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
         hit = parameters.index(t)
         return [a.multiply(Decimal(1), column[hit]) for column in columns]
     shares = [a.divide(w, a.subtract(t, t_i)) for w, t_i in zip(weights, parameters, strict=True)]
-    total = shares[0]
-    for share in shares[1:]:
-        total = a.add(total, share)
+    total = reduce(a.add, shares)
     return [a.divide(_dot(shares, column, a), total) for column in columns]
 
 

@@ -20,12 +20,11 @@ from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.curves import document_of_table
-from app.exchange.table.text import read_table
 from app.exchange.table.thinning import Thinning, thinned
 from app.exchange.writing import export
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
+from tests.tables import document_of_table, read_table
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
 NAMES = ["Pond", "=Arch, #1", "Line", "Line 2"]

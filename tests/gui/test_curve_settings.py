@@ -191,7 +191,7 @@ def test_a_bad_interval_is_explained_and_can_be_mended(form, name, text, words):
     assert words in form.message
     assert form.message.startswith("⚠ ")
     assert form[name].text() == text
-    assert MessageKind.REFUSED in {message.kind for message in said}
+    assert MessageKind.REFUSAL in {message.kind for message in said}
     form.qtbot.keyClick(form[name], Qt.Key.Key_Escape)
     assert form.message == ""
     assert form[name].text() == {"intervalStart": "0", "intervalEnd": "1"}[name]

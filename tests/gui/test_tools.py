@@ -2,36 +2,36 @@
 
 from __future__ import annotations
 
-import msgspec
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from app.document import edits
-from app.document.model import Document, Point
+from app.document.model import Point
 from app.testing import Editor
 from app.tools.canvas.select import SELECT
+from app.tools.drag import Drag
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Cursor, Hint
-from app.tools.tool import TOOLS, Gesture, Tool, ToolRecord
+from app.tools.tool import TOOLS, GestureRow, Tool, ToolRecord
 
 HINT = "Drag to put a point above where you pressed"
 
 
-class Raise(msgspec.Struct, frozen=True):
+class Raise(Drag, frozen=True):
     """A drag that appends a point to the curve, straight above the press."""
 
-    document: Document
     curve: int
     foot: tuple[float, float]
-    name: str = "Raise point"
-    keys: str = "No keys"
+
+    name = "Raise point"
+    keys = "No keys"
 
     def head(self, pointer):
         return (self.foot[0], pointer.position[1])
 
-    def readout_at(self, pointer):
+    def readout(self, pointer):
         return f"Raised to {pointer.position[1]:.1f}"
 
     def document_at(self, pointer):
@@ -68,7 +68,7 @@ RAISE = ToolRecord(
     make=RaiseTool,
     hint="Drag upwards.",
     doing="raising points",
-    gestures=(Gesture("Drag upwards", "put a point above"),),
+    gestures=(GestureRow("Drag upwards", "put a point above"),),
     action="raiseTool",
     title="Raise Points",
     key="Y",

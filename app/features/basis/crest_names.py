@@ -11,8 +11,8 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
+from app.appearance.colours import point_colours
 from app.appearance.theme import Theme
-from app.plotting.colours import colours_of
 from app.plotting.halo import Halo
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
@@ -188,7 +188,7 @@ class CrestNames:
         self._sheet.fill(Qt.GlobalColor.transparent)
         drawing = QPainter(self._sheet)
         drawing.setFont(font)
-        for index, colour in enumerate(colours_of(count, theme)):
+        for index, colour in enumerate(point_colours(count, theme)):
             cell = QRectF(QPointF(index * self._cell.width(), 0.0), self._cell)
             inner = cell.adjusted(rim, rim, -rim, -rim)
             Halo().write(drawing, inner, str(index), theme.paper, colour, rim)

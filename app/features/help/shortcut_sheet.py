@@ -14,7 +14,7 @@ from app.appearance.theme import Theme
 from app.document.words import count_of
 from app.qt.labels import Label, html_of
 from app.tools.canvas.select import SELECT
-from app.tools.tool import TOOLS, Gesture, ToolRecord
+from app.tools.tool import TOOLS, GestureRow, ToolRecord
 from app.widgets.boxes import column_of, row_of
 from app.widgets.overlay_frame import OverlayFrame
 from app.widgets.tool_buttons import ICON, tool_button
@@ -58,7 +58,7 @@ class Moment(msgspec.Struct, frozen=True):
             return f"Now: {count_of(self.selected, 'point')} selected"
         return f"Now: {self.tool.doing}"
 
-    def missing(self, gesture: Gesture) -> str:
+    def missing(self, gesture: GestureRow) -> str:
         """Return what must be otherwise for a gesture of any tool to apply; empty where it does."""
         is_there = (gesture.selected and bool(self.selected)) or (gesture.curves and self.has_curves)
         if not is_there and gesture.curves:
@@ -72,7 +72,7 @@ class Moment(msgspec.Struct, frozen=True):
         """Return the gestures that apply, and the others, each with what must be otherwise."""
         own = [*self.tool.gestures, *_WITH_ANY_TOOL]
         if self.tool is not SELECT:
-            own.append(Gesture("Escape", "back to selecting"))
+            own.append(GestureRow("Escape", "back to selecting"))
         now = [(each.keys, each.what) for each in own if not self.missing(each)]
         rest = {each: missing for each in own if (missing := self.missing(each))}
         for tool in TOOLS:
@@ -83,32 +83,32 @@ class Moment(msgspec.Struct, frozen=True):
 
 
 _WITH_ANY_TOOL = (
-    Gesture("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
-    Gesture("Escape, right button", "during a drag: take it back"),
-    Gesture(
+    GestureRow("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
+    GestureRow("Escape, right button", "during a drag: take it back"),
+    GestureRow(
         "Moving, scaling, rotating",
         "G, S, R: what is selected, else all points. X or Y locks an axis, digits type the amount, "
         "Tab (or ;) goes from x to y, Enter ends",
     ),
-    Gesture(
+    GestureRow(
         "Arrow keys",
         "nudge the points, or ticks in the t-rail; Shift: ten, Ctrl: a tenth",
         selected=True,
         curves=True,
     ),
-    Gesture("Drag a tick of the t-rail", "change t; the parameters become manual"),
-    Gesture("Hold E, dragging a tick", "all ticks on the side you move to go along"),
-    Gesture("Shift+click ticks", "select several; dragging one moves all"),
-    Gesture("Double-click a tick", "type its t; right-click for more"),
-    Gesture("Drag in the basis panel", "scrub: every point shows its weight at t; Escape puts it away"),
-    Gesture("Click a basis function", "select its point"),
-    Gesture("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
-    Gesture("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
-    Gesture("F2, Del", "in the list of curves: rename, delete"),
-    Gesture("Right button, Menu key", "what can be done there"),
-    Gesture("Drop a file", "open a document, or trace a picture"),
-    Gesture("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
-    Gesture("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
+    GestureRow("Drag a tick of the t-rail", "change t; the parameters become manual"),
+    GestureRow("Hold E, dragging a tick", "all ticks on the side you move to go along"),
+    GestureRow("Shift+click ticks", "select several; dragging one moves all"),
+    GestureRow("Double-click a tick", "type its t; right-click for more"),
+    GestureRow("Drag in the basis panel", "scrub: every point shows its weight at t; Escape puts it away"),
+    GestureRow("Click a basis function", "select its point"),
+    GestureRow("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
+    GestureRow("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
+    GestureRow("F2, Del", "in the list of curves: rename, delete"),
+    GestureRow("Right button, Menu key", "what can be done there"),
+    GestureRow("Drop a file", "open a document, or trace a picture"),
+    GestureRow("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
+    GestureRow("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
 )
 
 

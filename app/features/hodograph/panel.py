@@ -7,12 +7,12 @@ from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QWidget
 
+from app.appearance.colours import point_colours
 from app.appearance.icons import icon
 from app.appearance.theme import LIGHT, Theme
 from app.appearance.themed import FollowsTheme
 from app.document.words import number
-from app.plotting.colours import colours_of
-from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
+from app.plotting.drawing import MARGIN, Stroke, draw_segments
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.tool_plot import ToolPlot
@@ -144,7 +144,7 @@ class HodographPlot(ToolPlot):
     def _paint_knots(self, painter: QPainter, shown: PixelMap, hodograph: Hodograph) -> None:
         if len(hodograph.knots) > 64:
             return
-        colours = colours_of(self.owners, self.theme)
+        colours = point_colours(self.owners, self.theme)
         font = QFont(self.font())
         font.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0))
         painter.setFont(font)
@@ -167,10 +167,8 @@ class HodographPlot(ToolPlot):
         end = np.array(shown.point(value[0] / self.unit, value[1] / self.unit))
         if not np.isfinite(end).all():
             return
-        shaft = Segments()
-        shaft.fill(cut_segments(np.concatenate([start, end])[None], shown.width, shown.height))
         painter.setPen(QPen(self.theme.accent, 1.8))
-        shaft.draw(painter)
+        draw_segments(painter, np.concatenate([start, end])[None], shown)
         if (end >= -MARGIN).all() and (end <= (shown.width + MARGIN, shown.height + MARGIN)).all():
             painter.setPen(QPen(self.theme.paper, 1.5))
             painter.setBrush(self.theme.accent)

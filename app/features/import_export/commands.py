@@ -200,7 +200,7 @@ class ExchangeCommands:
             return
         if first > 0:
             # What came to others is put in its place as a whole.
-            self._session.select_curves(range(first, first + len(new.curves)))
+            self._session.selected.set_curves(range(first, first + len(new.curves)))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         if first == 0 or not self._context.central.canvas.framing.shows_curves_from(first):
