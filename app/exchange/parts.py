@@ -44,7 +44,8 @@ class Polynomials(NamedTuple):
     Attributes
     ----------
     pieces
-        Those of the curve as curves of a family that all writers know, or cubic Hermite curves that follow them.
+        Those of the curve as curves of a family that all writers know, or cubic Hermite curves that follow
+        them.
     deviation
         Largest distance of these from the curve.
     """
