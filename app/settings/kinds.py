@@ -25,6 +25,7 @@ from typing import Any, Final, Generic, Protocol, TypeVar, overload
 
 from PySide6.QtCore import QByteArray
 
+from app.document.words import enumerated
 from app.settings.file import SettingsFile
 
 Value = TypeVar("Value")
@@ -115,8 +116,8 @@ class Choice(TextSetting[Member]):
         try:
             return kind(text)
         except ValueError:
-            *words, last = (member.value for member in kind)
-            raise _UnusableError(f"“{text}” is none of {', '.join(words)} and {last}") from None
+            known = enumerated([member.value for member in kind])
+            raise _UnusableError(f"“{text}” is none of {known}") from None
 
     def _stored(self, value: Member) -> object:
         return value.value

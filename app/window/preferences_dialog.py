@@ -30,9 +30,7 @@ class PreferencesDialog(FittedDialog):
     changed = Signal()
 
     def __init__(self, preferences: Preferences, keymap: Keymap, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("preferencesDialog")
-        self.setWindowTitle("Preferences")
+        super().__init__("preferencesDialog", "Preferences", parent)
         self._preferences = preferences
         self._fields = {
             name: field_of(setting, partial(self._choose, name))
