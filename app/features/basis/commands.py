@@ -67,7 +67,7 @@ class BasisCommands:
         context, session = self._context, self._session
         panel = self._panel = BasisPanel(Toolbox(session, RAIL))
         pane = self._pane = BasisPane(panel, context.actions["toggleEstimates"], parent)
-        pane.set_with_estimates(context.store.state.with_estimates)
+        panel.drawing.set_with_estimates(context.store.state.with_estimates)
         context.store.changed.connect(self._show_state)
         context.connect_plot(panel)
         context.central.t_camera = panel.camera
@@ -103,7 +103,7 @@ class BasisCommands:
         if after.basis != before.basis:
             self._pane.setVisible(after.basis)
         if after.with_estimates != before.with_estimates:
-            self._pane.set_with_estimates(after.with_estimates)
+            self._panel.drawing.set_with_estimates(after.with_estimates)
             self.follow(self._session.active_view)
 
     # At the t-rail

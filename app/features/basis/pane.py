@@ -20,6 +20,7 @@ from app.widgets.action_switch import mirror
 from app.widgets.choice_style import choice_style
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.fitting import Scrolled
+from app.widgets.tool_buttons import tool_button
 from app.workbench.central_pane import CentralPane
 
 _NOTHING = "none while the rule gives no parameters"
@@ -45,8 +46,10 @@ class BasisPane(Guarded, CentralPane):
         self.plot = self._panel = panel
         self._title = Label("Basis functions")
         self._title.setObjectName("basisTitle")
-        self._estimates = self._estimates_button(estimates)
-        self._with_estimates = self._shows_cardinals = False
+        words = "Show what each point does with its estimates"
+        self._estimates = tool_button("withEstimates", words, "", text="With estimates")
+        mirror(self._estimates, estimates)
+        self._shows_cardinals = False
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._formulas: tuple[str, ...] = ()
         self._reach: tuple[float, float] | None = None
@@ -64,39 +67,21 @@ class BasisPane(Guarded, CentralPane):
         panel.drawing.extent_changed.connect(self._show_extent)
         self._write_reach()
 
-    def set_with_estimates(self, shown: bool) -> None:
-        """Show what each point does with the estimates that follow it, or the family's functions."""
-        self._with_estimates = shown
-        self._panel.drawing.set_with_estimates(shown)
-
-    def _estimates_button(self, action: QAction) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName("withEstimates")
-        button.setText("With estimates")
-        button.setAccessibleName("Show what each point does with its estimates")
-        mirror(button, action)
-        return button
-
     def _kind_button(self, kind: int) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName(f"{_NAMES[kind]}Functions")
+        name, scaled = _NAMES[kind], "; h is the longer segment beside the point" if kind else ""
+        tip = f"Show or hide the {name} functions{scaled}"
+        button = tool_button(f"{name}Functions", f"Show {name} functions", tip)
         button.setCheckable(True)
         button.setChecked(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setIconSize(SIGN)
-        button.setAccessibleName(f"Show {_NAMES[kind]} functions")
-        scaled = "; h is the longer segment beside the point" if kind else ""
-        button.setToolTip(f"Show or hide the {_NAMES[kind]} functions{scaled}")
         button.clicked.connect(self._choose_kinds)
         return button
 
     def _fit_button(self) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName("fitBasis")
+        tip = "Show the functions from their least to their greatest value"
+        button = tool_button("fitBasis", "Fit the basis functions", tip, text="Fit")
         button.setCheckable(True)
-        button.setText("Fit")
-        button.setAccessibleName("Fit the basis functions")
-        button.setToolTip("Show the functions from their least to their greatest value")
         button.clicked.connect(self._fit_or_calm)
         # Its room stays when it is hidden, or the drawing below would jump.
         policy = button.sizePolicy()
@@ -139,7 +124,7 @@ class BasisPane(Guarded, CentralPane):
         basis = self._panel.drawing.basis
         has_estimates = view.source.family.derivatives > 0
         self._estimates.setVisible(has_estimates)
-        shows_cardinals = self._with_estimates and has_estimates
+        shows_cardinals = self._panel.drawing.with_estimates and has_estimates
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
