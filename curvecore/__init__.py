@@ -19,12 +19,15 @@ families             one file each: `Curve`, the base class; `LagrangeCurve`,
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots
+  chebyshev          coefficients of Chebyshev polynomials
   control_points     exact and approximate Bezier control points
   conversion         exact ones of any stretch, degree elevation
   pieces             any curve as Bezier pieces of low degree
-  flatten            polylines within a tolerance
+  flatten            polylines within a tolerance, of Bezier pieces and of
+                     samples (flatten_samples); polylines: their geometry
+  arcs               Bezier arcs that searches halve
 
-drag                 what changes while one datum moves:
+drag                 updates while one datum moves:
   frozen_samples     polylines while points move and parameters stay
   frozen_segments    the same for curves of Bezier pieces, whatever moves
   moved_parameters   Lagrange functions after a few parameters moved
@@ -37,8 +40,8 @@ analysis.geometry    curvature, box, inflections, extrema of curvature
   intersections      where a curve crosses itself; arc_pairs: where it may
   continuity         jumps at the joints, and the class that follows
   stability          Lebesgue function and constant
-  cardinal           what points do where derivatives are estimated from
-                     them: `CardinalBasis`
+  cardinal           effects of points from which derivatives are estimated:
+                     `CardinalBasis`
   condition          condition numbers of monomial systems
   sensitivity        derivatives by the data, worst cases
   ensembles          curves with random errors
@@ -49,7 +52,7 @@ rounding.evaluation  curves computed with k decimal digits, and the truth
   rounded_data       data rounded to so many decimals or digits
   exact              polynomials through data, in integers
 
-scaling, vectors     numbers with separate exponents; lengths of vectors
+scaling, vectors     numbers with separate exponents; lengths, cross products
 double_double        numbers of 106 bits, where plain ones would cancel
 ===================  =======================================================
 

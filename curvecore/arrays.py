@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import operator
 import sys
+from collections.abc import Iterable
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -42,6 +43,12 @@ def read_only(array: FloatArray) -> FloatArray:
     """Return `array` itself, no longer writeable."""
     array.setflags(write=False)
     return array
+
+
+def end_to_end(parts: Iterable[FloatArray]) -> FloatArray:
+    """Join arrays each of which begins with the last entry of the one before it."""
+    first, *others = parts
+    return np.concatenate([first, *(each[1:] for each in others)])
 
 
 def number_array(values: ArrayLike, name: str) -> FloatArray:
@@ -92,7 +99,7 @@ def _check_finite(array: FloatArray, name: str) -> None:
 
 
 def data_array(values: ArrayLike, name: str, shape: tuple[int, int] | None = None) -> FloatArray:
-    """Check one datum per joint: points, velocities or accelerations.
+    """Check points, velocities or accelerations, one row per joint.
 
     Parameters
     ----------

@@ -53,7 +53,7 @@ def _in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, Fl
 
 
 class _Steps(NamedTuple):
-    """Differences of checked data.
+    """Differences of checked points and parameters.
 
     Attributes
     ----------
@@ -68,8 +68,8 @@ class _Steps(NamedTuple):
 
 
 def _steps(points: ArrayLike, parameters: ArrayLike) -> _Steps:
-    data = point_array(points)
-    return _differences(data, np.diff(parameter_array(parameters, len(data))))
+    places = point_array(points)
+    return _differences(places, np.diff(parameter_array(parameters, len(places))))
 
 
 def _differences(points: FloatArray, spacing: FloatArray) -> _Steps:
@@ -170,14 +170,14 @@ def catmull_rom_velocities(
         For points or parameters that are no curve's, coincident consecutive
         points, or a negative alpha.
     """
-    data = point_array(points)
-    h = np.diff(parameter_array(parameters, len(data)))
+    places = point_array(points)
+    h = np.diff(parameter_array(parameters, len(places)))
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
-    places = data if knots_of is None else point_array(knots_of)
-    knots = np.maximum(relative_spacing(places, alpha, "Catmull-Rom"), SMALLEST)
-    inner = _parabola_velocities(_differences(data, knots))
+    apart = places if knots_of is None else point_array(knots_of)
+    knots = np.maximum(relative_spacing(apart, alpha, "Catmull-Rom"), SMALLEST)
+    inner = _parabola_velocities(_differences(places, knots))
     inner *= ((knots[:-1] + knots[1:]) / (h[:-1] + h[1:]))[:, None]
-    return _with_ends(inner, _differences(data, h).slope)
+    return _with_ends(inner, _differences(places, h).slope)
 
 
 @_in_range

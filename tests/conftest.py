@@ -72,7 +72,9 @@ def drawings_read_here(monkeypatch):
 
     def read(reader, data, tolerance, *, report, **_limits):
         report(0.0, "Reading")
-        answer = child.answer_to(child._request(reader, data, tolerance), child.MEMORY)
+        answer = child.answer_to(
+            child.Request(reader.__module__, reader.__name__, tolerance, data), child.MEMORY
+        )
         if answer.result is None:
             raise child.ExchangeError(answer.problem)
         return answer.result

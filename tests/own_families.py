@@ -9,9 +9,9 @@ import numpy as np
 from app.families import FAMILIES
 
 FILES = sorted((Path(__file__).parent / "data" / "families").glob("*.py"))
-OWN = ("averaging", "cosine_steps", "gaussian")
+OWN = ("tests_averaging", "tests_cosine_steps", "tests_gaussian")
 """Those of which nothing but functions of t is known, and which are no polynomials."""
-EVERY = (*(family.name for family in FAMILIES), "averaging", "cosine_steps", "gaussian", "natural_spline")
+EVERY = (*(family.name for family in FAMILIES), *OWN, "tests_natural_spline")
 """The names of all families that are tried; those of files are there only while a test has them."""
 
 
@@ -40,4 +40,4 @@ def averaging(t, parameters):
     return weights / weights.sum(axis=1)[:, None]
 
 
-TRUE_BASIS = {"averaging": averaging, "gaussian": gaussian, "cosine_steps": cosine_steps}
+TRUE_BASIS = {"tests_averaging": averaging, "tests_gaussian": gaussian, "tests_cosine_steps": cosine_steps}

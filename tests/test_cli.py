@@ -453,7 +453,7 @@ def test_one_file_that_is_no_document_does_not_keep_the_others_from_opening(qtbo
             return
         timer.stop()
         editor = Editor.on(window)
-        seen.append((window.session.path, dialog.windowTitle(), editor.message))
+        seen.append((window.session.files.path, dialog.windowTitle(), editor.message))
         seen.append(window.session.document.image.path)
         window.asks_before_closing = False
         window.close()
@@ -483,7 +483,7 @@ def test_a_table_alone_comes_to_the_first_sketch(qtbot, tmp_path):
     (window,) = open_windows([str(table)])
     qtbot.addWidget(window)
     qtbot.waitUntil(lambda: window.findChild(QDialog, "importTableDialog") is not None)
-    assert window.session.path is None
+    assert window.session.files.path is None
 
 
 # What goes into a picture

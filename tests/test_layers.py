@@ -101,7 +101,7 @@ def test_the_window_starts_without_what_is_rarely_used():
     of_dialogs = {
         name.removeprefix("app.features.import_export.") for name in names if "import_export." in name
     }
-    assert of_dialogs == {"commands", "import_series", "turn"}
+    assert of_dialogs == {"commands", "import_series"}
 
 
 def test_one_module_starts_threads():

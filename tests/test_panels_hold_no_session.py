@@ -12,16 +12,43 @@ ROOMS = [ROOT / "app/workbench", ROOT / "app/window", *(ROOT / "app/features").i
 BUILDS = ROOT / "app/window/main_window.py"
 
 
-def shows_something(path: Path) -> bool:
-    """Whether a module makes widgets, or a model for one."""
-    bases = [
-        base.id
+def classes_in(path: Path) -> dict[str, set[str]]:
+    """The classes of a module, each with the names of its bases."""
+    return {
+        node.name: {base.id for base in node.bases if isinstance(base, ast.Name)}
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.ClassDef)
-        for base in node.bases
-        if isinstance(base, ast.Name)
-    ]
-    return any(base.startswith("Q") and base != "QObject" for base in bases)
+    }
+
+
+def widgets_among(classes: dict[str, set[str]]) -> set[str]:
+    """Those of some classes that are widgets, or models for one, by their bases and those of their bases."""
+    found: set[str] = set()
+    while (
+        more := {
+            name
+            for name, bases in classes.items()
+            if bases & found or any(base.startswith("Q") and base != "QObject" for base in bases)
+        }
+        - found
+    ):
+        found |= more
+    return found
+
+
+WIDGETS = widgets_among(
+    {
+        name: bases
+        for path in (ROOT / "app").rglob("*.py")
+        for name, bases in classes_in(path).items()
+        if path != BUILDS
+    }
+)
+
+
+def shows_something(path: Path) -> bool:
+    """Whether a module makes widgets, or a model for one."""
+    return not WIDGETS.isdisjoint(classes_in(path))
 
 
 FOUND = filter(shows_something, (path for room in ROOMS for path in room.glob("*.py") if path != BUILDS))
@@ -62,7 +89,7 @@ def test_a_panel_holds_no_session(path):
         "def __init__(self, session): pass",
         "self._session.commit(document, text)",
         "panel = Panel(session=owner)",
-        "self.tools.context.host.select([1])",
+        "self.tools.context.host.selected.set_points([1])",
     ],
 )
 def test_one_that_holds_a_session_is_found(code):
@@ -73,6 +100,9 @@ def test_the_panels_of_features_are_read_too():
     read = {path.relative_to(ROOT).as_posix() for path in PANELS}
     table = {f"app/features/point_table/{name}.py" for name in ("panel", "model", "view", "delegate")}
     assert table < read
+    # They derive from widgets of ours.
+    assert {f"app/features/{name}/panel.py" for name in ("curve_settings", "reference_image")} < read
+    assert "app/features/import_export/import_table_dialog.py" in read
     assert "app/features/point_table/controller.py" not in read
 
 

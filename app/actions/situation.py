@@ -38,7 +38,7 @@ class Situation:
     @property
     def selected(self) -> frozenset[int]:
         """The selected curves."""
-        return self.session.selected_curves
+        return self.session.selected.curves
 
     @property
     def has_copied_derivatives(self) -> bool:

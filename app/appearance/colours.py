@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Final
 
 from PySide6.QtGui import QColor
@@ -33,7 +34,8 @@ def line_colour(code: str, theme: Theme) -> QColor:
     return QColor(OKABE_ITO[theme.name][published.index(code)]) if code in published else QColor(code)
 
 
-def point_colours(n: int, theme: Theme) -> list[QColor]:
+@lru_cache(maxsize=8)
+def point_colours(n: int, theme: Theme) -> tuple[QColor, ...]:
     """
     Return one colour for each of ``n`` points, all legible on the theme's paper.
 
@@ -50,7 +52,7 @@ def point_colours(n: int, theme: Theme) -> list[QColor]:
 
     Returns
     -------
-    list of QColor
-        The colours by point index.
+    tuple of QColor
+        The colours by point index; the same objects for the same arguments, not to be changed.
     """
-    return [QColor(code) for code in point_palette(n, theme.name, theme.ink.name())]
+    return tuple(QColor(code) for code in point_palette(n, theme.name, theme.ink.name()))

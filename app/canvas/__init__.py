@@ -2,16 +2,17 @@
 
 - ``canvas``: the widget, which has the tools.  ``scene``: its layers.  ``fitting``: what part of the plane is
   shown.
-- ``curve_layer``, ``point_layer``, ``point_density``, ``corner_layer``: the curve that is edited.
-- ``other_curves_layer``, ``selected_curves_layer``: the other curves; those of them that are selected.
+- ``curve_layer``, ``point_layer``, ``point_density``: the curve that is edited.
+- ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
+  that are selected.
 - ``grid_layer``, ``unit_layer``: grid and unit.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
-- ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``, ``file_layer``: overlays and
-  ghosts; other versions of the curve; those that the file holds.  ``legend``: what they mean.
+- ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other
+  versions of the curve.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.
 - ``marks_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
 - ``label_place``: where words beside a point cover least.
-- ``pen_layer``: what the pen would make before it is pressed.
+- ``pen_layer``: the curve that the pen would make before it is pressed.
 - ``hit_test``: what lies under the pointer.
 """
 

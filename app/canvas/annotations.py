@@ -9,17 +9,15 @@ from PySide6.QtCore import QObject, Signal
 
 from app import canvas
 from app.canvas.figure_layer import FigureLayer
-from app.canvas.file_layer import FileLayer
+from app.canvas.other_curves_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
 from app.plotting.plot_widget import PlotWidget
 from app.view_model import analysis
-from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import FILE_STYLE, LineStyle
 
 if TYPE_CHECKING:
     from app.canvas.legend import Legend
-    from app.view_model.analysis.ghosts import GhostView
     from app.view_model.analysis.legend import LegendRow
 
 
@@ -28,8 +26,12 @@ class Annotations(QObject):
 
     Attributes
     ----------
+    figure_layer
+        Combs, vectors, bands and the like, and variants of the curve.
     legend
         None until there is something to explain.
+    file_version
+        The name of a file's curves in the legend; empty while none are shown.
 
     Signals
     -------
@@ -43,38 +45,19 @@ class Annotations(QObject):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._plot = plot
-        self._figures = FigureLayer(plot)
+        self.figure_layer = FigureLayer(plot)
         self._file_layer = FileLayer(plot)
         self._traces = TraceLayer(plot)
         self.legend: Legend | None = None
-
-    # Figures and ghosts
-
-    def render_figures(self, figures: Sequence[Figure], ghosts: Sequence[GhostView] = ()) -> None:
-        """Show combs, vectors, bands and the like, and variants of the curve."""
-        self._figures.render(figures, ghosts)
-
-    @property
-    def figures(self) -> Sequence[Figure]:
-        """The figures beside the curve."""
-        return self._figures.figures
-
-    @property
-    def ghosts(self) -> Sequence[GhostView]:
-        """The variants of the curve that are shown."""
-        return self._figures.ghosts
+        self.file_version = ""
 
     # Other versions
 
     def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
         """Show the curves that a file holds, dashed and with this name; none: put them away."""
-        self._file_layer.render(views, name)
+        self._file_layer.render(views, range(len(views)))
+        self.file_version = name if self._file_layer.is_visible else ""
         self._explain_lines("file", [(FILE_STYLE, self.file_version)] if self.file_version else ())
-
-    @property
-    def file_version(self) -> str:
-        """The name of a file's curves in the legend; empty while none are shown."""
-        return self._file_layer.name
 
     def render_traces(
         self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
@@ -17,7 +15,6 @@ from app.tools.pointer import Hint, Hit, Pointer
 from app.tools.tool import Tool, ToolRecord
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
-from app.view_model.curve_view import CurveView
 
 
 class Canvas(ToolPlot):
@@ -50,21 +47,6 @@ class Canvas(ToolPlot):
         self.camera.changed.connect(self.hover_again)
 
     # What is shown
-
-    def render_view(self, view: CurveView) -> None:
-        """Show the curve that is edited."""
-        self.drawing.render_view(view)
-        self.show_marks()
-
-    def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
-        """Show the other curves; some are selected together with the one that is edited."""
-        self.drawing.render_others(views, active, selected)
-        self.show_marks()
-
-    def set_selection(self, selection: frozenset[int]) -> None:
-        """Show which points are selected."""
-        self.drawing.set_selection(selection)
-        self.show_marks()
 
     @property
     def marks(self) -> GestureMarks:
@@ -105,7 +87,7 @@ class Canvas(ToolPlot):
         self.setFocus(Qt.FocusReason.OtherFocusReason)
         pointer = self._pointer_now()
         if self.tools.begin_transform(kind, pointer):
-            self._hand = self._hand or pointer
+            self._pointer = self._pointer or pointer
             self._show_progress()
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
@@ -117,7 +99,7 @@ class Canvas(ToolPlot):
 
     # Menus and keys
 
-    def menu_wanted(self, event: QContextMenuEvent) -> None:
+    def _menu_wanted(self, event: QContextMenuEvent) -> None:
         """Ask for a menu: for what lies under the pointer; by the Menu key, for the selected point."""
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
         place = self.framing.selected_pixel() if by_key else QPointF(event.pos())
@@ -128,9 +110,6 @@ class Canvas(ToolPlot):
     def hit_at(self, place: QPoint) -> Hit | None:
         """Return what lies at a place of the screen."""
         return self._hit_at(QPointF(self.viewport().mapFromGlobal(place)))
-
-    def _hit_at(self, place: QPointF) -> Hit | None:
-        return self.hit(self.pointer_at(place), self.tools.tool)
 
     def _nudge(self, event: QKeyEvent) -> bool:
         nudged = super()._nudge(event)

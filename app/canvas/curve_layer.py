@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QAbstractAnimation, QSizeF, Qt, QVariantAnimation
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.appearance.colours import curve_colour
 from app.document.words import number
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, write_on_plate
+from app.plotting.plates import inside, size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.curve_view import CurveView, Polyline
 from curvecore.arrays import FloatArray
@@ -43,12 +43,7 @@ class CurveLayer(Layer):
         super().__init__(plot)
         self.error = 0.0
         self._view: CurveView | None = None
-        self._font = QFont(plot.font())
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
-        self._made_for: tuple[object, ...] = ()
-        self._pen_now = QPen()
-        self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
-        self._ghost_drawn: tuple[FloatArray | None, PixelMap | None] = (None, None)
         self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
@@ -60,11 +55,17 @@ class CurveLayer(Layer):
         self._view = view
         self.update()
 
-    def show_ghost(self, points: FloatArray) -> None:
-        """Let a curve, as a polyline of the plane, stand behind the present one and fade."""
-        self._ghost = points
-        self._fade.stop()
-        self._fade.start()
+    def show_ghost(self, shown: PixelMap, *, held: bool = False) -> None:
+        """Let the curve as it is now stand behind the one to come and fade, or stay until it is released.
+
+        A ghost that is held stays the one that it is.
+        """
+        polyline = self.polyline(shown)
+        if polyline is not None and not self._ghost_held:
+            self._ghost, self._ghost_held = polyline.points, held
+            self._fade.stop()
+            if not held:
+                self._fade.start()
 
     @property
     def ghost_opacity(self) -> float:
@@ -73,11 +74,6 @@ class CurveLayer(Layer):
             return 1.0
         fading = self._fade.state() == QAbstractAnimation.State.Running
         return float(self._fade.currentValue()) if fading and self._ghost is not None else 0.0
-
-    def hold_ghost(self, points: FloatArray) -> None:
-        """Let a curve stand behind the present one until the ghost is released."""
-        self._fade.stop()
-        self._ghost, self._ghost_held = points, True
 
     def release_ghost(self) -> None:
         """Let the ghost that was held fade."""
@@ -93,19 +89,21 @@ class CurveLayer(Layer):
         """Return the curve as it is drawn, None without one."""
         if self._view is None or self._view.curve is None:
             return None
-        return self._view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+        return line_of(self._view, shown)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw ghost and curve."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if self._ghost is not None and self.ghost_opacity > 0:
             self._paint_ghost(painter, shown, self._ghost)
-        if self._view is not self._drawn[0] or shown is not self._drawn[1]:
-            self._fill(shown)
+        view, polyline = self._view, self.polyline(shown)
+        self.error = 0.0 if polyline is None else polyline.reached * max(shown.sx, shown.sy)
+        if view is None or polyline is None:
+            return
+        self._stroke.show(polyline.points, shown)
         if self._is_cased:
             painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
             self._stroke.draw(painter)
-        painter.setPen(self._pen())
+        painter.setPen(self._pen(view))
         self._stroke.draw(painter)
         if self.said:
             self._paint_word(painter, shown)
@@ -116,9 +114,7 @@ class CurveLayer(Layer):
         return f"Drawn within {number(self.error, 2)} pixels" if self.error > WORTH_A_WORD else ""
 
     def _paint_word(self, painter: QPainter, shown: PixelMap) -> None:
-        painter.setFont(self._font)
-        size = QFontMetricsF(self._font).size(0, self.said) + QSizeF(12.0, 6.0)
-        plate = inside(0.0, shown.height, size, shown)
+        plate = inside(0.0, shown.height, size_of(painter, self.said, 12.0, 6.0), shown)
         write_on_plate(painter, plate, self.said, self.theme.paper, self.theme.ink)
 
     def set_cased(self, cased: bool) -> None:
@@ -126,40 +122,23 @@ class CurveLayer(Layer):
         self._is_cased = cased
         self.update()
 
-    def _fill(self, shown: PixelMap) -> None:
-        polyline = self.polyline(shown)
-        if polyline is None:
-            self._stroke, self.error = Stroke(), 0.0
-        else:
-            self.error = polyline.reached * max(shown.sx, shown.sy)
-            self._stroke.fill(shown.points(polyline.points), shown.width, shown.height)
-        self._drawn = (self._view, shown)
-
-    def _pen(self) -> QPen:
-        view = self._view
-        colour = view.source.colour if view is not None else None
-        # The last good curve, of points or rules that are no more, and a hidden one that is edited.
-        is_faint = view is not None and not (view.is_current and view.source.visible)
-        asked = (colour, is_faint, self.theme, self.scale)
-        if asked != self._made_for:
-            self._made_for = asked
-            self._pen_now = self._line(self.theme.curve, _WIDTH)
-            if is_faint:
-                self._pen_now = self._line(self.theme.handle, FAINT_WIDTH)
-            elif colour is not None:
-                self._pen_now.setColor(curve_colour(colour, self.theme))
-        return self._pen_now
+    def _pen(self, view: CurveView) -> QPen:
+        if not (view.is_current and view.source.visible):
+            # The last good curve, of points or rules that are no more, and a hidden one that is edited.
+            return self._line(self.theme.handle, FAINT_WIDTH)
+        return self._line(curve_colour(view.source.colour, self.theme), _WIDTH)
 
     def _line(self, colour: QColor, width: float) -> QPen:
-        pen = QPen(colour, width * self.scale)
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        return pen
+        return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap)
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: FloatArray) -> None:
-        if self._ghost_drawn[0] is not points or self._ghost_drawn[1] is not shown:
-            self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
-            self._ghost_drawn = (points, shown)
+        self._ghost_stroke.show(points, shown)
         colour = QColor(self.theme.ghost)
         colour.setAlphaF(self.ghost_opacity)
         painter.setPen(QPen(colour, self.scale))
         self._ghost_stroke.draw(painter)
+
+
+def line_of(view: CurveView, shown: PixelMap) -> Polyline:
+    """Return a curve as a polyline of the plane, exact enough to be drawn."""
+    return view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)

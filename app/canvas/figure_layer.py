@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, QSizeF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPainter
 
 from app.canvas.curve_layer import TOLERANCE
 from app.plotting.area import AreaFill
-from app.plotting.drawing import MARGIN, Segments, cut_segments
+from app.plotting.drawing import MARGIN, draw_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line, draw_mark, pen_of
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, write_on_plate
+from app.plotting.plates import inside, size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.line_styles import Mark
@@ -51,7 +51,6 @@ class FigureLayer(Layer):
         self.figures: Sequence[Figure] = ()
         self.ghosts: Sequence[GhostView] = ()
         self._area = AreaFill()
-        self._font = QFont(plot.font())
         self._layers: list[Layer] = [self, Layer(plot, self._paint_above, z=0.5)]
         for layer in self._layers:
             # Even a layer that draws nothing costs every frame its share.
@@ -67,21 +66,20 @@ class FigureLayer(Layer):
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
-        self._paint_figures(painter, shown, [each for each in self.figures if each.shape not in _ABOVE])
+        for figure in self.figures:
+            if figure.shape not in _ABOVE:
+                self._paint_figure(painter, shown, figure)
         for ghost in self.ghosts:
             self._paint_ghost(painter, shown, ghost)
 
     def _paint_above(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw what the curve would hide, and the words."""
-        self._paint_figures(painter, shown, [each for each in self.figures if each.shape in _ABOVE])
+        for figure in self.figures:
+            if figure.shape in _ABOVE:
+                self._paint_figure(painter, shown, figure)
         for figure in self.figures:
             if figure.label:
                 self._paint_label(painter, shown, figure)
-
-    def _paint_figures(self, painter: QPainter, shown: PixelMap, figures: Sequence[Figure]) -> None:
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        for figure in figures:
-            self._paint_figure(painter, shown, figure)
 
     def _paint_figure(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
         painter.setPen(pen_of(figure.style, self.theme, self.scale))
@@ -90,7 +88,7 @@ class FigureLayer(Layer):
             case Shape.LINE:
                 draw_line(painter, pixels, figure.style.dashes, shown)
             case Shape.SEGMENTS:
-                _draw(painter, cut_segments(pixels.reshape(-1, 4), shown.width, shown.height))
+                draw_segments(painter, pixels.reshape(-1, 4), shown)
             case Shape.ARROWS:
                 _draw_arrows(painter, pixels, shown)
             case Shape.TICKS:
@@ -123,11 +121,8 @@ class FigureLayer(Layer):
         x, y = _pixels(figure.points[-1:], shown)[0].tolist()
         if not (-MARGIN < x < shown.width + MARGIN and -MARGIN < y < shown.height + MARGIN):
             return
-        font = QFont(self._font)
-        font.setPointSizeF(self._font.pointSizeF() * 0.95 * self.scale)
-        painter.setFont(font)
-        metrics = QFontMetricsF(font)
-        size = QSizeF(metrics.horizontalAdvance(figure.label) + 8, metrics.height() + 2)
+        painter.setFont(self.fonts.times(0.95 * self.scale))
+        size = size_of(painter, figure.label, 8, 2)
         plate = inside(x + 8, y - size.height() - 4, size, shown)
         write_on_plate(painter, plate, figure.label, self.theme.paper, self.theme.ink)
 
@@ -138,12 +133,6 @@ def _pixels(points: FloatArray, shown: PixelMap) -> FloatArray:
         return np.clip(shown.points(points), -_FARTHEST, _FARTHEST)
 
 
-def _draw(painter: QPainter, segments: FloatArray) -> None:
-    drawn = Segments()
-    drawn.fill(segments)
-    drawn.draw(painter)
-
-
 def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None:
     """Draw segments with heads; short arrows have small heads, so that the shaft is seen."""
     ends = pixels.reshape(-1, 2, 2)
@@ -152,15 +141,13 @@ def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None
     side = np.column_stack([-head[:, 1], head[:, 0]]) * 0.45
     tips = ends[:, 1]
     barbs = [np.hstack([tips, tips - head + sign * side]) for sign in (1, -1)]
-    _draw(painter, cut_segments(np.vstack([ends.reshape(-1, 4), *barbs]), shown.width, shown.height))
+    draw_segments(painter, np.vstack([ends.reshape(-1, 4), *barbs]), shown)
 
 
 def _draw_ticks(painter: QPainter, pixels: FloatArray, shown: PixelMap, half: float) -> None:
     ends = pixels.reshape(-1, 2, 2)
     along, _ = _directions(ends)
-    reach = half * along
-    ticks = np.hstack([ends[:, 0] - reach, ends[:, 0] + reach])
-    _draw(painter, cut_segments(ticks, shown.width, shown.height))
+    draw_segments(painter, np.hstack([ends[:, 0] - half * along, ends[:, 0] + half * along]), shown)
 
 
 def _directions(ends: FloatArray) -> tuple[FloatArray, FloatArray]:

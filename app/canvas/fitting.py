@@ -50,11 +50,6 @@ def with_margin(box: PlaneBox) -> PlaneBox:
     return PlaneBox(box.low - margin, box.high + margin)
 
 
-def are_in_sight(views: Sequence[CurveView], shown: PixelMap) -> bool:
-    """Whether curves lie in sight, as far as `box_of` would show them."""
-    return all_inside(shown, _boxes(views).reshape(-1, 2))
-
-
 def all_inside(shown: PixelMap, points: FloatArray) -> bool:
     """Whether points (n, 2) of the plane lie in sight."""
     pixels = shown.points(points)
@@ -90,7 +85,8 @@ class Framing:
 
     def shows_curves_from(self, first: int) -> bool:
         """Whether the curves from this place on lie in sight, as far as `fit` would show them."""
-        return are_in_sight(self._drawing.views[first:], self._camera.pixel_map)
+        boxes, _sizes = _limited(self._drawing.views[first:])
+        return all_inside(self._camera.pixel_map, boxes.reshape(-1, 2))
 
     def fit(self) -> None:
         """Show all visible curves and the active one; of a wild one, its points and their surroundings.
@@ -136,14 +132,10 @@ class Framing:
             self._camera.pan(dx, dy)
 
 
-def _boxes(views: Sequence[CurveView]) -> FloatArray:
-    """Return the boxes to show, (k, 2, 2): of the curves, at most three times as large as their points."""
-    return _limited(views)[0]
-
-
 def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
-    """Return the boxes, and of each how large what it shows counts, (k,).
+    """Return the boxes to show, (k, 2, 2), and of each how large what it shows counts, (k,).
 
+    They are those of the curves, and at most three times as large as their points.
     One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
     """
     extents = np.array([view.extent for view in views if len(view.points)]).reshape(-1, 2, 2, 2)

@@ -55,10 +55,9 @@ class GridLayer(Layer):
     def _axes(self) -> tuple[Any, Any]:
         return (self._plot.getAxis("bottom"), self._plot.getAxis("left"))
 
-    def spacing(self, shown: PixelMap) -> tuple[float, float]:
-        """Return the distance of the fine lines along x and y: what snapping to the grid goes by."""
-        fine = self._fixed or adaptive_steps(shown.sx)[1]
-        return (fine, fine)
+    def spacing(self, shown: PixelMap) -> float:
+        """Return the distance of the fine lines, along x as along y: what snapping to the grid goes by."""
+        return self._fixed or adaptive_steps(shown.sx)[1]
 
     def _tune_axes(self) -> None:
         """Keep the lines apart on the screen, both ways alike: the plane has the same unit along x and y."""

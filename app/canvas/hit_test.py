@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -68,14 +69,13 @@ def _nearest_point(
 def _nearest_handle(
     pixel: Vector, shown: PixelMap, handles: Sequence[Handle], selection: frozenset[int]
 ) -> tuple[Hit, float] | None:
-    best: tuple[Hit, float] | None = None
-    for handle in handles:
-        x, y = shown.point(*handle.position)
-        distance = float(np.hypot(x - pixel[0], y - pixel[1]))
-        if distance <= POINT_REACH and (best is None or distance < best[1]):
-            index = next(iter(selection))
-            best = Hit(_PARTS[handle.kind], index, handle.position, ahead=handle.ahead), distance
-    return best
+    away = [(math.dist(shown.point(*handle.position), pixel), handle) for handle in handles]
+    near = [each for each in away if each[0] <= POINT_REACH]
+    if not near:
+        return None
+    distance, nearest = min(near, key=lambda each: each[0])
+    index = next(iter(selection))
+    return Hit(_PARTS[nearest.kind], index, nearest.position, ahead=nearest.ahead), distance
 
 
 def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:

@@ -12,6 +12,7 @@ from app.canvas.fitting import PlaneBox, with_margin
 from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
 from app.plotting.layers import Layer
+from app.plotting.pictures import transparent
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.tools.move_image import CORNERS, corner_of
@@ -138,6 +139,7 @@ class ImageLayer(Layer):
 
     def _paint_frame(self, painter: QPainter, rect: QRectF) -> None:
         visible = rect.intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.muted, 1, Qt.PenStyle.DashLine))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(visible)
@@ -148,7 +150,6 @@ class ImageLayer(Layer):
         if image is None or not self.has_grips:
             return
         rect = _rect(image, shown).intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(QPen(self.theme.accent, 1.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(rect)
@@ -179,9 +180,7 @@ def _shot(pixels: QImage, rect: QRectF, shown: PixelMap, ratio: float) -> QPixma
         visible.width() * across,
         visible.height() * down,
     )
-    result = QPixmap(math.ceil(shown.width * ratio), math.ceil(shown.height * ratio))
-    result.setDevicePixelRatio(ratio)
-    result.fill(Qt.GlobalColor.transparent)
+    result = transparent(shown.width, shown.height, ratio)
     painter = QPainter(result)
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
     painter.drawImage(visible, pixels, source)

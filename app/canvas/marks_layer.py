@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.canvas.label_place import Surroundings, free_corner
 from app.document.model import Vector
-from app.plotting.fonts import Sizes
 from app.plotting.halo import Halo
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import beyond, write_on_plate
+from app.plotting.plates import beyond, size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.tools.marks import GestureMarks, Note, Ruler
 from app.tools.snapping import Snap
@@ -53,7 +52,6 @@ class MarksLayer(Layer):
         self._around = around
         self.readout_rect = self.snap_label_rect = QRectF()
         self._halo = Halo()
-        self._fonts = Sizes(plot.font())
 
     def render(self, marks: GestureMarks) -> None:
         """Draw `marks` from the next paint on."""
@@ -64,7 +62,7 @@ class MarksLayer(Layer):
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw what there is."""
         marks = self.marks
-        painter.setFont(self._fonts.times(0.95 * self.scale))
+        painter.setFont(self.fonts.times(0.95 * self.scale))
         if marks.box is not None:
             self._paint_box(painter, shown, marks.box)
         if marks.band is not None:
@@ -75,6 +73,8 @@ class MarksLayer(Layer):
             self._paint_ruler(painter, shown, marks.ruler)
         if marks.snap is not None:
             self._paint_snap(painter, shown, marks.snap)
+        if marks.spot is not None:
+            self._paint_spot(painter, *shown.point(*marks.spot))
         if marks.note is not None:
             self._paint_note(painter, shown, marks.note)
 
@@ -181,6 +181,14 @@ class MarksLayer(Layer):
         middle = QPointF((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
         self._write_beyond(painter, shown, middle, (way, -way), ruler.text)
 
+    def _paint_spot(self, painter: QPainter, x: float, y: float) -> None:
+        """Draw a ring on the curve, where the pen would insert a point."""
+        if _is_drawable(x, y):
+            painter.setBrush(self.theme.paper)
+            painter.setPen(self._pen(1.5))
+            painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+
     # Words
 
     def _paint_note(self, painter: QPainter, shown: PixelMap, note: Note) -> None:
@@ -194,19 +202,14 @@ class MarksLayer(Layer):
         self, painter: QPainter, shown: PixelMap, place: QPointF, ways: Sequence[QPointF], text: str
     ) -> None:
         """Write beside a place, away from what is worked on."""
-        plate = self.readout_rect = beyond(place, ways, _CLEAR * self.scale, self._size(painter, text), shown)
+        plate = self.readout_rect = beyond(place, ways, _CLEAR * self.scale, size_of(painter, text), shown)
         write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
-
-    @staticmethod
-    def _size(painter: QPainter, text: str) -> QSizeF:
-        metrics = QFontMetricsF(painter.font())
-        return QSizeF(metrics.horizontalAdvance(text) + 10, metrics.height() + 4)
 
     def _paint_label(
         self, painter: QPainter, shown: PixelMap, pixel: QPointF, text: str, around: Surroundings
     ) -> None:
         """Write beside a point, where it covers least of the curve and no number."""
-        size, gap = self._size(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
+        size, gap = size_of(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
         self.snap_label_rect = free_corner(pixel, size, gap, around, shown)
         theme = self.theme
         self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent, 2 * self.scale)

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.appearance.colours import curve_colour
 from app.appearance.theme import mix
-from app.plotting.drawing import Segments, cut_segments
+from app.plotting.drawing import draw_segments, is_near
 from app.plotting.layers import Layer
 from app.plotting.pens import draw_line
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, write_on_plate
+from app.plotting.plates import inside, size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.arrow import arrow_segments
 from app.view_model.line_styles import DASHED
@@ -37,7 +37,6 @@ class MotionLayer(Layer):
         super().__init__(plot)
         self.dots: Sequence[Dot] = ()
         self.lines: Sequence[tuple[Role, FloatArray]] = ()
-        self._font = QFont(plot.font())
         self._written: list[QRectF] = []
 
     def render(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, FloatArray]]) -> None:
@@ -47,14 +46,12 @@ class MotionLayer(Layer):
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines, then the trails, then the dots with their arrows."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         for role, line in self.lines:
             self._paint_line(painter, shown, role, line)
         for dot in self.dots:
             self._paint_trail(painter, shown, dot)
         self._written.clear()
-        self._font.setPointSizeF(9.0 * self.scale)
-        painter.setFont(self._font)
+        painter.setFont(self.fonts.at(9.0 * self.scale))
         for dot in self.dots:
             self._paint_dot(painter, shown, dot)
 
@@ -72,14 +69,14 @@ class MotionLayer(Layer):
         with np.errstate(all="ignore"):
             places = shown.points(dot.trail)
         for age, (x, y) in enumerate(places.tolist()):
-            if _is_near(x, y):
+            if is_near(x, y):
                 colour.setAlphaF(0.65 * (1.0 - age / TRAIL))
                 painter.setBrush(colour)
                 painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_dot(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
         x, y = shown.point(*dot.place)
-        if not _is_near(x, y):
+        if not is_near(x, y):
             return
         for arrow in dot.arrows:
             colour = curve_colour(colour_of(dot, arrow), self.theme)
@@ -99,10 +96,7 @@ class MotionLayer(Layer):
             return
         painter.setPen(QPen(colour, 2.0 * self.scale))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        segments = arrow_segments(start, tip, 9.0 * self.scale)
-        drawn = Segments()
-        drawn.fill(cut_segments(segments, shown.width, shown.height))
-        drawn.draw(painter)
+        draw_segments(painter, arrow_segments(start, tip, 9.0 * self.scale), shown)
         self._write_beyond(painter, shown, start, tip, words)
 
     def _write_beyond(
@@ -114,12 +108,12 @@ class MotionLayer(Layer):
         words: str,
     ) -> None:
         """Write beyond the tip of an arrow, on a little paper and inside the drawing."""
-        metrics = QFontMetricsF(painter.font())
-        width, height = metrics.horizontalAdvance(words) + 6, metrics.height()
+        size = size_of(painter, words, 6, 0)
+        width, height = size.width(), size.height()
         along = np.subtract(tip, start) / max(float(np.hypot(*np.subtract(tip, start))), 1e-9)
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
-        plate = inside(x, y, QSizeF(width, height), shown)
+        plate = inside(x, y, size, shown)
         for other in self._written:
             # Two arrows with nearly one tip: one name stands below the other.
             if plate.intersects(other):
@@ -128,7 +122,3 @@ class MotionLayer(Layer):
                 )
         self._written.append(plate)
         write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())
-
-
-def _is_near(x: float, y: float) -> bool:
-    return abs(x) < _FAR and abs(y) < _FAR

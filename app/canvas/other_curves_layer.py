@@ -12,15 +12,18 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from app.appearance.colours import curve_colour
 from app.appearance.theme import Theme
-from app.canvas.curve_layer import CASING, FAINT_WIDTH, TOLERANCE
+from app.canvas.curve_layer import CASING, FAINT_WIDTH, line_of
 from app.canvas.hit_test import CURVE_REACH, PixelOutline
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
+from app.plotting.pens import draw_line, pen_of
+from app.plotting.pictures import transparent
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CurveView
+from app.view_model.line_styles import FILE_STYLE
 from curvecore.arrays import FloatArray
 
 _SLOW = 0.008
@@ -42,6 +45,7 @@ class OtherCurvesLayer(Layer):
     z = -1.0
 
     shows_hidden = False
+    join = Qt.PenJoinStyle.BevelJoin
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
@@ -54,7 +58,7 @@ class OtherCurvesLayer(Layer):
         self._rest.timeout.connect(self._make_anew)
         self._painted = 0
         self._next = QTimer(plot, singleShot=True, interval=0)
-        self._next.timeout.connect(self._update)
+        self._next.timeout.connect(lambda: self.update())  # noqa: PLW0108
         self._outline: _Outline | None = None
         self.set_visible(False)
 
@@ -65,7 +69,7 @@ class OtherCurvesLayer(Layer):
             for place in places
             if (views[place].source.visible or self.shows_hidden) and views[place].curve is not None
         ]
-        if _same(shown, self._views):
+        if shown == self._views:
             return
         self._views = shown
         self._picture = self._outline = None
@@ -85,8 +89,7 @@ class OtherCurvesLayer(Layer):
         """
         if not self._views:
             return
-        device = painter.device()
-        ratio = device.devicePixelRatio() if device is not None else 1.0
+        ratio = painter.device().devicePixelRatioF()
         key = (self.theme, self.scale, ratio)
         picture = self._picture
         if picture is not None and picture.key == key and picture.shown != shown and self._may_wait(shown):
@@ -95,7 +98,7 @@ class OtherCurvesLayer(Layer):
             painter.drawPixmap(picture.place_in(shown), picture.pixmap, QRectF(picture.pixmap.rect()))
             return
         if picture is None or picture.key != key or picture.shown != shown:
-            picture = self._picture = _Picture(self._empty(shown, ratio), shown, key)
+            picture = self._picture = _Picture(transparent(shown.width, shown.height, ratio), shown, key)
             self._painted, self._seconds, self._is_resting = 0, 0.0, False
         if self._painted < len(self._views):
             self._paint_more(picture)
@@ -124,21 +127,11 @@ class OtherCurvesLayer(Layer):
         self._is_resting = True
         self.update()
 
-    def _update(self) -> None:
-        self.update()
-
-    @staticmethod
-    def _empty(shown: PixelMap, ratio: float) -> QPixmap:
-        picture = QPixmap(int(np.ceil(shown.width * ratio)), int(np.ceil(shown.height * ratio)))
-        picture.setDevicePixelRatio(ratio)
-        picture.fill(Qt.GlobalColor.transparent)
-        return picture
-
     def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
         """Paint the curves into the picture."""
         stroke = Stroke()
         for view in views:
-            stroke.fill(pixels_of(view, shown), shown.width, shown.height)
+            stroke.show(line_of(view, shown).points, shown)
             if self._is_cased:
                 painter.setPen(self._line(self.theme.paper, FAINT_WIDTH + 2 * CASING))
                 stroke.draw(painter)
@@ -149,9 +142,7 @@ class OtherCurvesLayer(Layer):
         return curve_colour(view.source.colour, self.theme)
 
     def _line(self, colour: QColor, width: float) -> QPen:
-        pen = QPen(colour, width * self.scale)
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        return pen
+        return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, self.join)
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve at `pixel`, the last one where several lie."""
@@ -160,6 +151,18 @@ class OtherCurvesLayer(Layer):
         if self._outline is None or self._outline.shown is not shown:
             self._outline = _Outline(self._views, shown)
         return self._outline.hit(pixel)
+
+
+class FileLayer(OtherCurvesLayer):
+    """Draws the curves of the file behind those of the document, out of the reach of the mouse."""
+
+    z = -2.0
+
+    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Paint dashed lines into the picture that is kept: dashes are slow to make."""
+        painter.setPen(pen_of(FILE_STYLE, self.theme, self.scale))
+        for view in views:
+            draw_line(painter, pixels_of(view, shown), FILE_STYLE.dashes, shown)
 
 
 class _Picture(msgspec.Struct, frozen=True, eq=False):
@@ -195,11 +198,4 @@ class _Outline:
 
 def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:
     """Return the curve as a polyline in pixels."""
-    return shown.points(view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box).points)
-
-
-def _same(first: Sequence[tuple[int, CurveView]], second: Sequence[tuple[int, CurveView]]) -> bool:
-    return len(first) == len(second) and all(
-        place == other_place and view is other
-        for (place, view), (other_place, other) in zip(first, second, strict=True)
-    )
+    return shown.points(line_of(view, shown).points)

@@ -6,15 +6,16 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen
 
+from app.appearance.colours import point_colours
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.document.words import with_decimals
-from app.plotting.colours import colours_of
-from app.plotting.fonts import Sizes
+from app.plotting.drawing import is_near
 from app.plotting.layers import Layer
+from app.plotting.pens import diamond
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import write_on_plate
+from app.plotting.plates import size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.view_model.curve_view import CurveView
@@ -23,6 +24,9 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
+_CORNER = 5.0
+"""Half the side of the square of a corner, in pixels."""
+
 _DISCS_MS = 200
 """Milliseconds for which discs keep their size while points move."""
 
@@ -31,19 +35,20 @@ _HALF_NUMBER = 6.0
 
 _WEIGHED_UP_TO = 24
 _LEAST_WEIGHT = 5e-3
-_FAR = 1e5
 _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
 
 
 class PointLayer(Layer):
-    """Draws the points of the active curve; all in one item."""
+    """Draws the points of the active curve; corners are squares, over the discs."""
 
     z = 10.0
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self.selection: frozenset[int] = frozenset()
+        # Those on screen, of the selected point.
+        self.handles: Sequence[Handle] = ()
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
         self.shows_new_handle = False
@@ -52,9 +57,7 @@ class PointLayer(Layer):
         self.weights: FloatArray | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
-        self._handles: list[Handle] = []
-        self._fonts = Sizes(plot.font())
-        self._stamps = Stamps(_disc)
+        self._stamps = Stamps(lambda painter, radius: painter.drawEllipse(QPointF(0, 0), radius, radius))
         self._discs_now = Discs(RADIUS, 0.0)
         self._discs_asked: tuple[object, ...] = ()
         # Where numbers were written last, in pixels, and how many characters they have.
@@ -63,42 +66,33 @@ class PointLayer(Layer):
         # Paints once more when a drag has ended, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
         self._soon.timeout.connect(self.refresh)
+        self._corners = Layer(plot, self._paint_corners, z=11.0)
         self._pixels_of: tuple[FloatArray | None, PixelMap | None] = (None, None)
         self._pixels: FloatArray = np.empty((0, 2))
         self._visible: IntArray = np.empty(0, dtype=np.intp)
-        self._made_for: tuple[object, ...] = ()
-        self._apart_of = self._visible
-        self._apart: tuple[IntArray, list[int], list[int]] = (self._visible, [], [])
 
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
         self._view = view
-        self.set_opacity(opacity_of(view))
-        self._handles = self._handles_now()
-        self.update()
+        for layer in (self, self._corners):
+            layer.set_opacity(opacity_of(view))
+        # A layer that draws nothing would cost every frame its share.
+        self._corners.set_visible(bool(view.corners))
+        self.refresh()
 
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""
-        self._handles = self._handles_now()
+        self.handles = ()
+        if self._view is not None and len(self.selection) == 1:
+            self.handles = handles_of(self._view, next(iter(self.selection)), free=self.shows_new_handle)
         self.update()
-
-    @property
-    def handles(self) -> Sequence[Handle]:
-        """The handles on screen, those of the selected point."""
-        return self._handles
-
-    def _handles_now(self) -> list[Handle]:
-        if self._view is None or len(self.selection) != 1:
-            return []
-        return handles_of(self._view, next(iter(self.selection)), free=self.shows_new_handle)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw weights, handles, points and numbers."""
         view = self._view
         if view is None or not len(view.points):
             return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        colours = colours_of(len(view.points), self.theme)
+        colours = point_colours(len(view.points), self.theme)
         self._locate(view.points, shown)
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
@@ -127,9 +121,12 @@ class PointLayer(Layer):
         discs = self._discs_of(pixels, visible)
         calm, hovered, selected = self._told_apart(len(pixels), visible, crowded=discs.crowded)
         self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
-        self._paint_discs(
-            painter, pixels, hovered, colours, (RADIUS + _GROWTH) * self.scale, 1.5 * self.scale
-        )
+        if hovered:
+            painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        for index in hovered:
+            painter.setBrush(colours[index])
+            radius = (RADIUS + _GROWTH) * self.scale
+            painter.drawEllipse(QPointF(*pixels[index]), radius, radius)
         for index in selected:
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
         if discs.crowded:
@@ -139,18 +136,14 @@ class PointLayer(Layer):
         self, count: int, visible: IntArray, *, crowded: bool
     ) -> tuple[IntArray, list[int], list[int]]:
         """Return which visible points are drawn like any other, which as hovered, and which as selected."""
-        asked = (count, crowded, self.selection, self.hovered)
-        if asked != self._made_for or visible is not self._apart_of:
-            selected = [index for index in self.selection if index < count]
-            is_calm = np.ones(count, dtype=bool)
-            is_calm[selected] = False
-            calm = visible[is_calm[visible]]
-            hovered = calm[calm == self.hovered].tolist()
-            if crowded:
-                calm = with_neighbours([*selected, *hovered], calm)
-            self._made_for, self._apart_of = asked, visible
-            self._apart = (calm, hovered, visible[~is_calm[visible]].tolist())
-        return self._apart
+        selected = [index for index in self.selection if index < count]
+        is_calm = np.ones(count, dtype=bool)
+        is_calm[selected] = False
+        calm = visible[is_calm[visible]]
+        hovered = calm[calm == self.hovered].tolist()
+        if crowded:
+            calm = with_neighbours([*selected, *hovered], calm)
+        return calm, hovered, visible[~is_calm[visible]].tolist()
 
     def _discs_of(self, pixels: FloatArray, visible: IntArray) -> Discs:
         """Return how discs are drawn; under a drag that hardly changes, and is not asked every frame."""
@@ -171,27 +164,10 @@ class PointLayer(Layer):
         return f"{len(self._view.points)} points: selection only · zoom in to see all"
 
     def _paint_note(self, painter: QPainter, shown: QRectF) -> None:
-        painter.setFont(self._fonts.times(0.9 * self.scale))
-        size = painter.fontMetrics().size(0, self.note)
-        plate = QRectF(0, 0, size.width() + 10, size.height() + 4)
+        painter.setFont(self.fonts.times(0.9 * self.scale))
+        plate = QRectF(QPointF(0, 0), size_of(painter, self.note))
         plate.moveBottomLeft(shown.bottomLeft() + QPointF(6, -6))
         write_on_plate(painter, plate, self.note, self.theme.paper, self.theme.muted)
-
-    def _paint_discs(
-        self,
-        painter: QPainter,
-        pixels: FloatArray,
-        indices: Sequence[int],
-        colours: Sequence[QColor],
-        radius: float,
-        rim: float,
-    ) -> None:
-        if not indices:
-            return
-        painter.setPen(QPen(self.theme.paper, rim) if rim else Qt.PenStyle.NoPen)
-        for index in indices:
-            painter.setBrush(colours[index])
-            painter.drawEllipse(QPointF(*pixels[index]), radius, radius)
 
     def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor) -> None:
         radius = _SELECTED_RADIUS * self.scale
@@ -202,6 +178,18 @@ class PointLayer(Layer):
         painter.setPen(QPen(self.theme.accent, 2 * self.scale))
         painter.drawEllipse(place, radius + 3 * self.scale, radius + 3 * self.scale)
 
+    def _paint_corners(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw a square in place of the disc where the curve may turn sharply."""
+        view = self._view
+        assert view is not None
+        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        colours, half = point_colours(len(view.points), self.theme), _CORNER * self.scale
+        for index in view.corners:
+            x, y = shown.point(*view.points[index].tolist())
+            if is_near(x, y):
+                painter.setBrush(colours[index])
+                painter.drawRect(QRectF(x - half, y - half, 2 * half, 2 * half))
+
     # Numbers
 
     def _paint_numbers(self, painter: QPainter, pixels: FloatArray, visible: IntArray) -> None:
@@ -209,7 +197,7 @@ class PointLayer(Layer):
         selected = self._numbered(pixels, visible)
         if not selected:
             return
-        painter.setFont(self._fonts.times(0.95 * self.scale))
+        painter.setFont(self.fonts.times(0.95 * self.scale))
         with_weight = self._has_weight_text(len(pixels))
         for index in selected:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
@@ -230,13 +218,13 @@ class PointLayer(Layer):
 
     def _numbered(self, pixels: FloatArray, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
-        if len(pixels) <= _LABELLED_UP_TO:
-            every: list[int] = visible.tolist()
-            return every
-        named = self.selection if len(self.selection) <= _LABELLED_UP_TO else frozenset[int]()
-        wanted = {index for index in (*named, self.hovered) if 0 <= index < len(pixels)}
-        wanted.update(np.flatnonzero(self._has_weight_text(len(pixels))).tolist())
-        return [index for index in sorted(wanted) if _holds(visible, index)]
+        numbered = visible
+        if len(pixels) > _LABELLED_UP_TO:
+            named = self.selection if len(self.selection) <= _LABELLED_UP_TO else ()
+            wanted = [*named, self.hovered, *np.flatnonzero(self._has_weight_text(len(pixels)))]
+            numbered = visible[np.isin(visible, wanted)]
+        result: list[int] = numbered.tolist()
+        return result
 
     def _paint_plate(self, painter: QPainter, centre: QPointF, text: str) -> None:
         """Lay a piece of paper under a number."""
@@ -259,9 +247,9 @@ class PointLayer(Layer):
     def _paint_handles(self, painter: QPainter, shown: PixelMap) -> None:
         placed = [
             (handle, QPointF(*tip), QPointF(*anchor))
-            for handle in self._handles
+            for handle in self.handles
             for tip, anchor in [(shown.point(*handle.position), shown.point(*handle.anchor))]
-            if max(map(abs, (*tip, *anchor))) <= _FAR
+            if is_near(*tip) and is_near(*anchor)
         ]
         colour = self.theme.handle
         if self.over_picture:
@@ -331,9 +319,8 @@ class PointLayer(Layer):
 
     def _paint_scrub_dot(self, painter: QPainter, shown: PixelMap) -> None:
         assert self.scrub is not None
-        _, x, y = self.scrub
-        pixel = shown.point(x, y)
-        if max(map(abs, pixel)) > _FAR:
+        pixel = shown.point(*self.scrub[1:])
+        if not is_near(*pixel):
             return
         painter.setPen(QPen(self.theme.paper, 2 * self.scale))
         painter.setBrush(self.theme.accent)
@@ -345,21 +332,11 @@ def opacity_of(view: CurveView) -> float:
     return 1.0 if view.source.visible else _HIDDEN
 
 
-def _disc(painter: QPainter, radius: float) -> None:
-    painter.drawEllipse(QPointF(0, 0), radius, radius)
-
-
 def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:
     """Tell which points are close enough to the visible area to be drawn."""
     margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]
     return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
-
-
-def _holds(ascending: IntArray, index: int) -> bool:
-    """Whether `index` is one of ascending ones."""
-    place = int(ascending.searchsorted(index))
-    return place < len(ascending) and int(ascending[place]) == index
 
 
 def _number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
@@ -389,10 +366,4 @@ def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) ->
     if handle.kind == 1:
         painter.drawRect(QRectF(tip.x() - size, tip.y() - size, 2 * size, 2 * size))
     else:
-        painter.drawPolygon(_diamond(tip, size))
-
-
-def _diamond(centre: QPointF, size: float) -> QPolygonF:
-    x, y = centre.x(), centre.y()
-    corners = ((x, y - size), (x + size, y), (x, y + size), (x - size, y))
-    return QPolygonF([QPointF(*corner) for corner in corners])
+        painter.drawPolygon(diamond(tip, size))

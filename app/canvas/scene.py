@@ -11,7 +11,6 @@ from PySide6.QtGui import QImage
 
 from app import canvas
 from app.canvas.annotations import Annotations
-from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.grid_layer import GridLayer
 from app.canvas.hit_test import hit_test
@@ -51,7 +50,7 @@ class CanvasScene:
         The grid behind the drawing; the unit at the axes.
     others, selected
         The curves that are not edited; those of them that are selected together with it.
-    curve, points, corners
+    curve, points
         The curve that is edited.
     annotations
         What explains it: figures, ghosts, other versions, the legend.
@@ -72,7 +71,6 @@ class CanvasScene:
         self.curve = CurveLayer(plot)
         self.annotations = Annotations(plot)
         self.points = PointLayer(plot)
-        self.corners = CornerLayer(plot)
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
         self._motion: MotionLayer | None = None
@@ -86,7 +84,7 @@ class CanvasScene:
         self.curve.render(view)
         self._show_weights()
         self.points.render(view)
-        self.corners.render(view)
+        self._plot.show_marks()
 
     def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
         """Show the other curves of the document behind the one that is edited; some are selected with it."""
@@ -94,11 +92,13 @@ class CanvasScene:
         others = [place for place in range(len(views)) if place != active]
         self.others.render(views, [place for place in others if place not in selected])
         self.selected.render(views, [place for place in others if place in selected])
+        self._plot.show_marks()
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Show which points are selected."""
         self.points.selection = selection
         self.points.refresh()
+        self._plot.show_marks()
 
     def set_hovered(self, index: int) -> None:
         """Light up a point (−1 for none)."""
@@ -120,18 +120,14 @@ class CanvasScene:
             return
         same_points = old.source.points == view.source.points
         if same_points and _rules(old.source) != _rules(view.source):
-            polyline = self.curve.polyline(self._plot.pixel_map)
-            if polyline is not None:
-                self.curve.show_ghost(polyline.points)
+            self.curve.show_ghost(self._plot.pixel_map)
 
     def hold_ghost(self, held: bool) -> None:
         """Keep a ghost of the curve as it is now while something is dragged elsewhere; then let it fade."""
-        if not held:
+        if held:
+            self.curve.show_ghost(self._plot.pixel_map, held=True)
+        else:
             self.curve.release_ghost()
-            return
-        polyline = self.curve.polyline(self._plot.pixel_map)
-        if polyline is not None:
-            self.curve.hold_ghost(polyline.points)
 
     # Scrub line and motion
 
@@ -173,7 +169,7 @@ class CanvasScene:
     def show_marks(self, marks: GestureMarks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""
         self.marks.render(marks)
-        self.pen.render(marks.preview_curve, marks.spot)
+        self.pen.render(marks.preview_curve)
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         """Return what of the drawing a tool hits at the pointer."""

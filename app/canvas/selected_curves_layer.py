@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QPainter, QPen
 
 from app.appearance.theme import mix
-from app.canvas.curve_layer import FAINT_WIDTH
-from app.canvas.other_curves_layer import OtherCurvesLayer, pixels_of
+from app.canvas.curve_layer import FAINT_WIDTH, line_of
+from app.canvas.other_curves_layer import OtherCurvesLayer
 from app.canvas.point_layer import opacity_of
 from app.plotting.drawing import Stroke
 from app.plotting.pixel_map import PixelMap
@@ -33,6 +33,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
     """
 
     shows_hidden = True
+    join = Qt.PenJoinStyle.RoundJoin
 
     def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
         """Paint halos, lines and rings into the picture."""
@@ -41,24 +42,16 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         stroke = Stroke()
         for view in views:
             painter.setOpacity(opacity_of(view))
-            stroke.fill(pixels_of(view, shown), shown.width, shown.height)
+            stroke.show(line_of(view, shown).points, shown)
             if len(self._views) <= _HALOS_UP_TO:
                 painter.setPen(self._line(halo, _HALO))
                 stroke.draw(painter)
             painter.setOpacity(1.0)
-            is_hidden = not view.source.visible
-            painter.setPen(self._line(self.theme.handle, FAINT_WIDTH) if is_hidden else self._bold(view))
+            line = (self._colour(view), _WIDTH) if view.source.visible else (self.theme.handle, FAINT_WIDTH)
+            painter.setPen(self._line(*line))
             stroke.draw(painter)
             painter.setOpacity(opacity_of(view))
             self._paint_rings(painter, shown, view)
-
-    def _bold(self, view: CurveView) -> QPen:
-        return self._line(self._colour(view), _WIDTH)
-
-    def _line(self, colour: QColor, width: float) -> QPen:
-        pen = super()._line(colour, width)
-        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-        return pen
 
     def _paint_rings(self, painter: QPainter, shown: PixelMap, view: CurveView) -> None:
         pixels, margin = shown.points(view.points), 2 * _RADIUS * self.scale

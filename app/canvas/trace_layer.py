@@ -55,7 +55,6 @@ class TraceLayer(Layer):
 
         During a drag they are old results that stay: their dashes are made once.
         """
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if self._drawn_at != (shown, self.scale):
             self._drawn_at = shown, self.scale
             self._lines = [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QFont, QPainter
+from PySide6.QtGui import QPainter
 
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
@@ -19,17 +19,10 @@ class UnitLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._unit = ""
-        self._font = QFont(plot.font())
-        self._font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0))
         self.set_visible(False)
 
-    @property
-    def unit(self) -> str:
-        """The name; empty for none."""
-        return self._unit
-
-    @unit.setter
-    def unit(self, unit: str) -> None:
+    def render(self, unit: str) -> None:
+        """Write this name from the next paint on; empty for none."""
         self._unit = unit
         self.set_visible(bool(unit))
         self.update()
@@ -38,7 +31,7 @@ class UnitLayer(Layer):
         """Write the name twice."""
         if not self._unit:
             return
-        painter.setFont(self._font)
+        painter.setFont(self.fonts.less(1.5, 1.0))
         painter.setPen(self.theme.muted)
         side = Qt.AlignmentFlag
         below = QRectF(shown.width - 126, shown.height - 22, 120, 18)

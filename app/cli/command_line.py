@@ -7,10 +7,11 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import nullcontext
 
 from app import __version__, cli, exchange, storage
 from app.cli.refusals import RefusalError, one_line, reason_of, say
-from app.diagnostics.log import log_options, logged
+from app.diagnostics.log import LEVELS, logged
 from app.exchange import READER_PROCESS
 
 _INTERRUPTED = 130
@@ -49,8 +50,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         options, words = common_options().parse_known_args(words)
-        with logged(options.log):
-            code = _run_with_families(options.families, words)
+        families = cli.families.families_of_files(options.families) if options.families else nullcontext()
+        with logged(options.log), families:
+            code = _run(words)
         say(end="")  # what was printed by others
     except BrokenPipeError:
         return _leave_closed_pipe()
@@ -74,7 +76,15 @@ def common_options() -> argparse.ArgumentParser:
 
     They are taken first: which families there are decides what other options may say.
     """
-    parser = log_options()
+    parser = argparse.ArgumentParser("curvebench", add_help=False, allow_abbrev=False)
+    parser.add_argument(
+        "--log",
+        type=str.upper,
+        choices=LEVELS,
+        metavar="LEVEL",
+        default="",
+        help=f"print what the program does ({', '.join(LEVELS)}); no names of files or curves, no points",
+    )
     parser.add_argument(
         "--families",
         action="append",
@@ -83,13 +93,6 @@ def common_options() -> argparse.ArgumentParser:
         help="run this file and have the curve families that it defines; may be given more than once",
     )
     return parser
-
-
-def _run_with_families(paths: list[str], words: list[str]) -> int:
-    if not paths:
-        return _run(words)
-    with cli.families.families_of_files(paths):
-        return _run(words)
 
 
 def _run(words: list[str]) -> int:

@@ -168,15 +168,15 @@ class Lifecycle(QObject):
         for window in self._autosaves:
             session = window.session
             session.cancel()
-            if session.path is not None and session.is_modified:
+            if session.files.path is not None and session.files.is_modified:
                 window.actions_by_name["saveDocument"].trigger()
-                if session.is_modified:
+                if session.files.is_modified:
                     return  # the window says why
         if self.write_now():
             self.end()
 
     def _private_words(self) -> list[str]:
-        paths = [window.session.path for window in self._autosaves]
+        paths = [window.session.files.path for window in self._autosaves]
         return [word for path in paths if path is not None for word in _names_of(path)]
 
 

@@ -10,7 +10,7 @@ from app.exchange.drawing.styles import DARK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.formats.samples import COLUMNS
-from app.exchange.options import Check, Extras, OneOf, Option, Options, Whole, all_options
+from app.exchange.options import Check, OneOf, Option, Options, Whole, all_options
 from app.exchange.units import MILLIMETRES, known_unit
 from app.families import FAMILIES, HERMITE
 
@@ -197,6 +197,8 @@ def _columns_to_write(options: argparse.Namespace) -> tuple[str, ...]:
 
 def picture_options(options: argparse.Namespace, document: Document) -> Options:
     """Return what was asked for of the file to write."""
+    if options.basis and options.basis > len(document.curves):
+        raise ExchangeError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
     return Options(
         width=options.width,
         tolerance=options.tolerance,
@@ -205,13 +207,7 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
         scale=options.scale,
         unit=options.unit or "",
         transparent=options.transparent,
-        extras=_extras(options, document),
+        handles=options.handles,
+        grid=options.grid,
+        basis=options.basis - 1 if options.basis else None,
     )
-
-
-def _extras(options: argparse.Namespace, document: Document) -> Extras | None:
-    if not (options.handles or options.grid or options.basis):
-        return None
-    if options.basis and options.basis > len(document.curves):
-        raise ExchangeError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
-    return Extras(options.handles, options.grid, options.basis - 1 if options.basis else None)

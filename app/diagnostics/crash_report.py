@@ -8,7 +8,6 @@ import sys
 import traceback
 from collections.abc import Collection
 from pathlib import Path
-from types import TracebackType
 
 from app import __version__
 from app.diagnostics.log import last_lines
@@ -46,21 +45,21 @@ def report_of(problem: BaseException, private: Collection[str] = ()) -> str:
 
 def signature_of(problem: BaseException) -> str:
     """Return what two reports about the same fault have in common: what was raised, and where."""
-    place = _last_frame(problem.__traceback__)
+    place = "".join(f"{file}:{line}" for file, line in _lines_of(problem)[-1:])
     return f"{type(problem).__qualname__} {place}"
 
 
 def place_of(problem: BaseException) -> str:
     """Return the line of this program in which something was raised; no other file is named."""
-    lines = ((frame.f_code.co_filename, line) for frame, line in traceback.walk_tb(problem.__traceback__))
-    own = [f"{_short(file)}:{line}" for file, line in lines if Path(file).is_relative_to(_PROGRAM)]
+    own = [
+        f"{_short(file)}:{line}" for file, line in _lines_of(problem) if Path(file).is_relative_to(_PROGRAM)
+    ]
     return own[-1] if own else "no line of its own"
 
 
-def _last_frame(trace: TracebackType | None) -> str:
-    while trace is not None and trace.tb_next is not None:
-        trace = trace.tb_next
-    return f"{trace.tb_frame.f_code.co_filename}:{trace.tb_lineno}" if trace is not None else ""
+def _lines_of(problem: BaseException) -> list[tuple[str, int]]:
+    """Return the files and lines of a traceback, the one that raised last."""
+    return [(frame.f_code.co_filename, line) for frame, line in traceback.walk_tb(problem.__traceback__)]
 
 
 def versions() -> str:

@@ -8,7 +8,6 @@ for a while, so arguments are numbers and texts: a lock would else be held.
 
 from __future__ import annotations
 
-import argparse
 import logging
 import sys
 from collections import deque
@@ -23,20 +22,6 @@ LAST_LINES = 100
 """Lines that are kept, and that a crash report brings along."""
 
 FORMAT = logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
-
-
-def log_options() -> argparse.ArgumentParser:
-    """Return the parser of the option that every command has, wherever it stands."""
-    parser = argparse.ArgumentParser("curvebench", add_help=False, allow_abbrev=False)
-    parser.add_argument(
-        "--log",
-        type=str.upper,
-        choices=LEVELS,
-        metavar="LEVEL",
-        default="",
-        help=f"print what the program does ({', '.join(LEVELS)}); no names of files or curves, no points",
-    )
-    return parser
 
 
 class LastLines(logging.Handler):

@@ -99,17 +99,8 @@ class _Growth(msgspec.Struct, frozen=True):
 
 def _exponent(curve: Curve) -> float | None:
     """Return the power of the distances that the spacings are in proportion to; None where to nothing."""
-    match curve.parametrization.kind:
-        case ParametrizationKind.UNIFORM:
-            return 0.0
-        case ParametrizationKind.CENTRIPETAL:
-            return 0.5
-        case ParametrizationKind.CHORD_LENGTH:
-            return 1.0
-        case ParametrizationKind.POWER:
-            return curve.parametrization.alpha
-        case _:
-            return None
+    rule = curve.parametrization
+    return rule.alpha if rule.kind is ParametrizationKind.POWER else rule.kind.alpha
 
 
 def _spacings(curve: Curve, exponent: float) -> list[float]:

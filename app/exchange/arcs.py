@@ -48,9 +48,7 @@ def arc(
     radius = float(np.linalg.norm(axes, 2))
     if not np.isfinite(radius):
         raise ExchangeError("An arc has a radius beyond all numbers.")
-    count = max(1, math.ceil(abs(sweep) / math.tau * PIECES_OF_A_TURN - 1e-9))
-    while tolerance is not None and radius * error_of_arc(sweep / count) > tolerance and count < MOST_PIECES:
-        count += 1
+    count = pieces_of_arc(radius, sweep, tolerance)
     angles = start + sweep * (np.arange(count + 1) / count)
     handle = 4 / 3 * math.tan(sweep / count / 4)
     circle = np.column_stack([np.cos(angles), np.sin(angles)])
@@ -101,6 +99,16 @@ def arc_between(
     # Ends that meet their neighbours, whatever was rounded on the way.
     result.pieces[0, 0], result.pieces[-1, 3] = start, end
     return result
+
+
+def pieces_of_arc(
+    radius: float, sweep: float, tolerance: float | None = None, most: int = MOST_PIECES
+) -> int:
+    """Return the number of cubic pieces that an arc over `sweep` needs, at most so many."""
+    count = max(1, math.ceil(abs(sweep) / math.tau * PIECES_OF_A_TURN - 1e-9))
+    while tolerance is not None and radius * error_of_arc(sweep / count) > tolerance and count < most:
+        count += 1
+    return count
 
 
 def error_of_arc(angle: float) -> float:

@@ -51,7 +51,7 @@ _NO_MEMORY = 3
 _START = "import sys; sys.path[:] = sys.argv[2:]; from app.exchange.child import main; main(sys.argv[1])"
 
 
-class _Request(msgspec.Struct):
+class Request(msgspec.Struct):
     """Message to the child: a reader and a file."""
 
     module: str
@@ -96,7 +96,7 @@ def limited(
     ExchangeError
         What the reader raises, and where a limit is reached.
     """
-    request = msgspec.msgpack.encode(_request(reader, data, tolerance))
+    request = msgspec.msgpack.encode(Request(reader.__module__, reader.__name__, tolerance, data))
     seconds = seconds_for(len(data)) if seconds is None else seconds
     output, code = _output_of(request, memory, seconds, report)
     try:
@@ -106,10 +106,6 @@ def limited(
     if answer.result is None:
         raise ExchangeError(answer.problem)
     return answer.result
-
-
-def _request(reader: Reader, data: bytes, tolerance: float | None) -> _Request:
-    return _Request(reader.__module__, reader.__name__, tolerance, data)
 
 
 def _why_silent(code: int) -> str:
@@ -184,13 +180,13 @@ def main(memory: str) -> None:
     # Not sys.stdin and sys.stdout: a bundle without a console has none, but it has what was handed to it.
     with open(0, "rb", closefd=False) as question, open(1, "wb", closefd=False) as answer:
         try:
-            request = msgspec.msgpack.decode(question.read(), type=_Request)
+            request = msgspec.msgpack.decode(question.read(), type=Request)
             answer.write(msgspec.msgpack.encode(answer_to(request, int(memory)), enc_hook=to_plain))
         except MemoryError:
             sys.exit(_NO_MEMORY)
 
 
-def answer_to(request: _Request, memory: int) -> _Answer:
+def answer_to(request: Request, memory: int) -> _Answer:
     """Return what the reader says, whatever it may raise."""
     try:
         reader: Reader = getattr(import_module(request.module), request.reader)

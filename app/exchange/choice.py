@@ -10,18 +10,7 @@ import msgspec
 
 from app.exchange.drawing.styles import DARK, LIGHT
 from app.exchange.formats import FORMATS, Format
-from app.exchange.options import (
-    BASIS,
-    DARK_PAPER,
-    GRID,
-    HANDLES,
-    TRUE_SIZE,
-    Extras,
-    Option,
-    Options,
-    Value,
-    all_options,
-)
+from app.exchange.options import BASIS, DARK_PAPER, TRUE_SIZE, Option, Options, Value, all_options
 
 
 @dataclass(frozen=True)
@@ -61,15 +50,15 @@ class ExportChoice:
         `with_estimates` is whether the basis panel shows what each point does with its estimates.
         """
         values = {each.name: self[each] for each in self.format.options}
-        handles, grid, basis = (values.pop(each.name, False) for each in (HANDLES, GRID, BASIS))
         is_picture, dark = DARK_PAPER.name in values, values.pop(DARK_PAPER.name, False)
-        is_to_scale = values.pop(TRUE_SIZE.name, True)
+        has_basis, is_to_scale = values.pop(BASIS.name, False), values.pop(TRUE_SIZE.name, True)
         shared = {name: values.pop(name) for name in Options.__struct_fields__ if name in values}
         has_paper = is_picture and (dark or not shared.get("transparent"))
         return Options(
             **shared,
             style=(DARK if dark else LIGHT) if has_paper else None,
-            extras=Extras(handles, grid, active if basis else None, with_estimates) if is_picture else None,
+            basis=active if has_basis else None,
+            with_estimates=with_estimates,
             unit=unit if is_to_scale else "",
             own=values,
         )

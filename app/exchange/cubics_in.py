@@ -28,7 +28,6 @@ from app.document.model import (
 )
 from app.exchange.errors import ExchangeError
 from app.families import HERMITE
-from app.storage.format import FormatError, validate
 from curvecore.arrays import FloatArray
 
 SMOOTH = 1e-9
@@ -162,7 +161,8 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
             groups.append(())
             continue
         _check_numbers(path)
-        pieces = _without_points(path.pieces)
+        # Without those that are no more than a point.
+        pieces = path.pieces[(path.pieces != path.pieces[:, :1]).any(axis=(1, 2))]
         if len(pieces) == 0:
             remarks = (*remarks, f"“{path.name}” is a single point.")
             continue
@@ -172,12 +172,7 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
         deviation = max(deviation, path.deviation + moved)
     if not curves:
         raise ExchangeError(" ".join(["There is no curve in the file.", *remarks]))
-    document = Document(tuple(curves))
-    try:
-        validate(document)
-    except FormatError as problem:
-        raise ExchangeError(f"The file cannot become a document: {problem}.") from problem
-    return Imported(document, deviation, remarks, tuple(groups) if any(groups) else ())
+    return Imported(Document(tuple(curves)), deviation, remarks, tuple(groups) if any(groups) else ())
 
 
 def lines(points: FloatArray) -> FloatArray:
@@ -199,10 +194,6 @@ def _check_numbers(path: ImportedPath) -> None:
         raise ExchangeError(f"“{path.name}” has coordinates beyond −1e12 to 1e12.")
     if len(path.pieces) > MAX_PIECES:
         raise ExchangeError(f"“{path.name}” has {len(path.pieces)} pieces; {MAX_PIECES} can be read.")
-
-
-def _without_points(pieces: FloatArray) -> FloatArray:
-    return np.asarray(pieces[(pieces != pieces[:, :1]).any(axis=(1, 2))])
 
 
 def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from app import exchange
-from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
+from app.exchange.arcs import error_of_arc, pieces_of_arc
 from app.exchange.cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
 from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.errors import ExchangeError
@@ -203,13 +203,7 @@ class _Reader:
     def _take_path(self, entity: DXFGraphic, number: int) -> None:
         library = exchange.dxf_library
         radius = _largest_radius(entity)
-        count = PIECES_OF_A_TURN
-        while (
-            self._tolerance is not None
-            and radius * error_of_arc(math.tau / count) > self._tolerance
-            and count < _FINEST_TURN
-        ):
-            count += 1
+        count = pieces_of_arc(radius, math.tau, self._tolerance, _FINEST_TURN)
         whole = library.make_path(entity, segments=count)
         closed = bool(getattr(entity, "is_closed", False)) or entity.dxftype() in ("CIRCLE",)
         for path in whole.sub_paths() if whole.has_sub_paths else [whole]:

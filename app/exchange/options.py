@@ -175,26 +175,6 @@ PICTURE = (TRUE_SIZE, DARK_PAPER, TRANSPARENT, POINTS, HANDLES, GRID, BASIS)
 """Options of all pictures."""
 
 
-class Extras(msgspec.Struct, frozen=True):
-    """Annotations to draw beside the curves.
-
-    Attributes
-    ----------
-    handles, grid
-        Whether to draw the Bézier control points beside the points, and a grid.
-    basis
-        The curve whose basis functions to draw below the picture; None for none.
-    with_estimates
-        Whether to draw what each point does with the estimates that follow it, where there are any, and not
-        the functions of the family.
-    """
-
-    handles: bool = False
-    grid: bool = False
-    basis: int | None = None
-    with_estimates: bool = False
-
-
 class Options(msgspec.Struct, frozen=True, kw_only=True):
     """Options of exports; each format takes what concerns it.
 
@@ -213,8 +193,13 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         Of a PNG: how many pixels stand for each of `width`, and for 1/96 inch.
     transparent
         Of pictures: whether to leave the paper out, whatever the style.
-    extras
-        Of pictures: what else to draw.
+    handles, grid
+        Of pictures: whether to draw the Bézier control points beside the points, and a grid.
+    basis
+        Of pictures: the curve whose basis functions to draw below; None for none.
+    with_estimates
+        Whether these are what each point does with the estimates that follow it, where there are any, and not
+        the functions of the family.
     unit
         Of pictures, TikZ and DXF: what a length of one is, such as "mm". Without a `width` an SVG or PDF then
         has true size, as TikZ always has; of a PNG it gives the pixels per inch.
@@ -232,7 +217,10 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     points: bool = False
     scale: float = 1.0
     transparent: bool = False
-    extras: Extras | None = None
+    handles: bool = False
+    grid: bool = False
+    basis: int | None = None
+    with_estimates: bool = False
     unit: str = ""
     own: Mapping[str, Any] = {}
     report: Report = silent

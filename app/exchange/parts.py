@@ -19,7 +19,16 @@ from app.exchange.naming import Names
 from app.tasks.progress import Report, silent, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
-from curvecore import CurveError, HermiteCurve, bezier_segments, bezier_stretch, cubic_path
+from curvecore import (
+    CurveError,
+    HermiteCurve,
+    Interpolant,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    bezier_segments,
+    bezier_stretch,
+    cubic_path,
+)
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
 
@@ -35,7 +44,8 @@ class Polynomials(NamedTuple):
     Attributes
     ----------
     pieces
-        Those of the curve; cubic Hermite curves that follow them where they are no such polynomials.
+        Those of the curve as curves of a family that all writers know, or cubic Hermite curves that follow
+        them.
     deviation
         Largest distance of these from the curve.
     """
@@ -65,13 +75,14 @@ class Source:
     @cached_property
     def polynomials(self) -> Polynomials:
         """The curve as formulas and code write it."""
-        pieces, worst = [], 0.0
-        for piece in self.pieces:
-            if piece.interpolants() is None:
-                path = cubics_of(piece, RELATIVE_TOLERANCE * max(self.size, 1e-300))
-                piece, worst = _spline_of(path), max(worst, path.deviation)  # noqa: PLW2901
-            pieces.append(piece)
-        return Polynomials(tuple(pieces), worst)
+        tolerance = RELATIVE_TOLERANCE * max(self.size, 1e-300)
+        exact = _known_curves(self.pieces)
+        if exact:
+            worst = max(_deviation(*both) for both in zip(exact, self.pieces, strict=True))
+            if worst <= tolerance:
+                return Polynomials(exact, worst)
+        paths = [cubics_of(piece, tolerance) for piece in self.pieces]
+        return Polynomials(tuple(map(_spline_of, paths)), max(path.deviation for path in paths))
 
     @property
     def name(self) -> str:
@@ -215,6 +226,32 @@ def beziers_of(piece: CoreCurve, tolerance: float) -> Beziers:
     if not (np.abs(result.control_points) < LARGEST).all():
         raise ExchangeError("The curve swings beyond all numbers between its points.")
     return result
+
+
+def _known_curves(pieces: tuple[CoreCurve, ...]) -> tuple[CoreCurve, ...]:
+    """Return curves of one family that all writers know, with the interpolants of the pieces, or none."""
+    for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve):
+        found = [curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None]
+        if len(found) == len(pieces):
+            return tuple(found)
+    return ()
+
+
+def _known_curve(kind: type[CoreCurve], said: list[Interpolant] | None) -> CoreCurve | None:
+    """Return the curve of a family that has the same interpolants; None where there is none."""
+    if not said or any(each.jets.shape[1] != kind.derivatives + 1 for each in said):
+        return None
+    parameters, first = np.unique(np.concatenate([each.parameters for each in said]), return_index=True)
+    curve = kind.from_jets(np.concatenate([each.jets for each in said])[first], parameters)
+    own = curve.interpolants() or []
+    pairs = [both for parts in zip(own, said, strict=False) for both in zip(*parts, strict=True)]
+    return curve if len(own) == len(said) and all(np.array_equal(*both) for both in pairs) else None
+
+
+def _deviation(curve: CoreCurve, piece: CoreCurve) -> float:
+    """Return how far a curve is from the piece that it is written for: not at all where it is the same."""
+    is_same = type(curve) is type(piece) and np.array_equal(curve.jets, piece.jets)
+    return 0.0 if is_same else measured(piece, curve.evaluate)
 
 
 def _spline_of(path: Beziers) -> HermiteCurve:

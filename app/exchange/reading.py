@@ -13,9 +13,8 @@ from app.exchange import table
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, ContentKind, Format, ending_in, format_of, is_document
 from app.families import HERMITE, Family
-from app.storage.files import read
-from app.storage.format import FormatError, decode
-from app.storage.image_path import resolved
+from app.storage.files import document_in, read
+from app.storage.format import FormatError
 from app.tasks.progress import Report, silent
 
 if TYPE_CHECKING:
@@ -85,5 +84,4 @@ def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, rep
         return exchange.child.limited(form.read, data, options.tolerance, report=report)
     if form.kind is ContentKind.TABLE and not is_document(data):
         return table.read.read_table(path, ending_in(path, form), data, options, report)
-    folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
-    return exchange.cubics_in.Imported(resolved(decode(data), folder))
+    return exchange.cubics_in.Imported(document_in(data, path))

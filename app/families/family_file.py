@@ -58,19 +58,15 @@ def families_of_files(families: Families, paths: Sequence[str]) -> Iterator[None
     try:
         for path in paths:
             for family in families_in(Path(path)):
-                _add(families, family, Path(path))
+                try:
+                    families.add(family)
+                except ValueError as problem:
+                    raise FamilyFileError(f"“{path}”: {problem}.") from None
                 added.append(family)
         yield
     finally:
         for family in added:
             families.remove(family)
-
-
-def _add(families: Families, family: Family, path: Path) -> None:
-    try:
-        families.add(family)
-    except ValueError as problem:
-        raise FamilyFileError(f"“{path}”: {problem}.") from None
 
 
 def families_in(path: Path) -> list[Family]:

@@ -2,12 +2,13 @@
 
 - ``pixel_map``: plane to pixels and back.
 - ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.
-- ``pens``, ``dashes``, ``area``: looks on the screen, dashes that run on, translucent areas.
+- ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
 - ``plot_widget``: a pyqtgraph plot that we paint, with mouse and keys.  ``tool_plot``: one with tools.
 - ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``axes``: the axes beside it.
 - ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``keys``: keys and
   shapes of the pointer, as Qt has them.
 - ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.
   ``fonts``: a font in the sizes that are needed.
-- ``stamps``, ``colours``: many marks in one call, in the colours of the points.
+- ``stamps``: many marks in one call, in the colours of the points.  ``pictures``: what is painted beside the
+  screen and kept.
 """

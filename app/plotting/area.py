@@ -22,10 +22,9 @@ class AreaFill:
     def fill(self, painter: QPainter, path: QPainterPath, colour: QColor, room: QRectF) -> None:
         """Fill what lies of `path` in `room` (pixels of the painter)."""
         box = path.controlPointRect().adjusted(-1, -1, 1, 1).intersected(room).toAlignedRect()
-        device = painter.device()
-        if box.isEmpty() or device is None:
+        if box.isEmpty():
             return
-        ratio = device.devicePixelRatio()
+        ratio = painter.device().devicePixelRatio()
         size = QRect(0, 0, math.ceil(box.width() * ratio), math.ceil(box.height() * ratio))
         self._prepare(size, ratio)
         inner = QPainter(self._picture)

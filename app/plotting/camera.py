@@ -19,6 +19,11 @@ GREATEST_SPAN = 1e13
 class Camera(QObject):
     """Zooms and pans, and maps the plane to pixels.
 
+    Attributes
+    ----------
+    area
+        The part of the viewport that layers paint on, as it was found when it was last painted.
+
     Signals
     -------
     changed
@@ -42,7 +47,7 @@ class Camera(QObject):
         self._view, self._box = view, box
         self._map: PixelMap | None = None
         self._origin: QPointF | None = None
-        self._area = QRect()
+        self.area = QRect()
         box.setMouseEnabled(x=False, y=False)
         box.disableAutoRange()
         box.setLimits(
@@ -77,13 +82,8 @@ class Camera(QObject):
             box = self._box
             self._origin = QPointF(self._view.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
             rect = box.rect().translated(self._origin)
-            self._area = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET).toAlignedRect()
+            self.area = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET).toAlignedRect()
         return self._origin
-
-    @property
-    def area(self) -> QRect:
-        """The part of the viewport that layers paint on, as it was found when it was last painted."""
-        return self._area
 
     def to_pixel(self, x: float, y: float) -> QPoint:
         """Return the viewport pixel nearest to a point of the plane."""

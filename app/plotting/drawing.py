@@ -14,10 +14,13 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QLineF, QRectF
 from PySide6.QtGui import QPainter, QPolygonF
 
+from app.plotting.pixel_map import PixelMap
 from curvecore.arrays import BoolArray, FloatArray
 
 _PIECE = 24
 """Segments in one piece of a stroke."""
+
+_FAR = 1e5
 
 MARGIN = 50.0
 """Pixels beyond the area to which lines are cut, so that no cap or joint shows at the edge."""
@@ -69,6 +72,11 @@ def _clipped(segments: FloatArray, limit: FloatArray) -> tuple[FloatArray, BoolA
     return np.clip(cut, -MARGIN, np.tile(limit, 2)), meets & (leave.min(axis=1) >= 0)
 
 
+def is_near(x: float, y: float) -> bool:
+    """Whether a pixel is near enough to the area for Qt to draw a mark there."""
+    return abs(x) < _FAR and abs(y) < _FAR
+
+
 class Stroke:
     """A polyline drawn in pieces, wide and smooth.
 
@@ -79,6 +87,13 @@ class Stroke:
     def __init__(self) -> None:
         self._pieces: list[QPolygonF] = []
         self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
+        self._shown: tuple[FloatArray | None, PixelMap | None] = (None, None)
+
+    def show(self, points: FloatArray, shown: PixelMap) -> None:
+        """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
+        if self._shown[0] is not points or self._shown[1] is not shown:
+            self._shown = (points, shown)
+            self.fill(shown.points(points), shown.width, shown.height)
 
     def fill(self, points: FloatArray, width: float, height: float) -> None:
         """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
@@ -149,6 +164,13 @@ class Segments(_Batch):
 
     def __init__(self) -> None:
         super().__init__(QLineF, QPainter.drawLines)
+
+
+def draw_segments(painter: QPainter, segments: FloatArray, shown: PixelMap) -> None:
+    """Draw what lies near the area of segments (m, 4) in pixels, with the painter's pen."""
+    drawn = Segments()
+    drawn.fill(cut_segments(segments, shown.width, shown.height))
+    drawn.draw(painter)
 
 
 class Bars(_Batch):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
-
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPainterPath, QPen, QPixmap
+
+from app.plotting.pictures import transparent
 
 
 class Halo:
@@ -35,9 +35,7 @@ def _picture_of(
     painter: QPainter, box: QRectF, text: str, paper: QColor, ink: QColor, width: float, ratio: float
 ) -> QPixmap:
     across, down = box.width() + 2 * width, box.height() + 2 * width
-    picture = QPixmap(math.ceil(across * ratio), math.ceil(down * ratio))
-    picture.setDevicePixelRatio(ratio)
-    picture.fill(Qt.GlobalColor.transparent)
+    picture = transparent(across, down, ratio)
     metrics = QFontMetricsF(painter.font())
     start = QPointF(
         round((across - metrics.horizontalAdvance(text)) / 2),

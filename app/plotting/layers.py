@@ -14,6 +14,7 @@ from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from app.appearance.theme import LIGHT, Theme
+from app.plotting.fonts import Sizes
 from app.plotting.pixel_map import PixelMap
 from app.qt.overrides import report
 
@@ -27,7 +28,7 @@ class HasLayers(Protocol):
 
 
 class Layer:
-    """One layer of a plot, in its theme and scale; it paints in pixels of the plot area.
+    """One layer of a plot, in its theme and scale; it paints smoothly, in pixels of the plot area.
 
     A subclass has a `paint` of its own, or a function is given.
 
@@ -61,6 +62,11 @@ class Layer:
         """The size of lines and numbers; 1 as usual."""
         return self._stack.scale
 
+    @property
+    def fonts(self) -> Sizes:
+        """The font of the plot in its sizes."""
+        return self._stack.fonts
+
     def update(self) -> None:
         """Have it painted anew."""
         self._stack.update(self)
@@ -89,6 +95,7 @@ class Layer:
         painter.save()
         try:
             painter.setOpacity(self._opacity)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
             self.paint(painter, shown)
         except Exception as problem:
             # The layers above are painted all the same.
@@ -102,7 +109,7 @@ class LayerStack:
 
     Attributes
     ----------
-    theme, scale
+    theme, scale, fonts
         Those of all that is drawn.
     """
 
@@ -110,7 +117,7 @@ class LayerStack:
         self._viewport, self._area = viewport, area
         self._layers: list[Layer] = []
         self._ground: QPixmap | None = None
-        self.theme, self.scale = LIGHT, 1.0
+        self.theme, self.scale, self.fonts = LIGHT, 1.0, Sizes(viewport.font())
 
     def add(self, layer: Layer) -> None:
         """Add a layer; of those of one height the later one is nearer to the eye."""

@@ -9,6 +9,7 @@ from app.appearance.colours import line_colour
 from app.appearance.theme import Theme, mix
 from app.plotting.dashes import dashed
 from app.plotting.drawing import Segments, Stroke, visible_segments
+from app.plotting.pictures import transparent
 from app.plotting.pixel_map import PixelMap
 from app.view_model.line_styles import Dashes, LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
@@ -76,8 +77,7 @@ def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) ->
         painter.drawRect(QRectF(x - 0.8 * size, y - 0.8 * size, 1.6 * size, 1.6 * size))
     elif mark is Mark.DIAMOND:
         painter.setBrush(pen.color())
-        corners = ((0, -size), (size, 0), (0, size), (-size, 0))
-        painter.drawPolygon(QPolygonF([QPointF(x + dx, y + dy) for dx, dy in corners]))
+        painter.drawPolygon(diamond(QPointF(x, y), size))
     else:
         painter.setBrush(Qt.BrushStyle.NoBrush if mark is Mark.RING else pen.color())
         radius = size if mark is Mark.RING else 0.6 * size
@@ -85,11 +85,15 @@ def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) ->
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
+def diamond(centre: QPointF, size: float) -> QPolygonF:
+    """Return a square that stands on a corner, `size` from its centre."""
+    corners = ((0, -size), (size, 0), (0, size), (-size, 0))
+    return QPolygonF([centre + QPointF(*corner) for corner in corners])
+
+
 def sign_pixmap(style: LineStyle, theme: Theme, ratio: float = 1.0) -> QPixmap:
     """Return a small picture of a line, a mark or an area as it is drawn."""
-    picture = QPixmap(SIGN * ratio)
-    picture.setDevicePixelRatio(ratio)
-    picture.fill(Qt.GlobalColor.transparent)
+    picture = transparent(SIGN.width(), SIGN.height(), ratio)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
     centre = QPointF(SIGN.width() / 2, SIGN.height() / 2)

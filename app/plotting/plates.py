@@ -6,11 +6,17 @@ import math
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
 from app.plotting.pixel_map import PixelMap
 
 _EDGE = 4.0
+
+
+def size_of(painter: QPainter, text: str, across: float = 10.0, down: float = 4.0) -> QSizeF:
+    """Return the size of a plate for text in the painter's font, so many pixels larger in all."""
+    metrics = QFontMetricsF(painter.font())
+    return QSizeF(metrics.horizontalAdvance(text) + across, metrics.height() + down)
 
 
 def inside(left: float, top: float, size: QSizeF, shown: PixelMap) -> QRectF:

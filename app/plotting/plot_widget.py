@@ -42,8 +42,12 @@ _FOCUS_WIDTH = 2
 # Whatever a plot is made of: Qt calls their overrides as it calls ours.
 guard_library(pg.GraphicsView, pg.GraphicsScene, pg.ViewBox, ChildGroup, pg.AxisItem)
 
-_MODIFIERS = {Qt.Key.Key_Shift: "shift", Qt.Key.Key_Control: "ctrl", Qt.Key.Key_Alt: "alt"}
-"""Keys that change what a gesture does, and which part of a pointer tells."""
+_MODIFIERS = {
+    Qt.Key.Key_Shift: ("shift", Qt.KeyboardModifier.ShiftModifier),
+    Qt.Key.Key_Control: ("ctrl", Qt.KeyboardModifier.ControlModifier),
+    Qt.Key.Key_Alt: ("alt", Qt.KeyboardModifier.AltModifier),
+}
+"""Keys that change what a gesture does, which part of a pointer tells, and Qt's flag."""
 
 _BY_KEYS = (
     Qt.FocusReason.TabFocusReason,
@@ -51,11 +55,11 @@ _BY_KEYS = (
     Qt.FocusReason.ShortcutFocusReason,
 )
 
-_FLAGS = {
-    "shift": Qt.KeyboardModifier.ShiftModifier,
-    "ctrl": Qt.KeyboardModifier.ControlModifier,
-    "alt": Qt.KeyboardModifier.AltModifier,
-}
+
+def _with_keys(pointer: Pointer, held: Qt.KeyboardModifier, **changes: bool) -> Pointer:
+    """Return the pointer with the modifier keys that are held, but for `changes`."""
+    flags = {name: bool(held & flag) for name, flag in _MODIFIERS.values()}
+    return replace(pointer, **{**flags, **changes})
 
 
 class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph has no types
@@ -91,7 +95,7 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
         self._scrolling = Scrolling(self.camera, self.viewport())
         self._menu_refused = self._shows_focus = False
         # Where the mouse was heard of last, None once it has left; and whether its left button was down.
-        self._hand: Pointer | None = None
+        self._pointer: Pointer | None = None
         self._is_held = False
         self._set_up_view()
         self._axes.set_scale(self.font(), 1.0)
@@ -186,19 +190,19 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
 
     # A subclass fills in these.
 
-    def pressed(self, pointer: Pointer) -> None:
+    def _pressed(self, pointer: Pointer) -> None:
         """Handle a press of the left button."""
 
-    def moved(self, pointer: Pointer) -> None:
+    def _moved(self, pointer: Pointer) -> None:
         """Handle a move with the left button down."""
 
-    def released(self, pointer: Pointer) -> None:
+    def _released(self, pointer: Pointer) -> None:
         """Handle the release of the left button."""
 
-    def hovered_at(self, pointer: Pointer) -> None:
+    def _hovered_at(self, pointer: Pointer) -> None:
         """Handle a move with no button down."""
 
-    def left(self) -> None:
+    def _left(self) -> None:
         """Handle the pointer leaving the widget."""
 
     @property
@@ -210,7 +214,7 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
         """Drop the gesture in flight; return whether there was one."""
         return False
 
-    def menu_wanted(self, event: QContextMenuEvent) -> None:
+    def _menu_wanted(self, event: QContextMenuEvent) -> None:
         """Handle the wish for a menu, while no gesture is in flight."""
 
     # Events
@@ -220,14 +224,7 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
         position = event if isinstance(event, QPointF) else event.position()
         held = Qt.KeyboardModifier.NoModifier if isinstance(event, QPointF) else event.modifiers()
         pixel = self.camera.area_pixel(position)
-        return Pointer(
-            position=self.pixel_map.plane(*pixel),
-            pixel=pixel,
-            shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
-            ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
-            alt=bool(held & Qt.KeyboardModifier.AltModifier),
-            scale=self.pixel_map.sx,
-        )
+        return _with_keys(Pointer(self.pixel_map.plane(*pixel), pixel, scale=self.pixel_map.sx), held)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.RightButton:
@@ -240,15 +237,15 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
         if self._is_held and event.button() == Qt.MouseButton.LeftButton:
             self._release()  # the release was never heard of
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:
-            self._hand, self._is_held = self.pointer_at(event), True
-            self.pressed(self._hand)
+            self._pointer, self._is_held = self.pointer_at(event), True
+            self._pressed(self._pointer)
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()
         refused, self._menu_refused = self._menu_refused, False
         if not refused and not self.is_dragging:
-            self.menu_wanted(event)
+            self._menu_wanted(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         # The second press of a double click is a press like any other: quick clicks must all count.
@@ -256,21 +253,21 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self._panning.move(event):
-            self._hand = self.pointer_at(event)
+            self._pointer = self.pointer_at(event)
             if event.buttons() & Qt.MouseButton.LeftButton:
-                self.moved(self._hand)
+                self._moved(self._pointer)
             elif not event.buttons():
                 if self._is_held:
                     # The release went elsewhere: to a list that a key has opened, for instance.
                     self._release()
-                self.hovered_at(self._hand)
+                self._hovered_at(self._pointer)
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         # A drag with the left button ends with it, also while the middle one pans.
         if not self._panning.release(event) and event.button() == Qt.MouseButton.LeftButton:
-            self._hand, self._is_held = self.pointer_at(event), False
-            self.released(self._hand)
+            self._pointer, self._is_held = self.pointer_at(event), False
+            self._released(self._pointer)
         event.accept()
 
     def event(self, event: QEvent) -> bool:
@@ -300,24 +297,23 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
             self.cancel_gesture()
 
     def _hear_modifier(self, event: QKeyEvent, *, down: bool) -> None:
-        name = _MODIFIERS.get(Qt.Key(event.key()))
-        if name is None or event.isAutoRepeat() or self._hand is None:
+        key = Qt.Key(event.key())
+        if key not in _MODIFIERS or event.isAutoRepeat() or self._pointer is None:
             return
-        held = event.modifiers()
-        now = {each: bool(held & _FLAGS[each]) for each in _FLAGS} | {name: down}
-        self._hand = replace(self._hand, **now)
+        name, _flag = _MODIFIERS[key]
+        self._pointer = _with_keys(self._pointer, event.modifiers(), **{name: down})
         self._move_again()
 
     def _move_again(self) -> None:
         """Go on as if the pointer had moved to where it is: another key is held, or the view has moved."""
-        if self._hand is None or self._panning.is_active:
+        if self._pointer is None or self._panning.is_active:
             return
-        shown, pixel = self.pixel_map, self._hand.pixel
-        self._hand = replace(self._hand, position=shown.plane(*pixel), scale=shown.sx)
+        shown, pixel = self.pixel_map, self._pointer.pixel
+        self._pointer = replace(self._pointer, position=shown.plane(*pixel), scale=shown.sx)
         if self.is_dragging:
-            self.moved(self._hand)
+            self._moved(self._pointer)
         elif not self._is_held:
-            self.hovered_at(self._hand)
+            self._hovered_at(self._pointer)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._scrolling.wheel(event)
@@ -338,8 +334,8 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
 
     def leaveEvent(self, event: QEvent) -> None:
         if not self.is_dragging:
-            self._hand = None
-        self.left()
+            self._pointer = None
+        self._left()
         event.accept()
 
     def focusInEvent(self, event: QFocusEvent) -> None:

@@ -53,8 +53,7 @@ class Stamps:
         rim: float,
     ) -> None:
         """Draw the marks of points `indices` of `count` at `places` (k, 2), in pixels, rimmed like paper."""
-        device = painter.device()
-        ratio = device.devicePixelRatioF() if device is not None else 1.0
+        ratio = painter.device().devicePixelRatioF()
         is_new = self._prepare(count, theme, radius, rim, ratio)
         if is_new or not (
             np.array_equal(indices, self._indices) and places.tobytes() == self._places.tobytes()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
@@ -52,6 +52,10 @@ class ToolPlot(PlotWidget):
         """Return what of the plot a tool hits at the pointer."""
         return None
 
+    def _hit_at(self, place: QPointF) -> Hit | None:
+        """Return what lies at a place of the viewport."""
+        return self.hit(self.pointer_at(place), self.tools.tool)
+
     def place_of(self, pointer: Pointer) -> object:
         """Return what is told of the place under the pointer: t."""
         return pointer.position[0]
@@ -87,30 +91,30 @@ class ToolPlot(PlotWidget):
         self.show_marks()
         return found
 
-    def pressed(self, pointer: Pointer) -> None:
+    def _pressed(self, pointer: Pointer) -> None:
         self.gesture_began.emit()
         self.tools.press(pointer)
         self._show_progress()
 
-    def moved(self, pointer: Pointer) -> None:
+    def _moved(self, pointer: Pointer) -> None:
         self.tools.move(pointer)
         self.show_marks()
         # The eye is on the curve: words come once that has been painted.
         self._words_due.start()
 
-    def released(self, pointer: Pointer) -> None:
+    def _released(self, pointer: Pointer) -> None:
         self._words_due.stop()
         self.tools.release(pointer)
         self._end_gesture()
         x, y = pointer.pixel
         if 0 <= x <= self.pixel_map.width and 0 <= y <= self.pixel_map.height:
-            self.hovered_at(pointer)
+            self._hovered_at(pointer)
         else:
-            self.left()
+            self._left()
 
-    def hovered_at(self, pointer: Pointer) -> None:
+    def _hovered_at(self, pointer: Pointer) -> None:
         if self.tools.is_transforming:
-            self.moved(pointer)
+            self._moved(pointer)
             return
         hint = self.tools.hover(pointer)
         self._show_cursor(hint)
@@ -120,12 +124,12 @@ class ToolPlot(PlotWidget):
 
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves, or the document."""
-        if self._hand is not None and not self.is_dragging and not self._panning.is_active:
-            self.hovered_at(self._pointer_now())
+        if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
+            self._hovered_at(self._pointer_now())
 
-    def left(self) -> None:
+    def _left(self) -> None:
         if not self.is_dragging:
-            self._hand = None
+            self._pointer = None
             self.tools.leave()
             self.show_marks()
             self.hint_changed.emit("")
@@ -134,7 +138,7 @@ class ToolPlot(PlotWidget):
     def _pointer_now(self) -> Pointer:
         """Return where the pointer is in the plane as it is shown now; in the middle if it is elsewhere."""
         shown = self.pixel_map
-        pixel = self._hand.pixel if self._hand is not None else (shown.width / 2, shown.height / 2)
+        pixel = self._pointer.pixel if self._pointer is not None else (shown.width / 2, shown.height / 2)
         return Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
 
     def _end_gesture(self) -> None:
@@ -149,8 +153,8 @@ class ToolPlot(PlotWidget):
     def _tell(self) -> None:
         """Say how far the gesture has come, and where the pointer is."""
         self.progress_changed.emit(self.tools.progress())
-        if self._hand is not None:
-            self.pointed_at.emit(self.place_of(self._hand))
+        if self._pointer is not None:
+            self.pointed_at.emit(self.place_of(self._pointer))
 
     def _show_cursor(self, hint: Hint) -> None:
         if not self._panning.owns_cursor:
@@ -168,16 +172,15 @@ class ToolPlot(PlotWidget):
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        is_escape = event.key() == Qt.Key.Key_Escape
-        if (is_escape and (self.cancel_gesture() or self.dismiss())) or self._takes(event):
+        is_escape, key = event.key() == Qt.Key.Key_Escape, key_name(event)
+        if (
+            (is_escape and (self.cancel_gesture() or self.dismiss()))
+            or (key is not None and self.give_key(key))
+            or self._nudge(event)
+        ):
             event.accept()
         else:
             super().keyPressEvent(event)
-
-    def _takes(self, event: QKeyEvent) -> bool:
-        """Give the tool a key; return whether it is the tool's."""
-        key = key_name(event)
-        return (key is not None and self.give_key(key)) or self._nudge(event)
 
     def give_key(self, key: str) -> bool:
         """Give the tool a key by name; return whether it is the tool's, also where it means nothing now."""
@@ -186,7 +189,7 @@ class ToolPlot(PlotWidget):
         if taken and was_dragging:
             self._show_progress()
         if taken and not self.is_dragging:
-            self.hovered_at(self._pointer_now())
+            self._hovered_at(self._pointer_now())
         return taken or claimed
 
     def _nudge(self, event: QKeyEvent) -> bool:

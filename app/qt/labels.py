@@ -17,17 +17,24 @@ _LONG_WORD = re.compile(r"\S{16}(?=\S{16})")
 
 
 class Label(QLabel):
-    """A label of plain text, unless it says that it is HTML; data in that go through `html_of`."""
+    """A label of plain text, unless it says that it is HTML; data in that go through `html_of`.
+
+    `name` is its object name, `label` what screen readers call it.
+    """
 
     def __init__(
         self,
         text: str = "",
         parent: QWidget | None = None,
         *,
+        name: str = "",
+        label: str = "",
         wordWrap: bool = False,  # noqa: N803 - as Qt has it
         is_html: bool = False,
     ) -> None:
         super().__init__(text, parent, wordWrap=wordWrap)
+        self.setObjectName(name)
+        self.setAccessibleName(label)
         self.setTextFormat(Qt.TextFormat.RichText if is_html else Qt.TextFormat.PlainText)
 
 

@@ -17,9 +17,11 @@ import traceback
 from collections.abc import Callable
 from contextlib import suppress
 from types import FunctionType, MethodDescriptorType
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from PySide6.QtCore import QEvent
+
+_Method = TypeVar("_Method", bound=Callable[..., object])
 
 
 class Guarded:
@@ -37,7 +39,7 @@ class Guarded:
         for name in overrides_of(cls):
             method = vars(cls)[name]
             if not is_guarded(method):
-                setattr(cls, name, _guard(method))
+                setattr(cls, name, guard(method))
 
 
 def overrides_of(cls: type) -> list[str]:
@@ -68,7 +70,7 @@ def guard_library(*classes: type) -> None:
             method = vars(cls)[name]
             if not hasattr(method, "_guards"):
                 gives_nothing = name == "paint" or name.endswith("Event")
-                setattr(cls, name, _guard(method) if gives_nothing else _normalise(method))
+                setattr(cls, name, guard(method) if gives_nothing else _normalise(method))
 
 
 def _normalise(method: FunctionType) -> Callable[..., object]:
@@ -83,8 +85,11 @@ def _normalise(method: FunctionType) -> Callable[..., object]:
     return normalised
 
 
-def _guard(method: FunctionType) -> Callable[..., object]:
-    """Return `method` with a guard around it; ``__wrapped__`` is the bare one."""
+def guard(method: _Method) -> _Method:
+    """Return `method` with a guard around it; ``__wrapped__`` is the bare one.
+
+    For methods of a mixin, which has no class of Qt's to override.
+    """
 
     @functools.wraps(method)
     def guarded(*arguments: object) -> object:
@@ -98,7 +103,7 @@ def _guard(method: FunctionType) -> Callable[..., object]:
             raise  # normalised by having been caught
 
     vars(guarded)["_guards"] = True
-    return guarded
+    return cast("_Method", guarded)
 
 
 def report(problem: Exception) -> None:

@@ -49,9 +49,14 @@ class Files:
         return self.file is not None and self.file.owner is not None
 
     @property
-    def has_lost_document(self) -> bool:
-        """Whether the document that came from the file is in it no longer: changed, damaged or deleted."""
-        return self.file is not None and self.file.has_lost_document
+    def has_changes(self) -> bool:
+        """Whether something was changed here since the document was opened or saved."""
+        return not self._session.undo_stack.isClean()
+
+    @property
+    def is_modified(self) -> bool:
+        """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
+        return self.has_changes or (self.file is not None and self.file.has_lost_document)
 
     def close(self) -> None:
         """Go on without a file."""
@@ -91,7 +96,7 @@ class Files:
         document = plain(load(path))
         title = template_title(path, document)
         session.cancel()
-        if self.path is not None or not (session.undo_stack.count() or session.is_modified):
+        if self.path is not None or not (session.undo_stack.count() or self.is_modified):
             self.replace(document, None, beginning=Beginning(path, title))
             return
         after = State(document, 0, Beginning(path, title, self.beginning))

@@ -147,8 +147,3 @@ class History:
         if not isinstance(step, UndoStep):
             return None
         return step._after if index else step._before
-
-    @property
-    def is_fresh(self) -> bool:
-        """Whether nothing was done since the document was opened or begun."""
-        return not self.stack.count() and self.stack.isClean()

@@ -8,13 +8,13 @@ import msgspec
 
 
 class MessageKind(Enum):
-    """Kinds of sentences."""
+    """Kind of a sentence."""
 
-    SAID = auto()
+    INFORMATION = auto()
     """Something was done, or can be: for the status line."""
-    REFUSED = auto()
+    REFUSAL = auto()
     """Something was not done, and why: for the status line, marked."""
-    OFFERED = auto()
+    OFFER = auto()
     """An action that goes with what there is: it stays until the next step."""
 
 

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from typing import TYPE_CHECKING
 
 from app.document.model import Curve
-from app.document.selection import followed_curves, followed_points
+from app.document.selection import followed_curves, followed_points, returned_curves, returned_points
+
+if TYPE_CHECKING:
+    from app.session.session import Session
 
 
 class Selection:
-    """Selection and the like, neither saved nor undone. Methods return whether something is another one now.
+    """Selection and the like, neither saved nor undone.
+
+    Whatever is asked for, it names what exists in the document shown. The session's signals tell of it.
 
     Attributes
     ----------
@@ -21,54 +27,121 @@ class Selection:
         The point under the pointer, or -1.
     scrub
         The t of the scrub line, or None.
-    scrub_asked
-        Where the person put the scrub line: it stands there as far as the curve goes.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, session: Session) -> None:
+        self._session = session
         self.points: frozenset[int] = frozenset()
         self.curves = frozenset({0})
         self.hovered = -1
         self.scrub: float | None = None
-        self.scrub_asked: float | None = None
+        # The place that was asked for: the scrub line stands there as far as the curve goes.
+        self._scrub_asked: float | None = None
 
-    def select(self, indices: Collection[int], count: int) -> bool:
-        """Select those of the points `indices` that exist among `count`."""
-        before = self.points
+    @property
+    def point(self) -> int | None:
+        """The selected point if exactly one is selected."""
+        return next(iter(self.points)) if len(self.points) == 1 else None
+
+    def set_points(self, indices: Collection[int]) -> None:
+        """Select the points at `indices` of the active curve, those that exist."""
+        session, before = self._session, self.points
+        count = len(session.active_curve.points)
         self.points = frozenset(int(index) for index in indices if 0 <= index < count)
-        return self.points != before
+        if self.points != before:
+            session.history.end_run()
+            session.selection_changed.emit(self.points)
 
-    def hover(self, index: int, count: int) -> bool:
-        """Take note that the pointer is over point `index` of `count`, or over none."""
-        before, self.hovered = self.hovered, index if 0 <= index < count else -1
-        return self.hovered != before
+    def set_hovered(self, index: int) -> None:
+        """Take note of the point under the pointer; -1 for none."""
+        before, count = self.hovered, len(self._session.active_curve.points)
+        self.hovered = index if 0 <= index < count else -1
+        if self.hovered != before:
+            self._session.hovered_changed.emit(self.hovered)
 
-    def scrub_to(self, t: float | None, domain: tuple[float, float] | None) -> bool:
-        """Put the scrub line to `t`, or to the end of the `domain` nearer to it; away where there is none."""
-        self.scrub_asked, before = t, self.scrub
-        self.scrub = None if t is None or domain is None else float(min(max(t, domain[0]), domain[1]))
-        return self.scrub != before
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line to `t`, or put it away (None).
 
-    def select_curves(self, indices: Collection[int], active: int, count: int) -> int:
-        """Choose those of the curves that exist among `count`; return which of them is the active one.
-
-        That is `active`, or the one nearest to it.
+        It stays on the curve that is edited: at the end nearer to `t` where that lies outside, away while
+        there is no curve, and at `t` again when there is one that goes as far.
         """
-        indices = {index for index in indices if 0 <= index < count}
-        if active not in indices:
-            active = min(indices, key=lambda index: abs(index - active), default=active)
-        self.curves = frozenset({*indices, active})
-        return active
+        self._scrub_asked, before = t, self.scrub
+        curve = None if t is None else self._session.active_view.curve
+        if t is None or curve is None:
+            self.scrub = None
+        else:
+            start, end = curve.domain
+            self.scrub = float(min(max(t, start), end))
+        if self.scrub != before:
+            self._session.scrub_changed.emit(self.scrub)
 
-    def follow_curves(self, before: Sequence[Curve], after: Sequence[Curve], active: int) -> bool:
-        """Choose the same curves where they are now that `before` has become `after`."""
-        old = self.curves
+    def keep_scrub(self) -> None:
+        """Put the scrub line where it was asked for, as far as the present curve goes."""
+        self.set_scrub(self._scrub_asked)
+
+    # Curves
+
+    def activate(self, index: int) -> None:
+        """Edit another curve, and select it alone; nothing of it is selected yet."""
+        self.set_curves((index,), index)
+
+    def set_curves(self, indices: Collection[int], active: int | None = None) -> None:
+        """Select curves to work on together, those that exist.
+
+        The curve that is edited is one of them: `active`, or the one edited so far, or the selected one
+        nearest to it. With several no points are selected, so that tools act on the curves.
+        """
+        session = self._session
+        if session.is_previewing:
+            # The gesture may edit a curve that goes with its preview.
+            session.interrupt()
+        before, places = self.curves, range(len(session.document.curves))
+        wanted = active if active is not None and active in places else session.active_index
+        existing = {index for index in indices if index in places}
+        if wanted not in existing:
+            wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
+        self.curves = frozenset({*existing, wanted})
+        if wanted != session.active_index:
+            session.interrupted.emit()
+            session.cancel()
+            session.offered_at = None
+            self.enter(wanted)
+            self.keep_scrub()
+            session.active_changed.emit(wanted)
+        if len(self.curves) > 1:
+            self.set_points([])
+        if self.curves != before:
+            session.selected_curves_changed.emit(self.curves)
+
+    def enter(self, index: int) -> None:
+        """Make curve `index` the active one; what belonged to the other is put away."""
+        self.set_points([])
+        self.set_hovered(-1)
+        self._session.active_index = index
+
+    # From document to document
+
+    def follow_curves(self, before: Sequence[Curve]) -> bool:
+        """Select the same curves where they are now; return whether their places are other ones."""
+        session, old = self._session, self.curves
+        after, active = session.document.curves, session.active_index
         kept = followed_curves(old, before, after) if len(old) > 1 else frozenset[int]()
         self.curves = kept if active in kept else frozenset({active})
         return self.curves != old
 
-    def followed_points(self, before: Curve | None, after: Curve) -> frozenset[int]:
-        """Return where the selected points of `before` are in `after`."""
-        if not self.points or before is None:
+    def followed_points(self, before: Sequence[Curve]) -> frozenset[int]:
+        """Return where the selected points of the curve that was active are in the one that is."""
+        session = self._session
+        if not self.points or session.active_index >= len(before):
             return frozenset()
-        return followed_points(self.points, before.points, after.points)
+        old = before[session.active_index].points
+        return followed_points(self.points, old, session.active_curve.points)
+
+    def select_returned(self, before: Sequence[Curve]) -> None:
+        """Select the points, or the curves, that undo or redo has brought back."""
+        session = self._session
+        curves, active = session.committed.curves, session.active_index
+        if len(returned := returned_curves(before, curves)) > 1:
+            self.set_curves(returned)
+        elif not self.points and len(before) == len(curves):
+            self.set_points(returned_points(before[active].points, session.active_curve.points))

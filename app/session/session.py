@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Collection, Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from pathlib import Path
 
 import msgspec
@@ -13,7 +13,6 @@ from PySide6.QtGui import QUndoStack
 from app.document.edits import EditError
 from app.document.model import Curve, Document
 from app.document.plain import plain
-from app.document.selection import returned_curves, returned_points
 from app.session.change import Change, raiser_of, why_locked, why_not_kept
 from app.session.files import Files
 from app.session.history import Beginning, History, State
@@ -76,6 +75,8 @@ class Session(QObject):
         The file behind the document, and where the document began.
     active_index
         The curve that is edited.
+    selected
+        Selected points and curves, the point under the pointer, the scrub line.
     offered_at
         The parameter that the action offered last is about; None once that is out of date.
     """
@@ -97,21 +98,18 @@ class Session(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.history = History(self, self._restore_step)
-        self.undo_stack.cleanChanged.connect(self._report_clean)
+        self.undo_stack.cleanChanged.connect(self.file_changed)
         self.undo_stack.indexChanged.connect(self._report_index)
         self.files = Files(self)
         self.active_index = 0
         self.offered_at: float | None = None
-        self._selection = Selection()
+        self.selected = Selection(self)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
         self._home: _Home | None = None
 
     def __del__(self) -> None:
         self.history.drop()
-
-    def _report_clean(self, _clean: bool) -> None:
-        self.file_changed.emit()
 
     def _report_index(self, _index: int) -> None:
         self.offered_at = None
@@ -132,16 +130,16 @@ class Session(QObject):
         self._committed = self._shown = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
-        self._selection.points, self._selection.curves = frozenset(), frozenset({self.active_index})
+        self.selected.points, self.selected.curves = frozenset(), frozenset({self.active_index})
         if state.beginning is not self.files.beginning:
             self._turn_to(state.beginning)
         self.interrupted.emit()
         self.document_changed.emit(state.document)
         self.selection_changed.emit(self.selection)
-        self.set_hovered(-1)
-        self.set_scrub(self._selection.scrub_asked)
+        self.selected.set_hovered(-1)
+        self.selected.keep_scrub()
         self.active_changed.emit(self.active_index)
-        self.selected_curves_changed.emit(self.selected_curves)
+        self.selected_curves_changed.emit(self.selected.curves)
 
     # What is shown
 
@@ -187,9 +185,9 @@ class Session(QObject):
         return self.history.stack
 
     @property
-    def path(self) -> Path | None:
-        """Path of the document; None as long as it has no file."""
-        return self.files.path
+    def selection(self) -> frozenset[int]:
+        """Indices of the selected points of the active curve."""
+        return self.selected.points
 
     # Changes
 
@@ -233,9 +231,9 @@ class Session(QObject):
             self.refuse(reason)
             return False
         if self._home is None:
-            self._home = _Home(self.active_index, self.selection, self.selected_curves)
+            self._home = _Home(self.active_index, self.selected.points, self.selected.curves)
         if active is not None and active != self.active_index:
-            self._enter(active)
+            self.selected.enter(active)
         self._show(document)
         return True
 
@@ -266,11 +264,11 @@ class Session(QObject):
         if home is None:
             return
         if home.active != self.active_index:
-            self._enter(home.active)
+            self.selected.enter(home.active)
         if self.is_previewing:
             self._show(self._committed)
-        self.select_curves(home.curves)
-        self.select(home.points)
+        self.selected.set_curves(home.curves)
+        self.selected.set_points(home.points)
 
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
@@ -291,7 +289,7 @@ class Session(QObject):
     def _restore_step(self, state: State) -> None:
         before, is_other = self._committed, state.beginning is not self.files.beginning
         if is_other:
-            if self.is_modified and self.path is None:
+            if self.files.is_modified and self.files.path is None:
                 self.left.emit(before)
             self._turn_to(state.beginning)
         self._restore(state)
@@ -301,36 +299,27 @@ class Session(QObject):
             self.file_changed.emit()
             self.opened.emit()
         else:
-            self._choose_returned(before)
+            self.selected.select_returned(before.curves)
 
     def _turn_to(self, beginning: Beginning) -> None:
         """Put away what belonged to the document before this one."""
         self.files.beginning = beginning
-        if self.path is not None:
+        if self.files.path is not None:
             # Its file holds the other document: nothing of this one may go there unasked.
             self.files.close()
             self.undo_stack.resetClean()
-        self.select([])
-        self.select_curves((self.active_index,))
-        self.set_scrub(None)
+        self.selected.set_points([])
+        self.selected.set_curves((self.active_index,))
+        self.selected.set_scrub(None)
         # Another document's curves are nobody's last good shape.
         self._views.take()
-
-    def _choose_returned(self, before: Document) -> None:
-        """Select the points, or choose the curves, that undo or redo has brought back."""
-        curves = self._committed.curves
-        if len(selected := returned_curves(before.curves, curves)) > 1:
-            self.select_curves(selected)
-        elif not self.selection and len(before.curves) == len(curves):
-            old = before.curves[self.active_index].points
-            self.select(returned_points(old, self.active_curve.points))
 
     def _restore(self, state: State, views: Sequence[CurveView] = ()) -> None:
         self.history.end_run()
         self._home = None
         self.interrupted.emit()
         if state.active != self.active_index:
-            self._enter(state.active)
+            self.selected.enter(state.active)
         self._committed = state.document
         if views:
             self._views.take(views)
@@ -339,110 +328,27 @@ class Session(QObject):
     def _show(self, document: Document) -> None:
         before, self._shown = self._shown.curves, document
         self.active_index = min(self.active_index, len(document.curves) - 1)
-        has_moved = self._selection.follow_curves(before, document.curves, self.active_index)
-        old = before[self.active_index] if self.active_index < len(before) else None
-        selection = self._selection.followed_points(old, self.active_curve)
+        selected = self.selected
+        has_moved, points = selected.follow_curves(before), selected.followed_points(before)
         # Nobody who is told of the document finds something named that it does not have.
-        self.select(self.selection)
-        self.set_hovered(self.hovered)
+        selected.set_points(selected.points)
+        selected.set_hovered(selected.hovered)
         self.document_changed.emit(document)
         # Whoever draws it has had to hear of the points first.
-        self.select(selection)
-        self.set_scrub(self._selection.scrub_asked)
+        selected.set_points(points)
+        selected.keep_scrub()
         if has_moved:
-            self.selected_curves_changed.emit(self.selected_curves)
-
-    # What is neither saved nor undone: whatever is asked for, it names what exists in the document shown
-
-    @property
-    def selection(self) -> frozenset[int]:
-        """Indices of the selected points of the active curve."""
-        return self._selection.points
-
-    @property
-    def selected(self) -> int | None:
-        """The selected point if exactly one is selected."""
-        return next(iter(self.selection)) if len(self.selection) == 1 else None
-
-    @property
-    def selected_curves(self) -> frozenset[int]:
-        """Indices of the curves that are worked on together, of which the active one is one."""
-        return self._selection.curves
-
-    @property
-    def hovered(self) -> int:
-        """The point under the pointer, or -1."""
-        return self._selection.hovered
-
-    @property
-    def scrub(self) -> float | None:
-        """The t of the scrub line, or None."""
-        return self._selection.scrub
-
-    def select(self, indices: Collection[int]) -> None:
-        """Select the points at `indices` of the active curve, those that exist."""
-        if self._selection.select(indices, len(self.active_curve.points)):
-            self.history.end_run()
-            self.selection_changed.emit(self.selection)
-
-    def set_hovered(self, index: int) -> None:
-        """Say which point the pointer is over; -1 for none."""
-        if self._selection.hover(index, len(self.active_curve.points)):
-            self.hovered_changed.emit(self.hovered)
-
-    def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line to `t`, or put it away (None).
-
-        It stays on the curve that is edited: at the end nearer to `t` where that lies outside, away while
-        there is no curve, and at `t` again when there is one that goes as far.
-        """
-        curve = None if t is None else self.active_view.curve
-        if self._selection.scrub_to(t, None if curve is None else curve.domain):
-            self.scrub_changed.emit(self.scrub)
-
-    def activate(self, index: int) -> None:
-        """Edit another curve, and choose it alone; nothing of it is selected yet."""
-        self.select_curves((index,), index)
-
-    def select_curves(self, indices: Collection[int], active: int | None = None) -> None:
-        """Choose curves to work on together, those that exist.
-
-        The curve that is edited is one of them: `active`, or the one edited so far, or the selected one
-        nearest to it. With several no points are selected, so that tools act on the curves.
-        """
-        if self.is_previewing:
-            # The gesture may edit a curve that goes with its preview.
-            self.interrupt()
-        before, count = self.selected_curves, len(self._shown.curves)
-        wanted = active if active is not None and 0 <= active < count else self.active_index
-        wanted = self._selection.select_curves(indices, wanted, count)
-        if wanted != self.active_index:
-            self.interrupted.emit()
-            self.cancel()
-            self.offered_at = None
-            self._enter(wanted)
-            self.set_scrub(self._selection.scrub_asked)
-            self.active_changed.emit(wanted)
-        if len(self.selected_curves) > 1:
-            self.select([])
-        if self.selected_curves != before:
-            self.selected_curves_changed.emit(self.selected_curves)
-
-    def _enter(self, index: int) -> None:
-        """Make curve `index` the active one; what belonged to the other is put away."""
-        self.select([])
-        self.set_hovered(-1)
-        self.active_index = index
+            self.selected_curves_changed.emit(selected.curves)
 
     # Messages
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
-        self.message.emit(Message(MessageKind.SAID, text))
+        self.message.emit(Message(MessageKind.INFORMATION, text))
 
     def refuse(self, text: str) -> None:
         """Say that something was not done, and why: marked, so that it is not taken for a hint."""
-        self.message.emit(Message(MessageKind.REFUSED, text))
+        self.message.emit(Message(MessageKind.REFUSAL, text))
 
     def offer(self, text: str, action: str, at: float | None = None) -> None:
         """Show a sentence above the canvas, and beside it a button for the action of this name.
@@ -451,19 +357,9 @@ class Session(QObject):
         does another curve to edit.
         """
         self.offered_at = at
-        self.message.emit(Message(MessageKind.OFFERED, text, action))
+        self.message.emit(Message(MessageKind.OFFER, text, action))
 
     # Files
-
-    @property
-    def has_changes(self) -> bool:
-        """Whether something was changed here since the document was opened or saved."""
-        return not self.undo_stack.isClean()
-
-    @property
-    def is_modified(self) -> bool:
-        """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
-        return self.has_changes or self.files.has_lost_document
 
     def new(self) -> None:
         """Start an empty document."""

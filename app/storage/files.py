@@ -46,11 +46,8 @@ class Stamp(msgspec.Struct, frozen=True):
 
     def is_of(self, status: os.stat_result) -> bool:
         """Whether a file with this status is in all likelihood the same, without reading it."""
-        return self._facts == (status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev)
-
-    @property
-    def _facts(self) -> tuple[int, int, int, int]:
-        return self.size, self.modified, self.inode, self.device
+        own = (self.size, self.modified, self.inode, self.device)
+        return own == (status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev)
 
 
 class Content(msgspec.Struct, frozen=True):
@@ -99,7 +96,7 @@ def load(path: str | os.PathLike[str]) -> Document:
 
 def document_in(data: bytes, path: str | os.PathLike[str]) -> Document:
     """Return the document in `data`, the content of the file at `path`; see `load`."""
-    return resolved(decode(data), _folder(path))
+    return resolved(decode(data), folder_of(path))
 
 
 def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None = None) -> Stamp:
@@ -121,7 +118,7 @@ def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None
     StorageError
         If the file cannot be written; the old one is still there.
     """
-    data = encode(relative_to(document, _folder(path)))
+    data = encode(relative_to(document, folder_of(path)))
     return write(path, data, before_replacing=lambda target: _look_once_more(path, target, seen))
 
 
@@ -183,7 +180,8 @@ def _placed(temporary: Path, name: Path) -> bool:
     return True
 
 
-def _folder(path: str | os.PathLike[str]) -> str:
+def folder_of(path: str | os.PathLike[str]) -> str:
+    """Return the folder that a path leads to."""
     return os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
 
 

@@ -279,13 +279,9 @@ def _validate_curve(curve: Curve, place: str) -> None:
         )
     if not all_within(curve.points):
         for index, point in enumerate(curve.points):
-            _validate_point(point, f"{place}.points[{index}]")
+            for key, value in _numbers(point):
+                _check_number(value, f"{place}.points[{index}].{key}")
     _validate_parameters(curve, place)
-
-
-def _validate_point(point: Point, place: str) -> None:
-    for key, value in _numbers(point):
-        _check_number(value, f"{place}.{key}")
 
 
 def _numbers(point: Point) -> Iterator[tuple[str, float]]:
@@ -352,7 +348,7 @@ def _in_words(message: str) -> str:
     complaint, _, path = message.partition(" - at `$")
     place = path.rstrip("`").removeprefix(".")
     if match := re.fullmatch(r"Object missing required field `(.*)`", complaint):
-        return f"{_joined(place, match[1])} is missing"
+        return f"{place}.{match[1]} is missing".removeprefix(".")
     if match := re.fullmatch(r"Object contains unknown field `(.*)`", complaint, re.DOTALL):
         return f"{place or 'the file'} has a key that this version does not know: {_quoted(match[1])}"
     return f"{place or 'the file'} {_requirement(complaint)}"
@@ -374,10 +370,6 @@ def _requirement(complaint: str) -> str:
 def _kinds(names: str) -> str:
     """Return msgspec's ``float | null`` in words."""
     return " or ".join(_TYPES.get(name, name) for name in names.split(" | "))
-
-
-def _joined(place: str, key: str) -> str:
-    return f"{place}.{key}" if place else key
 
 
 def not_json(message: str, data: bytes) -> str:

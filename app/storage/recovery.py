@@ -158,9 +158,7 @@ class SnapshotFile:
         """Delete the snapshot, if there is one."""
         if self._file is not None:
             _remove(self._file)
-        if self._lock is not None:
-            self._lock.release()
-        self._file = self._lock = None
+        self.leave()
 
     def leave(self) -> None:
         """Keep the snapshot for the next start."""

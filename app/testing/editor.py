@@ -338,5 +338,5 @@ class Editor(InputDriver):
 
     def select(self, indices: Sequence[int]) -> None:
         """Select points."""
-        self.session.select(indices)
+        self.session.selected.set_points(indices)
         self.settle()

@@ -1,13 +1,13 @@
 """Press, move and release turned into edits. No Qt: a tool is tested with plain `Pointer` records.
 
-- ``tool``: the base class of the tools, and the context of an event.  ``tool_settings``: its settings.
+- ``tool``: the base class of the tools, and the context of an event with its settings.
 - ``registry``: the tools that can be chosen.  ``toolbox``: those of one plot, and which is in use.
 - ``select``, ``add``, ``measure``, ``explain``, ``move_image``: the tools of the canvas.  ``transform_tool``:
-  the one of a transform that a key begins.  ``rail``: those over t.
+  the one of a transform that a key begins.  ``rail``: those over t, and the drag of ticks.
 - ``pointer``: position, keys, and what lies under the pointer.
 - ``drag_machine``: the state machine all drags share: threshold, preview, commit, cancel.
-- ``drags``, ``bend_drag``, ``pen_drags``, ``rail_drags``: what each drag makes of the document.  ``parts``:
-  presses on points and handles.  ``closing``: a click on the first point, which closes the curve.
+- ``drag``: the base class of the drags.  ``drags``, ``pen_drags``: what each makes of the document.
+  ``parts``: presses on points and handles.
 - ``transform``, ``transform_box``: move, scale and rotate; the box with grips.  ``typed_amount``: the number,
   or the two, typed meanwhile.  ``target``: what these act on: selected points, or curves.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.

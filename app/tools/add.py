@@ -8,13 +8,13 @@ from functools import partial
 from app.document.curve_edits import add_curve, fresh_curve
 from app.document.model import Vector
 from app.tools import hints
-from app.tools.closing import can_end_at, closer
 from app.tools.drag_machine import EditingHost
 from app.tools.marks import GestureMarks
 from app.tools.parts import press_on_part
 from app.tools.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
 from app.tools.pointer import Hint, Hit
 from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.view_model.appending import closed_by_pen
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.pen_preview import view_with_point
 
@@ -35,7 +35,6 @@ class AddTool(Tool):
         self._seen: CurveView | None = None
         self._preview: CurveView | None = None
         self._spot: Vector | None = None
-        self._place: Vector | None = None
 
     def reset(self) -> None:
         """Forget which curves are finished; another document is open."""
@@ -43,7 +42,7 @@ class AddTool(Tool):
 
     def end(self) -> None:
         """Show nothing of what a press would do."""
-        self._seen = self._preview = self._spot = self._place = None
+        self._seen = self._preview = self._spot = None
 
     # Finished curves
 
@@ -60,7 +59,7 @@ class AddTool(Tool):
             host.refuse("A curve needs two points before it can be finished.")
             return True
         self._finished.add(_key(host))
-        host.select([])
+        host.selected.set_points([])
         host.say(f"“{context.view.source.name}” is finished; the next press begins another curve.")
         return True
 
@@ -73,7 +72,7 @@ class AddTool(Tool):
         """Go on with the finished curve."""
         self._finished.discard(_key(host))
         count = len(host.active_view.source.points)
-        host.select([count - 1])
+        host.selected.set_points([count - 1])
         host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
 
     # Presses
@@ -95,8 +94,8 @@ class AddTool(Tool):
             self._append(context)
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
-        if can_end_at(hit, context.view):
-            press_on_part(context, hit, closer(context.host))
+        if hints.can_end_at(hit, context.view):
+            press_on_part(context, hit, partial(_close, context.host))
         elif self._goes_on_at(hit, context.host):
             press_on_part(context, hit, partial(self._go_on, context.host))
         else:
@@ -129,7 +128,7 @@ class AddTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
-        hit, view, selection = context.hit, context.view, context.host.selection
+        hit, view, selection = context.hit, context.view, context.host.selected.points
         act = self._act(context) if hints.is_no_part(hit) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         if place is not None:
@@ -147,13 +146,12 @@ class AddTool(Tool):
         host, view, hit, caught = context.host, context.view, context.hit, context.snappers.caught
         is_here = math.isfinite(context.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
+        self._seen = view
         if not is_here or act is not PenAct.APPEND:
-            self._seen, self._preview, self._place = view, None, None
+            self._preview = None
             return
         place = caught.position if caught is not None else context.pointer.position
-        if place != self._place or view is not self._seen:
-            self._preview = view_with_point(host.document, host.active_index, view, place, self._preview)
-        self._seen, self._place = view, place
+        self._preview = view_with_point(host.document, host.active_index, view, place, self._preview)
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the curve with one point more, or the spot to insert one at."""
@@ -176,6 +174,12 @@ def _insert(context: ToolContext, hit: Hit) -> None:
     context.drags.press_at_once(
         context.pointer, insert, on_done=lambda: _say_outcome(host, insert), makes=hit.index
     )
+
+
+def _close(host: EditingHost) -> None:
+    """Close the curve that is edited, or say why it cannot be closed."""
+    active, view = host.active_index, host.active_view
+    host.change(f"Close {view.source.name}", lambda document: closed_by_pen(document, active, view))
 
 
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:

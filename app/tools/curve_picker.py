@@ -31,10 +31,10 @@ class CurvePicker:
             hit is None
             or hit.part is not Part.OTHER_CURVE
             or context.pointer.shift
-            or hit.index in host.selected_curves
+            or hit.index in host.selected.curves
         ):
             return context
-        host.activate(hit.index)
+        host.selected.activate(hit.index)
         self.entered = _edited(host)
         host.say(self.entered)
         return context.with_hit()
@@ -42,28 +42,28 @@ class CurvePicker:
     def press(self, context: ToolContext, hit: Hit) -> None:
         """Begin a click on the curve hit, or where it is selected a drag of all that are."""
         host, target = context.host, context.target
-        drag = target.moving_curves(context.pointer) if hit.index in host.selected_curves else None
+        drag = target.moving_curves(context.pointer) if hit.index in host.selected.curves else None
         click = _toggle if context.pointer.shift else _edit
         context.drags.press(context.pointer, drag, on_click=lambda: click(host, hit.index))
 
     def unpick_others(self, context: ToolContext) -> bool:
         """Select the active curve alone; return whether there were others."""
         host = context.host
-        had_others = len(host.selected_curves) > 1
+        had_others = len(host.selected.curves) > 1
         if had_others:
-            host.select_curves((host.active_index,))
+            host.selected.set_curves((host.active_index,))
             host.say(f"Only “{host.active_view.source.name}” is chosen.")
         return had_others
 
     def hint(self, context: ToolContext, hit: Hit) -> Hint:
         """Return what a press on another curve would do."""
         host = context.host
-        name, selected = host.document.curves[hit.index].name, host.selected_curves
+        name, selected = host.document.curves[hit.index].name, host.selected.curves
         if hit.index not in selected:
             is_locked = host.document.curves[hit.index].locked
             drag = " (locked)" if is_locked else ", drag to bend it or move a point"
             return Hint(f"Click to edit “{name}”{drag} · Shift+click: choose it too", grab=True)
-        if refusal := context.target.refusal_of_curves:
+        if refusal := context.target.refusal_of(context.target.curves):
             return Hint(refusal)
         moving = named(host.document, selected)
         keys = "Shift: one axis, a click takes it out"
@@ -79,7 +79,7 @@ class CurvePicker:
 
 
 def _edit(host: EditingHost, curve: int) -> None:
-    host.activate(curve)
+    host.selected.activate(curve)
     host.say(_edited(host))
 
 
@@ -88,13 +88,13 @@ def _edited(host: EditingHost) -> str:
 
 
 def _toggle(host: EditingHost, curve: int) -> None:
-    host.select_curves(host.selected_curves ^ {curve})
+    host.selected.set_curves(host.selected.curves ^ {curve})
     host.say(f"{selected_curves(host)}.")
 
 
 def selected_curves(host: EditingHost) -> str:
     """Return a sentence about the curves that the tools act on."""
-    what, active = named(host.document, host.selected_curves), host.active_view.source.name
-    if len(host.selected_curves) == 1:
+    what, active = named(host.document, host.selected.curves), host.active_view.source.name
+    if len(host.selected.curves) == 1:
         return f"Only “{active}” is chosen"
     return f"{what} chosen, “{active}” is edited"

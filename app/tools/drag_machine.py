@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Hashable
-from typing import Protocol, runtime_checkable
+from typing import Protocol
 
 import msgspec
 
 from app.document.edits import EditError
 from app.document.model import Document, Vector
-from app.tools.pointer import Pointer
+from app.tools.drag import Drag
+from app.tools.pointer import ORIGIN, Pointer
 from app.view_model.curve_view import CurveView
 
 THRESHOLD = 3.0
@@ -20,22 +21,37 @@ CANCELLED = "Cancelled."
 """The sentence when Escape has taken a gesture back."""
 
 
+class SelectionHost(Protocol):
+    """Selection of a session, as the tools use it."""
+
+    points: frozenset[int]
+    curves: frozenset[int]
+    scrub: float | None
+
+    def set_points(self, indices: Collection[int]) -> None:
+        """Select points."""
+
+    def set_curves(self, indices: Collection[int]) -> None:
+        """Select curves to work on together."""
+
+    def set_hovered(self, index: int) -> None:
+        """Take note of the point under the pointer."""
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line."""
+
+    def activate(self, index: int) -> None:
+        """Edit another curve."""
+
+
 class EditingHost(Protocol):
     """Document, selection and messages of a session, as the tools use them."""
 
     active_index: int
 
     @property
-    def selection(self) -> frozenset[int]:
-        """Indices of the selected points."""
-
-    @property
-    def selected_curves(self) -> frozenset[int]:
-        """Indices of the curves that are worked on together."""
-
-    @property
-    def scrub(self) -> float | None:
-        """The t of the scrub line, or None."""
+    def selected(self) -> SelectionHost:
+        """The selection."""
 
     @property
     def document(self) -> Document:
@@ -67,21 +83,6 @@ class EditingHost(Protocol):
     def cancel(self) -> None:
         """Drop the preview, and select what was selected before it."""
 
-    def select(self, indices: Collection[int]) -> None:
-        """Select points."""
-
-    def set_hovered(self, index: int) -> None:
-        """Say which point the pointer is over."""
-
-    def activate(self, index: int) -> None:
-        """Edit another curve."""
-
-    def select_curves(self, indices: Collection[int], active: int | None = None) -> None:
-        """Choose curves to work on together."""
-
-    def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line."""
-
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
 
@@ -90,29 +91,6 @@ class EditingHost(Protocol):
 
     def offer(self, text: str, action: str, at: float | None = None) -> None:
         """Show a sentence, and a button for an action about the parameter `at`."""
-
-
-class Drag(Protocol):
-    """A drag: the document at a place of the pointer."""
-
-    @property
-    def name(self) -> str:
-        """The name of the step in the history."""
-
-    def document_at(self, pointer: Pointer) -> Document:
-        """Return the document for this position, computed from the press, never from the last move."""
-
-
-@runtime_checkable
-class HasReadout(Protocol):
-    """A drag that tells its amount while it goes on."""
-
-    @property
-    def keys(self) -> str:
-        """Effects of the modifier keys."""
-
-    def readout_at(self, pointer: Pointer) -> str:
-        """Return the amount, such as "Rotate 30°"."""
 
 
 class _Press(msgspec.Struct):
@@ -187,14 +165,14 @@ class DragMachine:
             return
         press.last, press.refused = document, ""
         if self._host.preview(document, active=press.active) and press.makes is not None:
-            self._host.select([press.makes])
+            self._host.selected.set_points([press.makes])
             press.makes = None
 
-    def nudge(self, pointer: Pointer, drag: Drag, run: Hashable) -> None:
-        """Do at once what a drag to `pointer` would do; quick nudges of the same run are one step."""
-        is_done = self._host.change(drag.name, lambda _document: drag.document_at(pointer), run=run)
-        if is_done and isinstance(drag, HasReadout):
-            self._host.say(drag.readout_at(pointer))
+    def nudge(self, drag: Drag, run: Hashable) -> None:
+        """Do a drag at once, with the pointer at the origin; quick nudges of the same run are one step."""
+        is_done = self._host.change(drag.name, lambda _document: drag.document_at(ORIGIN), run=run)
+        if is_done and (text := drag.readout(ORIGIN)):
+            self._host.say(text)
 
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
         """Go on with another drag from the same press: an axis was locked, an amount typed."""
@@ -205,24 +183,18 @@ class DragMachine:
     def progress_at(self, pointer: Pointer) -> str:
         """Return the amount of the drag in flight and what modifiers would change, or why it is refused."""
         press = self._press
-        if press is None or not press.moving:
+        if press is None or press.drag is None or not press.moving:
             return ""
-        if press.refused or not isinstance(press.drag, HasReadout):
+        if press.refused or not (text := press.drag.readout(pointer)):
             return press.refused
-        parts = (press.drag.readout_at(pointer), press.drag.keys, "Escape cancels")
-        return " · ".join(part for part in parts if part)
+        return " · ".join(part for part in (text, press.drag.keys, "Escape cancels") if part)
 
     def place_at(self, pointer: Pointer) -> Vector | None:
-        """Return where the point is that the drag in flight holds, None where it holds none.
-
-        A drag that holds one has a method `place_at`, too.
-        """
+        """Return where the point is that the drag in flight holds, None where it holds none."""
         press = self._press
-        if press is None or not press.moving or press.refused:
+        if press is None or press.drag is None or not press.moving or press.refused:
             return None
-        # Asked at every move, where isinstance of a protocol takes ten times as long.
-        place_at: Callable[[Pointer], Vector | None] | None = getattr(press.drag, "place_at", None)
-        return place_at(pointer) if place_at is not None else None
+        return press.drag.place_at(pointer)
 
     def release(self, pointer: Pointer) -> None:
         """End: commit what the drag made, or click."""

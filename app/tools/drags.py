@@ -1,4 +1,4 @@
-"""Drags of points and handles: the document at a place of the pointer, computed from the press."""
+"""Drags of points, handles and the curve itself: the document at a place of the pointer."""
 
 from __future__ import annotations
 
@@ -9,149 +9,113 @@ import msgspec
 from app.document import edits, words
 from app.document.model import Document, Vector
 from app.document.several_curves import PointGroup, moved
-from app.document.transforms import decimal_product, step_points
+from app.document.transforms import step_points
+from app.tools.drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapper
+from app.view_model.bend import Bend
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
+from app.view_model.hold import BendWith
+
+_TOLERANCE = 0.05
+"""Pixels that the grabbed point may be off, where the parameters answer to the points."""
 
 
-def _minus(a: Vector, b: Vector) -> Vector:
-    return (a[0] - b[0], a[1] - b[1])
-
-
-def _plus(a: Vector, b: Vector) -> Vector:
-    return (a[0] + b[0], a[1] + b[1])
-
-
-def _along_axis(by: Vector, axis: int | None) -> Vector:
-    return by if axis is None else (by[0], 0.0) if axis == 0 else (0.0, by[1])
-
-
-class MovePoints(msgspec.Struct, frozen=True):
+class MovePoints(Drag, frozen=True):
     """Move points, or whole curves, with the pointer; Shift keeps to one axis.
 
     Attributes
     ----------
     grip
-        The curve and the point that snaps, where there is a `snapper`.
+        The curve and the point that snaps.
     axis
         0 or 1 where an axis is locked from the start.
     """
 
-    document: Document
     group: PointGroup
     start: Vector
-    snapper: Snapper | None = None
-    grip: tuple[int, int] = (-1, -1)
+    snapper: Snapper
+    grip: tuple[int, int]
     axis: int | None = None
+
+    keys = "Shift: along one axis · Ctrl: snap, or not"
 
     @property
     def name(self) -> str:
         """The name of the step."""
         return f"Move {words.group(self.group)}"
 
-    keys = "Shift: along one axis · Ctrl: snap, or not"
-
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell where one point is and how far it came; of several, how far they came."""
-        way, target = self.displacement_at(pointer)
-        one = self.group.only_point
+    def readout(self, pointer: Pointer) -> str:
+        """Return where one point is and how far it came; of several, how far they came."""
+        way, one = words.vector(self.displacement(pointer)), self.group.only_point
         if one is None:
-            return f"{self.name} by {words.vector(way)}"
-        return f"{words.point_at(one[1], self._place(way, target))} · moved {words.vector(way)}"
+            return f"{self.name} by {way}"
+        return f"{words.point_at(one[1], self.place_at(pointer))} · moved {way}"
 
     def place_at(self, pointer: Pointer) -> Vector:
         """Return where the point is that is held, to the last bit where it snapped to."""
-        return self._place(*self.displacement_at(pointer))
-
-    def _place(self, by: Vector, target: Vector | None) -> Vector:
-        curve, index = self.grip if self.grip[1] >= 0 else self.group.first_point
-        held = self.document.curves[curve].points[index].position
-        return target if target is not None else _plus(held, by)
+        by, caught = self.displacement(pointer), self.snapper.caught
+        return plus(self._held, by) if caught is None else caught.position
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
-        by, target = self.displacement_at(pointer)
-        document = moved(self.document, self.group, by)
-        if target is not None:
+        document = moved(self.document, self.group, self.displacement(pointer))
+        if self.snapper.caught is not None:
             # To the last bit where it snapped to: p + (q − p) may miss q by a rounding.
-            document = edits.set_position(document, *self.grip, target)
+            document = edits.set_position(document, *self.grip, self.snapper.caught.position)
         return document
 
-    def displacement_at(self, pointer: Pointer) -> tuple[Vector, Vector | None]:
-        """Return how far the points go, and where exactly the grip ends if it snapped."""
-        way = _minus(pointer.position, self.start)
-        axis = self.axis
+    @property
+    def _held(self) -> Vector:
+        curve, index = self.grip
+        return self.document.curves[curve].points[index].position
+
+    def displacement(self, pointer: Pointer) -> Vector:
+        """Return how far the points go, so that the grip snaps."""
+        way, axis = pointer.way_from(self.start), self.axis
         if axis is None and pointer.shift:
-            axis = 0 if abs(way[0]) >= abs(way[1]) else 1
-        way = _along_axis(way, axis)
-        curve, point = self.grip
-        if self.snapper is None or point < 0:
-            return way, None
-        held = self.document.curves[curve].points[point].position
-        target = self.snapper.snap(_plus(held, way), pointer, axis)
-        if self.snapper.caught is None:
-            return way, None
-        return _minus(target, held), target
+            axis = longer_axis(way)
+        way = along_axis(way, axis)
+        target = self.snapper.snap(plus(self._held, way), pointer, axis)
+        return way if self.snapper.caught is None else minus(target, self._held)
 
 
-class NudgePoints(MovePoints, frozen=True):
-    """Move points by a key."""
+class NudgePoints(Drag, frozen=True):
+    """Move points by a key, wherever the pointer is.
 
-    @property
-    def name(self) -> str:
-        """The name of the step."""
-        return f"Nudge {words.group(self.group)}"
+    Attributes
+    ----------
+    step
+        How far.
+    is_decimal
+        Whether it is a step of the grid, added in decimal numbers.
+    """
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell where one point is now, and the step."""
-        return _nudged(self.group, self.document_at(pointer), pointer.position)
-
-
-class StepPoints(msgspec.Struct, frozen=True):
-    """Move points by a step of the grid, in decimal numbers."""
-
-    document: Document
     group: PointGroup
-    direction: Vector
-    spacing: Vector
-    factor: float
+    step: Vector
+    is_decimal: bool
 
     @property
     def name(self) -> str:
         """The name of the step."""
         return f"Nudge {words.group(self.group)}"
 
-    keys = ""
-
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell where one point is now, and the step."""
-        return _nudged(self.group, self.document_at(pointer), self._step)
-
-    @property
-    def _step(self) -> Vector:
-        x, y = (
-            way * decimal_product(spacing, self.factor)
-            for way, spacing in zip(self.direction, self.spacing, strict=True)
-        )
-        return (x, y)
+    def readout(self, pointer: Pointer) -> str:
+        """Return where one point is now, or how many went, and the step."""
+        one, step = self.group.only_point, words.vector(self.step)
+        if one is None:
+            return f"{words.group(self.group)} nudged · step {step}"
+        curve, index = one
+        place = self.document_at(pointer).curves[curve].points[index].position
+        return f"{words.point_at(index, place)} · step {step}"
 
     def document_at(self, _pointer: Pointer) -> Document:
-        """Move by the step, wherever the pointer is."""
+        """Move by the step."""
+        edit = step_points if self.is_decimal else edits.move_points
         return self.group.changed(
-            self.document, lambda each, curve, indices: step_points(each, curve, indices, self._step)
+            self.document, lambda each, curve, indices: edit(each, curve, indices, self.step)
         )
-
-
-def _nudged(group: PointGroup, document: Document, step: Vector) -> str:
-    """Tell what a key has moved: where one point is, or how many went, and the step."""
-    one = group.only_point
-    if one is None:
-        return f"{words.group(group)} nudged · step {words.vector(step)}"
-    curve, index = one
-    place = document.curves[curve].points[index].position
-    return f"{words.point_at(index, place)} · step {words.vector(step)}"
 
 
 def what_handle_sets(hit: Hit, view: CurveView) -> str:
@@ -165,15 +129,12 @@ def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
     return f"point {index}{side}"
 
 
-class DragHandle(msgspec.Struct, frozen=True):
+class DragHandle(CurveDrag, frozen=True):
     """Set a velocity or an acceleration by its handle."""
 
-    document: Document
-    curve: int
-    view: CurveView
     hit: Hit
     start: Vector
-    snapper: Snapper | None = None
+    snapper: Snapper
 
     @property
     def name(self) -> str:
@@ -182,8 +143,8 @@ class DragHandle(msgspec.Struct, frozen=True):
 
     keys = "Shift: steps of 15° · Alt: length only · Ctrl: snap, or not"
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell the derivative by its length and direction."""
+    def readout(self, pointer: Pointer) -> str:
+        """Return the derivative by its length and direction."""
         what = what_handle_sets(self.hit, self.view)
         return f"{what[0].upper()}{what[1:]}: {words.polar(self._derivative_at(pointer))}"
 
@@ -195,7 +156,7 @@ class DragHandle(msgspec.Struct, frozen=True):
         return edits.set_acceleration(self.document, self.curve, index, derivative, ahead=ahead)
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
-        tip = self._snapped(_plus(self.hit.position, _minus(pointer.position, self.start)), pointer)
+        tip = self._snapped(plus(self.hit.position, pointer.way_from(self.start)), pointer)
         index, ahead, view = self.hit.index, self.hit.ahead, self.view
         if self.hit.part is Part.VELOCITY_HANDLE:
             free = velocity_from_handle(view, index, tip, ahead=ahead)
@@ -208,8 +169,6 @@ class DragHandle(msgspec.Struct, frozen=True):
         return in_steps(free) if pointer.shift else free
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
-        if self.snapper is None:
-            return tip
         if pointer.shift or pointer.alt:
             # An angle or a direction that is held leaves nothing to be drawn elsewhere.
             self.snapper.reset()
@@ -236,14 +195,11 @@ def in_steps(v: Vector) -> Vector:
     return (length * x, length * y)
 
 
-class PullVelocity(msgspec.Struct, frozen=True):
+class PullVelocity(CurveDrag, frozen=True):
     """Pull the velocity handle out of a point, wherever the handle lay before."""
 
-    document: Document
-    curve: int
-    view: CurveView
     index: int
-    snapper: Snapper | None = None
+    snapper: Snapper
 
     @property
     def name(self) -> str:
@@ -252,13 +208,13 @@ class PullVelocity(msgspec.Struct, frozen=True):
 
     keys = "Ctrl: snap, or not"
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell the velocity by its length and direction."""
+    def readout(self, pointer: Pointer) -> str:
+        """Return the velocity by its length and direction."""
         velocity = words.polar(self._velocity_at(pointer))
         return f"Velocity of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
-        return velocity_from_handle(self.view, self.index, snapped(pointer, self.snapper), ahead=True)
+        return velocity_from_handle(self.view, self.index, self.snapper.at(pointer), ahead=True)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the point under the pointer."""
@@ -267,17 +223,55 @@ class PullVelocity(msgspec.Struct, frozen=True):
         return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
 
 
-class Refuse(msgspec.Struct, frozen=True):
+class BendCurve(CurveDrag, frozen=True):
+    """Change the data as little as makes the grabbed point follow: Ctrl points only, Alt derivatives only."""
+
+    hit: Hit
+    start: Vector
+    _bends: dict[BendWith, Bend] = msgspec.field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Bend curve at t = {words.number(self.hit.t)}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        return bend_keys(self.view)
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return where it is held, and what changes."""
+        return f"Bend at t = {words.number(self.hit.t)}: {self._using(pointer).value}"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Let the grabbed point keep its distance to the pointer."""
+        target = plus(self.hit.position, pointer.way_from(self.start))
+        curve = self._grabbed(self._using(pointer)).bent(target, _TOLERANCE / pointer.scale)
+        return self.document.with_curve(self.curve, curve)
+
+    def _grabbed(self, using: BendWith) -> Bend:
+        if using not in self._bends:
+            self._bends[using] = Bend(self.view, self.hit.t, using)
+        return self._bends[using]
+
+    def _using(self, pointer: Pointer) -> BendWith:
+        if not self.view.source.family.derivatives or pointer.ctrl:
+            return BendWith.POINTS
+        return BendWith.DERIVATIVES if pointer.alt else BendWith.ALL
+
+
+def bend_keys(view: CurveView) -> str:
+    """Return what modifiers change of a bend."""
+    return "Ctrl: points only · Alt: derivatives only" if view.source.family.derivatives else ""
+
+
+class Refuse(Drag, frozen=True):
     """A drag of what cannot be changed: it says why."""
 
     reason: str
-    name: str = ""
+    name = ""
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Make nothing of it."""
         raise edits.EditError(self.reason)
-
-
-def snapped(pointer: Pointer, snapper: Snapper | None) -> Vector:
-    """Return where the pointer is, or what it snaps to."""
-    return snapper.snap(pointer.position, pointer) if snapper is not None else pointer.position

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from app.document import words
+from app.document.edits import LEAST_TO_CLOSE
 from app.document.several_curves import PointGroup
-from app.tools.bend_drag import bend_keys
-from app.tools.closing import can_end_at
-from app.tools.drags import what_handle_sets
+from app.tools.drags import bend_keys, what_handle_sets
 from app.tools.pen_drags import PenAct
 from app.tools.pointer import Cursor, Hint, Hit, Part
 from app.tools.transform_box import Grip, ScaleBox
@@ -84,6 +83,13 @@ def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
 def can_finish(view: CurveView) -> bool:
     """Whether there is a curve with an end, so that the pen can finish it and begin another one."""
     return not view.source.is_closed and len(view.source.points) > 1
+
+
+def can_end_at(hit: Hit | None, view: CurveView) -> bool:
+    """Whether the curve might end at what is hit: its first point, and there are others to go around."""
+    curve = view.source
+    is_first = hit is not None and hit.part is Part.POINT and hit.index == 0
+    return is_first and not curve.is_closed and len(curve.points) >= LEAST_TO_CLOSE
 
 
 def is_end(hit: Hit, view: CurveView) -> bool:

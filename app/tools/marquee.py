@@ -10,11 +10,11 @@ import numpy as np
 from app.document import words
 from app.document.model import Vector
 from app.tools.drag_machine import CANCELLED, THRESHOLD
-from app.tools.tool import ToolContext
+from app.tools.tool import Gesture, ToolContext
 from app.view_model.curve_view import CurveView
 
 
-class Marquee:
+class Marquee(Gesture):
     """Selects the points inside the band, live; while Shift is held, adds to what was selected before.
 
     Attributes
@@ -25,7 +25,7 @@ class Marquee:
 
     def __init__(self, context: ToolContext, on_click: Callable[[ToolContext], object]) -> None:
         self._press, self._on_click = context.pointer, on_click
-        self._before = context.host.selection
+        self._before = context.host.selected.points
         self.band: tuple[Vector, Vector] | None = None
 
     def move(self, context: ToolContext) -> None:
@@ -35,7 +35,7 @@ class Marquee:
             return
         self.band = (self._press.position, pointer.position)
         inside = _inside(self.band, context.view)
-        context.host.select(self._before | inside if pointer.shift else inside)
+        context.host.selected.set_points(self._before | inside if pointer.shift else inside)
 
     def release(self, context: ToolContext) -> None:
         """End; a click beside everything deselects, with Shift it leaves the selection.
@@ -46,13 +46,13 @@ class Marquee:
         if self.band is not None or context.pointer.shift:
             return
         if self._before:
-            context.host.select([])
+            context.host.selected.set_points([])
         else:
             self._on_click(context)
 
     def cancel(self, context: ToolContext) -> None:
         """Bring back what was selected before."""
-        context.host.select(self._before)
+        context.host.selected.set_points(self._before)
         if self.band is not None:
             context.host.say(CANCELLED)
 
@@ -60,7 +60,7 @@ class Marquee:
         """Tell what is selected; nothing before there is a band."""
         if self.band is None:
             return ""
-        selection = context.host.selection
+        selection = context.host.selected.points
         selected = f"{words.points(selection)} selected" if selection else "No point selected"
         return f"{selected[:1].upper()}{selected[1:]} · Shift: add to what was selected · Escape cancels"
 

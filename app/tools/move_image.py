@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
-
 from app.document.image_edits import move_image, scale_image
 from app.document.model import Document, ReferenceImage, Vector
+from app.tools.drag import Drag, along_axis, longer_axis, minus
 from app.tools.pointer import Cursor, Hint, Part, Pointer
 from app.tools.tool import Tool, ToolContext, ToolRecord
 
@@ -23,28 +22,26 @@ def corner_of(image: ReferenceImage, corner: int) -> Vector:
     return (image.x + share_x * image.width, image.y + share_y * image.height)
 
 
-class MoveImage(msgspec.Struct, frozen=True):
+class MoveImage(Drag, frozen=True):
     """Move the picture with the pointer; Shift keeps to one axis."""
 
-    document: Document
     start: Vector
-    name: str = "Move image"
+
+    name = "Move image"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
-        by = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])
-        if pointer.shift:
-            by = (by[0], 0.0) if abs(by[0]) >= abs(by[1]) else (0.0, by[1])
-        return move_image(self.document, by)
+        by = pointer.way_from(self.start)
+        return move_image(self.document, along_axis(by, longer_axis(by)) if pointer.shift else by)
 
 
-class ScaleImage(msgspec.Struct, frozen=True):
+class ScaleImage(Drag, frozen=True):
     """Scale the picture by a corner; the opposite corner stays, and so does the aspect."""
 
-    document: Document
     corner: int
     start: Vector
-    name: str = "Scale image"
+
+    name = "Scale image"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Let the diagonal follow the pointer as far as it goes along it."""
@@ -52,8 +49,7 @@ class ScaleImage(msgspec.Struct, frozen=True):
         assert image is not None
         fixed = (self.corner + 2) % 4
         anchor, tip = corner_of(image, fixed), corner_of(image, self.corner)
-        diagonal = (tip[0] - anchor[0], tip[1] - anchor[1])
-        by = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])
+        diagonal, by = minus(tip, anchor), pointer.way_from(self.start)
         length = math.hypot(*diagonal)
         # Divided twice, because the square of a length of 1e-200 would be zero.
         along = (by[0] * (diagonal[0] / length) + by[1] * (diagonal[1] / length)) / length

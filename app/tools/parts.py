@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from app.document.several_curves import points_of
 from app.tools import hints
-from app.tools.drag_machine import Drag
+from app.tools.drag import Drag
 from app.tools.drags import DragHandle, MovePoints, PullVelocity, Refuse
 from app.tools.pointer import Hit, Part
 from app.tools.tool import ToolContext
@@ -18,23 +18,23 @@ def press_on_part(context: ToolContext, hit: Hit, click: Callable[[], None] | No
         _press_on_handle(context, hit)
         return
     selecting = click_on(context, hit.index)
-    if hit.index not in context.host.selection:
+    if hit.index not in context.host.selected.points:
         # Alone, for a drag with Shift moves this point along an axis; only a click adds it to the others.
-        context.host.select([hit.index])
+        context.host.selected.set_points([hit.index])
     drag = unless_locked(context, _point_drag(context, hit))
     context.drags.press(context.pointer, drag, on_click=click or selecting)
 
 
 def click_on(context: ToolContext, index: int) -> Callable[[], None]:
     """Return what a click selects: a point alone, or with Shift added to the others or taken away."""
-    host, before, shift = context.host, context.host.selection, context.pointer.shift
-    return lambda: host.select(before ^ {index} if shift else [index])
+    host, before, shift = context.host, context.host.selected.points, context.pointer.shift
+    return lambda: host.selected.set_points(before ^ {index} if shift else [index])
 
 
 def unless_locked(context: ToolContext, drag: Drag) -> Drag:
     """Return the drag, or one that is refused because the curve is locked."""
     source = context.view.source
-    return Refuse(hints.LOCKED.format(source.name)) if source.locked else drag
+    return Refuse(context.host.document, hints.LOCKED.format(source.name)) if source.locked else drag
 
 
 def _press_on_handle(context: ToolContext, hit: Hit) -> None:
@@ -51,6 +51,6 @@ def _point_drag(context: ToolContext, hit: Hit) -> MovePoints | PullVelocity:
     if pointer.alt and context.view.source.family.derivatives:
         snapper = context.snappers.for_handle(hit.index)
         return PullVelocity(host.document, host.active_index, context.view, hit.index, snapper)
-    snapper = context.snappers.for_points(host.selection, hit.index)
-    group, grip = points_of(host.active_index, host.selection), (host.active_index, hit.index)
+    snapper = context.snappers.for_points(host.selected.points, hit.index)
+    group, grip = points_of(host.active_index, host.selected.points), (host.active_index, hit.index)
     return MovePoints(host.document, group, pointer.position, snapper, grip)

@@ -6,13 +6,13 @@ import math
 from enum import Enum, auto
 from functools import cached_property
 
-import msgspec
 from msgspec.structs import replace
 
 from app.document import edits, words
 from app.document.curve_edits import replace_curve
 from app.document.model import Document, Vector
-from app.tools.drags import in_steps, snapped
+from app.tools.drag import CurveDrag, plus
+from app.tools.drags import in_steps
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapper
 from app.view_model.appending import with_point_appended
@@ -48,14 +48,11 @@ def _is_away(pointer: Pointer, press: Pointer) -> bool:
     return max(abs(x - at_x), abs(y - at_y)) >= 3
 
 
-class AppendPoint(msgspec.Struct, frozen=True):
+class AppendPoint(CurveDrag, frozen=True):
     """Put a new last point at the press; dragging sets its velocity, or moves it where there is none."""
 
-    document: Document
-    curve: int
-    view: CurveView
     press: Pointer
-    snapper: Snapper | None = None
+    snapper: Snapper
 
     @property
     def name(self) -> str:
@@ -68,8 +65,8 @@ class AppendPoint(msgspec.Struct, frozen=True):
         # Where the point lies was decided at the press; only a velocity is still being set.
         return "Shift: steps of 15°" if self.view.source.family.derivatives else "Ctrl: snap, or not"
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell where it goes, and where its velocity points."""
+    def readout(self, pointer: Pointer) -> str:
+        """Return where it goes, and where its velocity points."""
         place = self._place(pointer)
         note = f"{self.name} at {words.vector(place)}"
         if not self._sets_velocity(pointer):
@@ -91,12 +88,12 @@ class AppendPoint(msgspec.Struct, frozen=True):
     def _place(self, pointer: Pointer) -> Vector:
         moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
         held = self.press if pointer.ctrl == self.press.ctrl else replace(self.press, ctrl=pointer.ctrl)
-        return snapped(pointer if moves else held, self.snapper)
+        return self.snapper.at(pointer if moves else held)
 
     @staticmethod
     def _displacement(pointer: Pointer, place: Vector) -> Vector:
         """Return how far the handle is drawn out, and where to: with Shift in steps."""
-        way = (pointer.position[0] - place[0], pointer.position[1] - place[1])
+        way = pointer.way_from(place)
         return in_steps(way) if pointer.shift else way
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -107,8 +104,8 @@ class AppendPoint(msgspec.Struct, frozen=True):
             return document
         index = len(self.view.source.points)
         view = view_of(document.curves[self.curve])
-        x, y = self._displacement(pointer, place)
-        velocity = velocity_from_handle(view, index, (place[0] + x, place[1] + y), ahead=True)
+        tip = plus(place, self._displacement(pointer, place))
+        velocity = velocity_from_handle(view, index, tip, ahead=True)
         return edits.set_velocity(document, self.curve, index, velocity)
 
 
@@ -121,15 +118,12 @@ class BeginCurve(AppendPoint, frozen=True):
         return f"Begin {self.view.source.name}"
 
 
-class InsertPoint(msgspec.Struct, frozen=True, dict=True):
+class InsertPoint(CurveDrag, frozen=True, dict=True):
     """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
 
-    document: Document
-    curve: int
-    view: CurveView
     hit: Hit
     press: Pointer
-    snapper: Snapper | None = None
+    snapper: Snapper
 
     @property
     def name(self) -> str:
@@ -138,11 +132,11 @@ class InsertPoint(msgspec.Struct, frozen=True, dict=True):
 
     keys = "Ctrl: snap, or not"
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell where it goes."""
+    def readout(self, pointer: Pointer) -> str:
+        """Return where it goes."""
         if self._is_on_curve(pointer):
             return f"{self.name} at t = {words.number(self.hit.t)}"
-        return f"{self.name} at {words.vector(snapped(pointer, self.snapper))}"
+        return f"{self.name} at {words.vector(self.snapper.at(pointer))}"
 
     def _is_on_curve(self, pointer: Pointer) -> bool:
         return not _is_away(pointer, self.press)
@@ -157,4 +151,4 @@ class InsertPoint(msgspec.Struct, frozen=True, dict=True):
         document = replace_curve(self.document, self.curve, self.on_curve.curve)
         if self._is_on_curve(pointer):
             return document
-        return edits.set_position(document, self.curve, self.hit.index, snapped(pointer, self.snapper))
+        return edits.set_position(document, self.curve, self.hit.index, self.snapper.at(pointer))

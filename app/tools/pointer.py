@@ -87,6 +87,14 @@ class Pointer(msgspec.Struct, frozen=True):
     scale: float = 1.0
     ripple: bool = False
 
+    def way_from(self, place: Vector) -> Vector:
+        """Return the way from a place of the plane."""
+        return (self.position[0] - place[0], self.position[1] - place[1])
+
+
+ORIGIN = Pointer((0.0, 0.0), (0.0, 0.0))
+"""The pointer of what is done with no mouse: of keys."""
+
 
 class Cursor(Enum):
     """Shape of the pointer, by its name in Qt: that of a tool, or of what a press would do."""

@@ -3,13 +3,59 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 
+from app.document import words
 from app.document.edits import freeze_parameters
-from app.document.model import Vector
+from app.document.model import Document, Vector
+from app.document.parameter_edits import set_parameters
+from app.tools.drag import Drag
 from app.tools.drag_machine import CANCELLED, THRESHOLD, EditingHost
 from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
-from app.tools.rail_drags import DragTicks
-from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.tools.tool import Gesture, Tool, ToolContext, ToolRecord
+
+_LEAST_GAP = 1e-3
+"""Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
+
+
+class Scrubbing(Gesture):
+    """Lets the scrub line follow the pointer; a click on a function selects its point.
+
+    Parameters
+    ----------
+    t_at
+        Tells the parameter at the pointer, None for none.
+    """
+
+    def __init__(self, context: ToolContext, t_at: Callable[[ToolContext], float | None]) -> None:
+        self._t_at, self._press, self._before = t_at, context.pointer, context.host.selected.scrub
+        hit = context.hit
+        # The point of the function that was pressed: a click means it, only a drag from there scrubs.
+        self._point = hit.index if hit is not None and hit.part is Part.FUNCTION else None
+        self.move(context)
+
+    def move(self, context: ToolContext) -> None:
+        """Scrub to the pointer."""
+        if self._point is not None:
+            if math.dist(self._press.pixel, context.pointer.pixel) < THRESHOLD:
+                return
+            self._point = None
+        t, curve = self._t_at(context), context.view.curve
+        if curve is not None and t is not None:
+            start, end = curve.domain
+            context.host.selected.set_scrub(min(max(t, start), end))
+
+    def release(self, context: ToolContext) -> None:
+        """Leave the scrub line here, or select the point of the function that was clicked."""
+        self.move(context)
+        if self._point is not None:
+            context.host.selected.set_points([self._point])
+
+    def cancel(self, context: ToolContext) -> None:
+        """Bring the scrub line back."""
+        context.host.selected.set_scrub(self._before)
+        if self._point is None:
+            context.host.say(CANCELLED)
 
 
 class ScrubTool(Tool):
@@ -17,67 +63,13 @@ class ScrubTool(Tool):
 
     cursor = Cursor.ARROW
 
-    def __init__(self) -> None:
-        self._scrubbing_from: float | None = None
-        self._scrubbing = False
-        # The function that was pressed: a click means its point, only a drag from there scrubs.
-        self._function: tuple[Pointer, int] | None = None
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether the scrub line follows the pointer."""
-        return self._scrubbing
-
     def press(self, context: ToolContext) -> None:
         """Begin to scrub."""
-        hit = context.hit
-        self._scrubbing, self._scrubbing_from = True, context.host.scrub
-        is_function = hit is not None and hit.part is Part.FUNCTION
-        self._function = (context.pointer, hit.index) if hit is not None and is_function else None
-        self._scrub_to(context)
-
-    def move(self, context: ToolContext) -> None:
-        """Scrub to the pointer."""
-        if self._scrubbing:
-            self._scrub_to(context)
-        else:
-            super().move(context)
-
-    def release(self, context: ToolContext) -> None:
-        """Leave the scrub line here, or select the point of the function that was clicked."""
-        if not self._scrubbing:
-            super().release(context)
-            return
-        self._scrub_to(context)
-        if self._function is not None:
-            context.host.select([self._function[1]])
+        self.gesture = Scrubbing(context, self.t_at)
 
     def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
         """Leave arrow keys alone: no point is meant here."""
         return False
-
-    def cancel(self, context: ToolContext) -> None:
-        """Bring the scrub line back."""
-        if self._scrubbing:
-            context.host.set_scrub(self._scrubbing_from)
-            if self._function is None:
-                context.host.say(CANCELLED)
-        super().cancel(context)
-
-    def end(self) -> None:
-        """Scrub no longer."""
-        self._scrubbing = False
-
-    def _scrub_to(self, context: ToolContext) -> None:
-        pointer, curve = context.pointer, context.view.curve
-        if self._function is not None:
-            if math.dist(self._function[0].pixel, pointer.pixel) < THRESHOLD:
-                return
-            self._function = None
-        t = self.t_at(context)
-        if curve is not None and t is not None:
-            start, end = curve.domain
-            context.host.set_scrub(min(max(t, start), end))
 
     def t_at(self, context: ToolContext) -> float | None:
         """Return the parameter at the pointer, None for none."""
@@ -97,6 +89,77 @@ class ScrubAlongTool(ScrubTool):
         return hit.t if hit is not None else None
 
 
+class DragTicks(Drag, frozen=True):
+    """Drag parameters along the t-rail, all by the same way; their order is kept.
+
+    Attributes
+    ----------
+    parameters
+        Those in force at the press, one for each knot.
+    grabbed
+        The knot whose tick was pressed.
+    knots
+        The knots that move, the grabbed one among them.
+    point
+        The point of the grabbed knot, for the name of the step.
+    start
+        The t of the pointer at the press.
+    """
+
+    curve: int
+    parameters: Sequence[float]
+    grabbed: int
+    knots: frozenset[int]
+    point: int
+    start: float
+
+    keys = "E: all ticks on that side"
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        if len(self.knots) == 1:
+            return f"Change t of point {self.point}"
+        return f"Change t of {len(self.knots)} points"
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return where the grabbed tick is, and how many go along."""
+        by, moving = self._displacement(pointer)
+        text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by)}"
+        return f"{text}, {len(moving)} ticks by {words.number(by)}" if len(moving) > 1 else text
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Move by the whole way from the press, as far as the ticks that stay let it.
+
+        With E held every tick from the grabbed one on, towards the side the pointer has moved to from the
+        press, goes along: the spacings there stay, and only the gap behind opens.
+        """
+        by, moving = self._displacement(pointer)
+        moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
+        return set_parameters(self.document, self.curve, moved)
+
+    def _displacement(self, pointer: Pointer) -> tuple[float, frozenset[int]]:
+        """Return how far the ticks move, and which."""
+        by = pointer.position[0] - self.start
+        count = len(self.parameters)
+        moving = self.knots
+        if pointer.ripple:
+            moving = frozenset(range(self.grabbed, count) if by > 0 else range(self.grabbed + 1))
+        return self._as_far_as_can_be(by, moving), moving
+
+    def _as_far_as_can_be(self, by: float, moving: frozenset[int]) -> float:
+        t = self.parameters
+        margin = _LEAST_GAP * (t[-1] - t[0])
+        for knot in moving:
+            if knot > 0 and knot - 1 not in moving:
+                gap = t[knot] - t[knot - 1]
+                by = max(by, min(margin, gap / 2) - gap)
+            if knot < len(t) - 1 and knot + 1 not in moving:
+                gap = t[knot + 1] - t[knot]
+                by = min(by, gap - min(margin, gap / 2))
+        return by
+
+
 class RailTool(ScrubTool):
     """Drags ticks along the t-rail; scrubs elsewhere."""
 
@@ -109,21 +172,20 @@ class RailTool(ScrubTool):
 
     @staticmethod
     def _press_on_tick(context: ToolContext, hit: Hit) -> None:
-        host, pointer, before = context.host, context.pointer, context.host.selection
+        host, pointer, before = context.host, context.pointer, context.host.selected.points
         if hit.index not in before:
-            host.select(before | {hit.index} if pointer.shift else [hit.index])
+            host.selected.set_points(before | {hit.index} if pointer.shift else [hit.index])
         drag = _drag(host, pointer.position[0], hit.knot, hit.index)
         context.drags.press(pointer, drag, on_click=lambda: _click(context, hit, before))
 
     def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
         """Move the selected ticks by a pixel; return whether there are any."""
         host = context.host
-        if not direction[0] or not host.selection or not host.active_view.is_current:
+        if not direction[0] or not host.selected.points or not host.active_view.is_current:
             return False
-        first = min(host.selection)
-        moved = Pointer((direction[0] * pixel * factor, 0.0), (0.0, 0.0))
-        run = ("ticks", host.active_index, host.selection)
-        context.drags.nudge(moved, _drag(host, 0.0, first, first), run)
+        first = min(host.selected.points)
+        drag = _drag(host, -direction[0] * pixel * factor, first, first)
+        context.drags.nudge(drag, ("ticks", host.active_index, host.selected.points))
         return True
 
     def lit(self, hit: Hit | None) -> int:
@@ -136,7 +198,7 @@ class RailTool(ScrubTool):
         if hit is None or hit.part is Part.SCRUB:
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
-            return Hint(_tick_hint(hit.index, context.host.selection), cursor=Cursor.WIDER)
+            return Hint(_tick_hint(hit.index, context.host.selected.points), cursor=Cursor.WIDER)
         kind = ("basis function", "velocity function", "acceleration function")[hit.kind]
         return Hint(f"The {kind} of point {hit.index} · Click to select the point")
 
@@ -144,14 +206,14 @@ class RailTool(ScrubTool):
 def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:
     """Select the tick alone; with Shift add it, or take it out."""
     if not context.pointer.shift:
-        context.host.select([hit.index])
+        context.host.selected.set_points([hit.index])
     elif hit.index in before:
-        context.host.select(before - {hit.index})
+        context.host.selected.set_points(before - {hit.index})
 
 
 def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
     parameters = host.active_view.parameters.tolist()
-    knots = {other for other in host.selection if other != point} | {knot}
+    knots = {other for other in host.selected.points if other != point} | {knot}
     # Frozen once: in every step of the drag only the points whose ticks move are other values.
     frozen = freeze_parameters(host.document, host.active_index, parameters)
     return DragTicks(frozen, host.active_index, parameters, knot, frozenset(knots), point, start)

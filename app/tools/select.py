@@ -6,8 +6,8 @@ from msgspec.structs import replace
 
 from app.document import words
 from app.tools import hints
-from app.tools.bend_drag import BendCurve
 from app.tools.curve_picker import CurvePicker
+from app.tools.drags import BendCurve
 from app.tools.marks import GestureMarks
 from app.tools.marquee import Marquee
 from app.tools.parts import press_on_part, unless_locked
@@ -24,14 +24,8 @@ class SelectTool(Tool):
     finds_other_curves = True
 
     def __init__(self) -> None:
-        self._marquee: Marquee | None = None
         self._picker = CurvePicker()
         self._drags_grip = False
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether a rubber band is drawn."""
-        return self._marquee is not None
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; another curve under it is edited from now on."""
@@ -42,22 +36,22 @@ class SelectTool(Tool):
         elif hit is not None and hit.part is not Part.CURVE:
             press_on_part(context, hit)
         elif grip is not None:
-            self._press_on_grip(context, *grip)
+            self._press_on_grip(context, grip)
         elif hit is not None:
             self._press_on_curve(context, hit)
         elif self._picker.entered:
             # At the very edge of reach, beside the curve that this press has made the one edited.
             context.drags.press(context.pointer, None)
         else:
-            self._marquee = Marquee(context, self._picker.unpick_others)
+            self.gesture = Marquee(context, self._picker.unpick_others)
 
-    def _press_on_grip(self, context: ToolContext, box: TransformBox, grip: Grip) -> None:
+    def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
         self._drags_grip = True
         if grip.rotates:
             turning = context.target.transform(TransformKind.ROTATE, context.pointer)
             context.drags.press(context.pointer, replace(turning, by_grip=True))
             return
-        context.drags.press(context.pointer, context.target.scaling(box, grip, context.pointer))
+        context.drags.press(context.pointer, context.target.scaling(grip, context.pointer))
 
     def _press_on_curve(self, context: ToolContext, hit: Hit) -> None:
         host, pointer = context.host, context.pointer
@@ -65,29 +59,10 @@ class SelectTool(Tool):
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
-    def move(self, context: ToolContext) -> None:
-        """Follow the pointer."""
-        if self._marquee is not None:
-            self._marquee.move(context)
-        else:
-            super().move(context)
-
-    def release(self, context: ToolContext) -> None:
-        """End the gesture."""
-        if self._marquee is not None:
-            self._marquee.release(context)
-        else:
-            super().release(context)
-
-    def cancel(self, context: ToolContext) -> None:
-        """Take the gesture in flight back."""
-        if self._marquee is not None:
-            self._marquee.cancel(context)
-        super().cancel(context)
-
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
-        self._marquee, self._drags_grip = None, False
+        super().end()
+        self._drags_grip = False
 
     # What is shown
 
@@ -97,32 +72,32 @@ class SelectTool(Tool):
         if hit is not None and hit.part is Part.OTHER_CURVE:
             return self._picker.hint(context, hit)
         if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
-            return hints.on_grip(grip[1], group, context.target.refusal)
+            return hints.on_grip(grip, group, context.target.refusal_of(group))
         if hit is None and (idle := self._picker.idle_hint(context)) is not None:
             return idle
-        return hints.to_select(hit, context.view, context.host.selection, snaps=context.settings.snapping.on)
+        return hints.to_select(
+            hit, context.view, context.host.selected.points, snaps=context.settings.snapping.on
+        )
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
-        is_idle = self._marquee is None and not context.drags.is_pressed
+        is_idle = self.gesture is None and not context.drags.is_pressed
         return GestureMarks(
-            band=self._marquee.band if self._marquee is not None else None,
+            band=self.gesture.band if isinstance(self.gesture, Marquee) else None,
             box=self._box(context) if is_idle else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
         )
 
-    def progress(self, context: ToolContext) -> str:
-        """Return how far the gesture in flight has come."""
-        return self._marquee.progress(context) if self._marquee is not None else super().progress(context)
-
     @staticmethod
     def _box(context: ToolContext) -> TransformBox | None:
-        is_shown = context.settings.shows_box and not context.target.refusal
-        return context.target.box if is_shown else None
+        target = context.target
+        is_shown = context.settings.shows_box and not target.refusal_of(target.group)
+        return target.box if is_shown else None
 
-    def _grip_at(self, context: ToolContext) -> tuple[TransformBox, Grip] | None:
-        return context.target.grip_at(context.pointer) if self._box(context) is not None else None
+    def _grip_at(self, context: ToolContext) -> Grip | None:
+        box = self._box(context)
+        return box.grip_at(context.pointer) if box is not None else None
 
 
 SELECT = ToolRecord(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
-from app.document.model import Document, Vector
+from app.document.model import Document
 from app.document.several_curves import PointGroup
 from app.tools.drag_machine import EditingHost
 from app.tools.pointer import Pointer
@@ -32,7 +32,7 @@ class Snappers:
     """
 
     def __init__(
-        self, host: EditingHost, settings: Callable[[], Snapping], grid: Callable[[], Vector]
+        self, host: EditingHost, settings: Callable[[], Snapping], grid: Callable[[], float]
     ) -> None:
         self._host, self._settings, self._grid = host, settings, grid
         self.now: Snapper | None = None
@@ -94,7 +94,7 @@ class Snappers:
         if self._hovered is None or self._hovered[0] != made_for:
             self._hovered = (made_for, self.for_points((), place))
         self.now = self._hovered[1]
-        self.now.snap(pointer.position, pointer)
+        self.now.at(pointer)
 
     @property
     def caught(self) -> Snap | None:

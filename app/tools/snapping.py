@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from decimal import Decimal
 
 import msgspec
@@ -88,16 +88,11 @@ class _SnapPoints(msgspec.Struct, frozen=True, eq=False):
 
 
 class _Line(msgspec.Struct, frozen=True):
-    """A coordinate to snap to."""
+    """A coordinate to snap to; a line of the grid has no `guide`."""
 
     value: float
     label: str
     guide: Vector | None = None
-
-    @property
-    def is_grid(self) -> bool:
-        """Whether it is a line of the grid."""
-        return self.guide is None
 
 
 class Targets(msgspec.Struct, frozen=True):
@@ -134,31 +129,35 @@ def targets_of(
     kinds
         The kinds wanted; what is not wanted costs nothing.
     """
-    own = views[active]
-    beside = _neighbours(own, moving, place)
-    others = [view for index, view in enumerate(views) if index != active and view.source.visible]
-    points, curves = [], []
-    if SnapKind.POINTS in kinds:
-        # Not on a neighbour: two coincident points in a row have no distance to go by.
-        points = [_points(own, {*moving, *beside}), *(_points(view, (), view.source.name) for view in others)]
-    if SnapKind.CURVES in kinds:
-        curves = [(NearestPoint(view), view.source.name) for view in others]
-    level = _named(own, beside) if SnapKind.LEVEL in kinds else ()
-    return Targets(tuple(points), level, tuple(curves))
+    beside = _neighbours(views[active], moving, place)
+    # Not on a neighbour: two coincident points in a row have no distance to go by.
+    return _targets(views, active, {*moving, *beside}, beside, kinds)
 
 
 def targets_of_handle(
     views: Sequence[CurveView], active: int, point: int, kinds: Collection[SnapKind]
 ) -> Targets:
     """Collect what the end of a handle of `point` can snap to: level with its point it is a flat tangent."""
-    others = targets_of(views, active, (), -1, kinds)
+    # Not on its own point: a handle of no length has no direction.
+    return _targets(views, active, {point}, [point, *_neighbours(views[active], (), point)], kinds)
+
+
+def _targets(
+    views: Sequence[CurveView],
+    active: int,
+    without: Collection[int],
+    level: Sequence[int],
+    kinds: Collection[SnapKind],
+) -> Targets:
+    """Collect other curves and all points but those `without`; `level` are those whose heights count."""
     own = views[active]
-    points = others.points
+    others = [view for index, view in enumerate(views) if index != active and view.source.visible]
+    points, curves = [], []
     if SnapKind.POINTS in kinds:
-        # Not to its own point: a handle of no length has no direction.
-        points = (_points(own, {point}), *others.points[1:])
-    level = _named(own, [point, *_neighbours(own, (), point)]) if SnapKind.LEVEL in kinds else ()
-    return Targets(points, level, others.curves)
+        points = [_points(own, without), *(_points(view, (), view.source.name) for view in others)]
+    if SnapKind.CURVES in kinds:
+        curves = [(NearestPoint(view), view.source.name) for view in others]
+    return Targets(tuple(points), _named(own, level) if SnapKind.LEVEL in kinds else (), tuple(curves))
 
 
 def targets_of_side(
@@ -208,7 +207,7 @@ class Snapper:
     """
 
     def __init__(
-        self, settings: Callable[[], Snapping], grid: Callable[[], Vector], collect: Callable[[], Targets]
+        self, settings: Callable[[], Snapping], grid: Callable[[], float], collect: Callable[[], Targets]
     ) -> None:
         self._settings, self._grid, self._collect = settings, grid, collect
         self._targets: Targets | None = None
@@ -224,6 +223,10 @@ class Snapper:
             self.caught = self._find(position, REACH / pointer.scale, axis) if question[3] else None
         return self.caught.position if self.caught is not None else position
 
+    def at(self, pointer: Pointer) -> Vector:
+        """Return where the pointer is, or what it snaps to."""
+        return self.snap(pointer.position, pointer)
+
     def reset(self) -> None:
         """Forget what was caught."""
         self.caught = self._asked = None
@@ -231,33 +234,21 @@ class Snapper:
     def _find(self, position: Vector, reach: float, axis: int | None) -> Snap | None:
         if self._targets is None:
             self._targets = self._collect()
-        if axis is None:
-            found = self._on_point(position, reach) or self._on_curve(position, reach)
-            if found is not None:
-                return found
-        return self._on_lines(position, reach, (0, 1) if axis is None else (axis,))
+        targets = self._targets
+        if axis is not None:
+            return self._on_lines(targets, position, reach, (axis,))
+        on_points = (each.nearest(position, reach) for each in targets.points)
+        on_curves = (_on_curve(curve, name, position, reach) for curve, name in targets.curves)
+        return _nearest(on_points) or _nearest(on_curves) or self._on_lines(targets, position, reach, (0, 1))
 
-    def _on_point(self, position: Vector, reach: float) -> Snap | None:
-        assert self._targets is not None
-        found = [near for each in self._targets.points if (near := each.nearest(position, reach)) is not None]
-        return min(found, key=lambda each: each[0])[1] if found else None
-
-    def _on_curve(self, position: Vector, reach: float) -> Snap | None:
-        assert self._targets is not None
-        found = [
-            (nearest.distance, Snap((float(nearest.point[0]), float(nearest.point[1])), name))
-            for curve, name in self._targets.curves
-            if (nearest := curve.within(position, reach)) is not None
-        ]
-        return min(found, key=lambda each: each[0])[1] if found else None
-
-    def _on_lines(self, position: Vector, reach: float, axes: Sequence[int]) -> Snap | None:
-        caught = {axis: line for axis in axes if (line := self._line(position, reach, axis)) is not None}
+    def _on_lines(self, targets: Targets, position: Vector, reach: float, axes: Sequence[int]) -> Snap | None:
+        lines = {axis: self._line(targets, position, reach, axis) for axis in axes}
+        caught = {axis: line for axis, line in lines.items() if line is not None}
         if not caught:
             return None
         x = caught[0].value if 0 in caught else position[0]
         y = caught[1].value if 1 in caught else position[1]
-        by_grid = [axis for axis, line in caught.items() if line.is_grid]
+        by_grid = [axis for axis, line in caught.items() if line.guide is None]
         labels = [line.label for line in caught.values()]
         if len(by_grid) == 2:
             labels = ["grid"]
@@ -265,19 +256,32 @@ class Snapper:
         grid_line = by_grid[0] if len(by_grid) == 1 else None
         return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line)
 
-    def _line(self, position: Vector, reach: float, axis: int) -> _Line | None:
+    def _line(self, targets: Targets, position: Vector, reach: float, axis: int) -> _Line | None:
         """Return the coordinate to snap to along one axis; a neighbour's comes before the grid's."""
-        assert self._targets is not None
         value = position[axis]
-        level = [_level(at, name, position, axis) for at, name in self._targets.neighbours]
+        level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
         if SnapKind.GRID in self._settings().kinds:
-            grid = [_Line(grid_value(value, self._grid()[axis]), f"grid {'xy'[axis]}")]
+            grid = [_Line(grid_value(value, self._grid()), f"grid {'xy'[axis]}")]
         for lines in (level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:
                 return min(near, key=lambda line: abs(line.value - value))
         return None
+
+
+def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) -> tuple[float, Snap] | None:
+    nearest = curve.within(position, reach)
+    if nearest is None:
+        return None
+    x, y = nearest.point.tolist()
+    return nearest.distance, Snap((x, y), name)
+
+
+def _nearest(found: Iterable[tuple[float, Snap] | None]) -> Snap | None:
+    """Return the nearest of what was found at some distances."""
+    nearest = min((each for each in found if each is not None), key=lambda each: each[0], default=None)
+    return nearest[1] if nearest is not None else None
 
 
 def _level(at: Vector, name: str, position: Vector, axis: int) -> _Line:

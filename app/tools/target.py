@@ -9,7 +9,7 @@ from app.document.edits import EditError
 from app.document.model import Vector
 from app.document.several_curves import PointGroup, points_of, whole_curves
 from app.tools.drag_machine import EditingHost
-from app.tools.drags import MovePoints, NudgePoints, StepPoints
+from app.tools.drags import MovePoints
 from app.tools.pointer import Pointer
 from app.tools.snappers import Snappers
 from app.tools.transform import Transform, TransformKind
@@ -41,25 +41,19 @@ class TransformTarget:
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
-        views, selection, selected = host.views, host.selection, host.selected_curves
+        views, selection, selected = host.views, host.selected.points, host.selected.curves
         known = self._known
         if known is None or known[0] is not views or known[1:] != (selection, selected):
             self._known = (views, selection, selected)
-            group = self._group()
+            group = points_of(host.active_index, selection) if selection else self.curves
             self._found = (group, box_of(views, group) if group is not None else None)
         return self._found
-
-    def _group(self) -> PointGroup | None:
-        host = self._host
-        if host.selection:
-            return points_of(host.active_index, host.selection)
-        return self.curves
 
     @property
     def curves(self) -> PointGroup | None:
         """The selected curves where there are several, whatever points are selected."""
         host = self._host
-        return whole_curves(host.document, host.selected_curves) if len(host.selected_curves) > 1 else None
+        return whole_curves(host.document, host.selected.curves) if len(host.selected.curves) > 1 else None
 
     @property
     def for_keys(self) -> PointGroup:
@@ -74,19 +68,10 @@ class TransformTarget:
         group, source = self.for_keys, self._host.active_view.source
         if not any(indices for _, indices in group.parts):
             return f"“{source.name}” has no points yet; press P to add some."
-        return self._refusal_of(group)
+        return self.refusal_of(group)
 
-    @property
-    def refusal(self) -> str:
-        """Why it cannot be changed: what of it is locked; empty where nothing is."""
-        return self._refusal_of(self.group)
-
-    @property
-    def refusal_of_curves(self) -> str:
-        """The same for the selected curves, whatever points are selected."""
-        return self._refusal_of(self.curves)
-
-    def _refusal_of(self, group: PointGroup | None) -> str:
+    def refusal_of(self, group: PointGroup | None) -> str:
+        """Return why a group cannot be changed: what of it is locked; empty where nothing is."""
         try:
             if group is not None:
                 group.refuse_locked(self._host.document)
@@ -103,10 +88,8 @@ class TransformTarget:
             box = box_of(self._host.views, group)
         if box is not None:
             return box.centre
-        for curve, indices in group.parts:
-            if indices:
-                return self._host.document.curves[curve].points[min(indices)].position
-        return (0.0, 0.0)
+        curve, index = group.first_point
+        return self._host.document.curves[curve].points[index].position
 
     # Drags
 
@@ -116,8 +99,8 @@ class TransformTarget:
         grip = self._nearest(group, pointer)
         snapper = self._snappers.for_group(group, grip[1])
         return Transform(
-            kind,
             self._host.document,
+            kind,
             group,
             self.centre,
             pointer.position,
@@ -130,22 +113,13 @@ class TransformTarget:
         """Return the curve and the index of the point that is nearest to the pointer: it snaps."""
         curves = self._host.document.curves
         places = [(curve, index) for curve, indices in group.parts for index in indices]
-        return min(
-            places,
-            key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position),
-            default=(-1, -1),
-        )
+        return min(places, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
 
-    def grip_at(self, pointer: Pointer) -> tuple[TransformBox, Grip] | None:
-        """Return the box and its grip under the pointer."""
-        box = self.box
-        grip = box.grip_at(pointer) if box is not None else None
-        return (box, grip) if box is not None and grip is not None else None
-
-    def scaling(self, box: TransformBox, grip: Grip, pointer: Pointer) -> ScaleBox:
-        """Return the drag of a grip that scales."""
-        group = self.group
+    def scaling(self, grip: Grip, pointer: Pointer) -> ScaleBox:
+        """Return the drag of a grip of the box that scales."""
+        group, box = self._now()
         assert group is not None
+        assert box is not None
         snapper = self._snappers.for_grip(grip, group)
         return ScaleBox(self._host.document, group, box, grip, pointer.position, snapper)
 
@@ -158,11 +132,3 @@ class TransformTarget:
         return MovePoints(
             self._host.document, group, pointer.position, self._snappers.for_group(group, grip[1]), grip
         )
-
-    def by_key(self, direction: Vector, step: Vector | None, factor: float) -> NudgePoints | StepPoints:
-        """Return the move by a key: by `factor` steps of the grid, or without a `step` to the pointer."""
-        document, group = self._host.document, self.group
-        assert group is not None
-        if step is None:
-            return NudgePoints(document, group, (0.0, 0.0))
-        return StepPoints(document, group, direction, step, factor)

@@ -9,14 +9,33 @@ import msgspec
 from msgspec.structs import replace
 
 from app.document.model import Vector
+from app.document.transforms import decimal_product
 from app.tools.drag_machine import DragMachine, EditingHost
+from app.tools.drags import NudgePoints
 from app.tools.marks import GestureMarks, Note
 from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
 from app.tools.snappers import Snappers
-from app.tools.snapping import SnapKind, with_snap
+from app.tools.snapping import SnapKind, Snapping, with_snap
 from app.tools.target import TransformTarget
-from app.tools.tool_settings import ToolSettings
 from app.view_model.curve_view import CurveView
+
+
+class ToolSettings(msgspec.Struct, frozen=True):
+    """Settings of the tools, as the person has them.
+
+    Attributes
+    ----------
+    snapping
+        Whether to snap, and to what.
+    unit
+        The name of the unit of length, for what is measured.
+    shows_box
+        Whether two or more selected points, or several selected curves, get a box with grips.
+    """
+
+    snapping: Snapping = Snapping()
+    unit: str = ""
+    shows_box: bool = True
 
 
 class ToolContext(msgspec.Struct, frozen=True):
@@ -31,7 +50,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     settings
         Snapping, the unit, whether there is a box with grips.
     grid
-        Tells the spacing of the grid along x and y.
+        Tells the spacing of the grid.
     drags
         Begins a drag, follows it, makes it a step of the history.
     snappers
@@ -45,7 +64,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     pointer: Pointer
     host: EditingHost
     settings: ToolSettings
-    grid: Callable[[], Vector]
+    grid: Callable[[], float]
     drags: DragMachine
     snappers: Snappers
     target: TransformTarget
@@ -84,6 +103,24 @@ class ToolContext(msgspec.Struct, frozen=True):
         return Note(self.pointer.position, text, self.target.centre) if text else None
 
 
+class Gesture:
+    """A gesture that is no drag, from its press on: it changes nothing in the document."""
+
+    def move(self, context: ToolContext) -> None:
+        """Follow the pointer."""
+
+    def release(self, context: ToolContext) -> None:
+        """End: by default as after one more move."""
+        self.move(context)
+
+    def cancel(self, context: ToolContext) -> None:
+        """Bring back what was there before."""
+
+    def progress(self, context: ToolContext) -> str:
+        """Return how far it has come, as a sentence for the status line."""
+        return ""
+
+
 class Tool:
     """A tool of a plot: by default it begins nothing, and follows a drag that it has begun.
 
@@ -101,6 +138,8 @@ class Tool:
         Whether the selected point shows the handle that a press there would pull out.
     lasts_one_gesture
         Whether it gives way to the tool below it when its gesture has ended.
+    gesture
+        What is in flight and no drag; None for nothing.
     """
 
     cursor = Cursor.CROSS
@@ -108,11 +147,7 @@ class Tool:
     finds_image = False
     shows_new_handle = False
     lasts_one_gesture = False
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether a gesture is in flight that is no drag."""
-        return False
+    gesture: Gesture | None = None
 
     # Events
 
@@ -121,11 +156,17 @@ class Tool:
 
     def move(self, context: ToolContext) -> None:
         """Follow the pointer while a gesture is in flight."""
-        context.drags.move(context.pointer)
+        if self.gesture is not None:
+            self.gesture.move(context)
+        else:
+            context.drags.move(context.pointer)
 
     def release(self, context: ToolContext) -> None:
         """End the gesture."""
-        context.drags.release(context.pointer)
+        if self.gesture is not None:
+            self.gesture.release(context)
+        else:
+            context.drags.release(context.pointer)
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
@@ -147,18 +188,22 @@ class Tool:
         group, snapping = context.target.group, context.settings.snapping
         if group is None:
             return True
-        by: Vector = (direction[0] * pixel * factor, direction[1] * pixel * factor)
         snaps = snapping.on and SnapKind.GRID in snapping.kinds
-        drag = context.target.by_key(direction, context.grid() if snaps else None, factor)
-        context.drags.nudge(Pointer(by, (0.0, 0.0)), drag, ("points", group))
+        step = decimal_product(context.grid() if snaps else pixel, factor)
+        way = (direction[0] * step, direction[1] * step)
+        drag = NudgePoints(context.host.document, group, way, snaps)
+        context.drags.nudge(drag, ("points", group))
         return True
 
     def cancel(self, context: ToolContext) -> None:
         """Take the gesture in flight back."""
+        if self.gesture is not None:
+            self.gesture.cancel(context)
         context.drags.cancel()
 
     def end(self) -> None:
         """Drop what belongs to one gesture: it has ended, or another begins."""
+        self.gesture = None
 
     def dismiss(self) -> bool:
         """Remove what was left on the plot; return whether there was something."""
@@ -179,7 +224,7 @@ class Tool:
 
     def progress(self, context: ToolContext) -> str:
         """Return how far the gesture in flight has come, as a sentence for the status line."""
-        return context.progress()
+        return self.gesture.progress(context) if self.gesture is not None else context.progress()
 
 
 class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):

@@ -11,21 +11,12 @@ from app.tools.marks import GestureMarks
 from app.tools.pointer import Hint, Hit, Pointer
 from app.tools.snappers import Snappers
 from app.tools.target import TransformTarget
-from app.tools.tool import Tool, ToolContext, ToolRecord
-from app.tools.tool_settings import ToolSettings
+from app.tools.tool import Tool, ToolContext, ToolRecord, ToolSettings
 from app.tools.transform import TransformKind
-from app.tools.transform_tool import begin_transform
+from app.tools.transform_tool import TransformTool
 
 HitTest = Callable[[Pointer, Tool], Hit | None]
 """Finds what of the plot lies under the pointer, as far as a tool can hit it."""
-
-
-def _no_grid() -> Vector:
-    return (1.0, 1.0)
-
-
-def _hit_nothing(_pointer: Pointer, _tool: Tool) -> Hit | None:
-    return None
 
 
 class Toolbox:
@@ -43,14 +34,14 @@ class Toolbox:
     settings
         What the person has chosen.
     grid
-        Tells the spacing of the grid along x and y at the present zoom; whoever shows the plot sets it.
+        Tells the spacing of the grid at the present zoom; whoever shows the plot sets it.
     """
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
         self.record = record
-        self.hit_test: HitTest = _hit_nothing
+        self.hit_test: HitTest = lambda _pointer, _tool: None
         self.settings = ToolSettings()
-        self.grid: Callable[[], Vector] = _no_grid
+        self.grid: Callable[[], float] = lambda: 1.0
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
@@ -82,12 +73,7 @@ class Toolbox:
     @property
     def is_pressed(self) -> bool:
         """Whether a gesture is in flight."""
-        return self._drags.is_pressed or self.tool.is_busy
-
-    @property
-    def is_dragging(self) -> bool:
-        """Whether what is in flight changes the document."""
-        return self._drags.is_pressed
+        return self._drags.is_pressed or self.tool.gesture is not None
 
     @property
     def is_transforming(self) -> bool:
@@ -119,8 +105,12 @@ class Toolbox:
             return self.key(kind.key)
         if self.is_pressed:
             return False
-        self._above = begin_transform(kind, self._at(pointer))
-        return self._above is not None
+        context = self._at(pointer)
+        if refusal := context.target.refusal_of_keys:
+            self._host.refuse(refusal)
+            return False
+        self._above = TransformTool(kind, context)
+        return True
 
     # Events
 
@@ -147,13 +137,13 @@ class Toolbox:
         if self.is_transforming:
             return tool.hover(context)
         context = context.with_hit()
-        self._host.set_hovered(tool.lit(context.hit))
+        self._host.selected.set_hovered(tool.lit(context.hit))
         self._snappers.reset()
         return tool.hover(context)
 
     def leave(self) -> None:
         """Show nothing of what a press would do: the pointer has left."""
-        self._host.set_hovered(-1)
+        self._host.selected.set_hovered(-1)
         self._snappers.reset()
         self.tool.hover(self._at(Pointer((math.inf, math.inf), (math.inf, math.inf))))
 
@@ -171,11 +161,15 @@ class Toolbox:
         """Select the next (1) or previous (−1) point; return whether there is one."""
         host = self._host
         count = len(host.active_view.source.points)
-        here = max(host.selection) if host.selection and step > 0 else min(host.selection, default=count)
-        index = here + step if host.selection or step < 0 else 0
+        here = (
+            max(host.selected.points)
+            if host.selected.points and step > 0
+            else min(host.selected.points, default=count)
+        )
+        index = here + step if host.selected.points or step < 0 else 0
         if not 0 <= index < count:
             return False
-        host.select([index])
+        host.selected.set_points([index])
         return True
 
     def cancel(self) -> bool:

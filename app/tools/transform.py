@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from enum import Enum
 
-import msgspec
 from msgspec.structs import replace
 
 from app.document import words
 from app.document.model import Document, Vector
 from app.document.several_curves import PointGroup, mapped, moved
 from app.document.transforms import rotation, scaling
+from app.tools.drag import Drag, plus
 from app.tools.drags import MovePoints
 from app.tools.pointer import Pointer
 from app.tools.snapping import Snapper
@@ -42,7 +42,7 @@ class TransformKind(Enum):
         self.title, self.key, self.keys = title, key, keys
 
 
-class Transform(msgspec.Struct, frozen=True):
+class Transform(Drag, frozen=True):
     """A transform in flight.
 
     Attributes
@@ -64,7 +64,6 @@ class Transform(msgspec.Struct, frozen=True):
     """
 
     kind: TransformKind
-    document: Document
     group: PointGroup
     centre: Vector
     start: Vector
@@ -115,8 +114,8 @@ class Transform(msgspec.Struct, frozen=True):
         is_locked = self.axis is not None and self.kind is not TransformKind.ROTATE
         return (self.centre, self.axis) if is_locked and self.axis is not None else None
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell the amount; of all points because none is selected, that too."""
+    def readout(self, pointer: Pointer) -> str:
+        """Return the amount; of all points because none is selected, that too."""
         note, one = f"{self.kind.title} {self._amount_at(pointer)}", self.group.only_point
         if self._is_all:
             what = words.group(self.group)
@@ -140,8 +139,7 @@ class Transform(msgspec.Struct, frozen=True):
 
     def _moved(self, by: Vector) -> Vector:
         curve, index = self.grip
-        held = self.document.curves[curve].points[index].position
-        return (held[0] + by[0], held[1] + by[1])
+        return plus(self.document.curves[curve].points[index].position, by)
 
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return where the point is that is moved, None while points are scaled or rotated."""
@@ -165,7 +163,7 @@ class Transform(msgspec.Struct, frozen=True):
 
     def _displacement(self, pointer: Pointer) -> Vector:
         if not self.typed.counts:
-            return self._move().displacement_at(pointer)[0]
+            return self._move().displacement(pointer)
         if self.typed.is_pair:
             return self.typed.pair(0.0)
         amount = self.typed.number(0.0)

@@ -12,6 +12,7 @@ from app.document import words
 from app.document.model import Document, Vector
 from app.document.several_curves import PointGroup, mapped
 from app.document.transforms import scaling, with_coordinates
+from app.tools.drag import Drag, longer_axis, minus, plus
 from app.tools.pointer import Cursor, Pointer
 from app.tools.snapping import Snapper
 from app.view_model.curve_view import CurveView
@@ -93,19 +94,18 @@ def box_of(views: Sequence[CurveView], group: PointGroup) -> TransformBox | None
     return TransformBox((low[0], low[1]), (high[0], high[1])) if low != high else None
 
 
-class ScaleBox(msgspec.Struct, frozen=True):
+class ScaleBox(Drag, frozen=True):
     """Scale the selected points, or selected curves, by a grip of their box.
 
-    What snaps, where there is a `snapper`, is the corner or the side of the box that the grip moves: it lies
+    What snaps is the corner or the side of the box that the grip moves: it lies
     on the outermost points, the grip beside them.
     """
 
-    document: Document
     group: PointGroup
     box: TransformBox
     grip: Grip
     start: Vector
-    snapper: Snapper | None = None
+    snapper: Snapper
 
     keys = "Shift: keep proportions · Alt: about the centre · Ctrl: snap, or not"
 
@@ -114,8 +114,8 @@ class ScaleBox(msgspec.Struct, frozen=True):
         """The name of the step."""
         return f"Scale {words.group(self.group)}"
 
-    def readout_at(self, pointer: Pointer) -> str:
-        """Tell the factors."""
+    def readout(self, pointer: Pointer) -> str:
+        """Return the factors."""
         x, y = self._factors(self._displacement(pointer), pointer)
         return f"Scale {words.number(x)}" if x == y else f"Scale {words.number(x)} × {words.number(y)}"
 
@@ -124,10 +124,10 @@ class ScaleBox(msgspec.Struct, frozen=True):
         way = self._displacement(pointer)
         x, y = self._factors(way, pointer)
         document = mapped(self.document, self.group, scaling(x, y, self._fixed(pointer)))
-        caught = self.snapper.caught if self.snapper is not None else None
-        for axis in caught.axes if caught is not None else ():
-            # To the last bit where it snapped to.
-            document = self._with_side(document, axis, caught.position[axis])  # type: ignore[union-attr]
+        if (caught := self.snapper.caught) is not None:
+            for axis in caught.axes:
+                # To the last bit where it snapped to.
+                document = self._with_side(document, axis, caught.position[axis])
         return document
 
     def _with_side(self, document: Document, axis: int, value: float) -> Document:
@@ -157,13 +157,12 @@ class ScaleBox(msgspec.Struct, frozen=True):
 
     def _arm(self, pointer: Pointer) -> Vector:
         """Return the way from what stays to what moves."""
-        corner, fixed = self._corner, self._fixed(pointer)
-        return (float(corner[0] - fixed[0]), float(corner[1] - fixed[1]))
+        return minus(self._corner, self._fixed(pointer))
 
     def _displacement(self, pointer: Pointer) -> Vector:
         """Return how far the corner goes, after snapping."""
         corner, arm = self._corner, self._arm(pointer)
-        way = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])
+        way = pointer.way_from(self.start)
         axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
         if pointer.shift:
             # As far as the way goes along the diagonal; only its longer side can snap without leaving it.
@@ -171,16 +170,14 @@ class ScaleBox(msgspec.Struct, frozen=True):
             length = math.hypot(*arm)
             across, up = arm[0] / length, arm[1] / length
             along = way[0] * across + way[1] * up
-            way, axis = (along * across, along * up), 0 if abs(arm[0]) >= abs(arm[1]) else 1
-        if self.snapper is None:
-            return way
-        x, y = self.snapper.snap((corner[0] + way[0], corner[1] + way[1]), pointer, axis)
-        return way if self.snapper.caught is None else (x - corner[0], y - corner[1])
+            way, axis = (along * across, along * up), longer_axis(arm)
+        target = self.snapper.snap(plus(corner, way), pointer, axis)
+        return way if self.snapper.caught is None else minus(target, corner)
 
     def _factors(self, way: Vector, pointer: Pointer) -> Vector:
         arm = self._arm(pointer)
         if pointer.shift:
-            axis = 0 if abs(arm[0]) >= abs(arm[1]) else 1
+            axis = longer_axis(arm)
             factor = 1 + way[axis] / arm[axis]
             return (factor, factor)
         return (

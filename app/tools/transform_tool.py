@@ -5,28 +5,27 @@ from __future__ import annotations
 from app.tools.marks import GestureMarks
 from app.tools.pointer import Cursor, Hint
 from app.tools.tool import Tool, ToolContext
-from app.tools.transform import Transform, TransformKind
+from app.tools.transform import TransformKind
 
 _KEYS = frozenset("0123456789.-xygsr") | {"backspace", "tab", "enter"}
 
 
 class TransformTool(Tool):
-    """Lets the selected points, or curves, follow the pointer until Enter, a click or Escape.
+    """Lets selected points or curves, or else all points, follow the pointer to Enter, a click or Escape.
 
     Parameters
     ----------
-    transform
-        What it begins with.
+    kind
+        The transform that it begins with.
+    context
+        That of the key that begins it.
     """
 
     cursor = Cursor.ARROW
     lasts_one_gesture = True
 
-    def __init__(self, transform: Transform) -> None:
-        self._transform = transform
-
-    def begin(self, context: ToolContext) -> None:
-        """Begin; the document follows the pointer from now on."""
+    def __init__(self, kind: TransformKind, context: ToolContext) -> None:
+        self._transform = context.target.transform(kind, context.pointer)
         context.drags.press_at_once(context.pointer, self._transform)
 
     def press(self, context: ToolContext) -> None:
@@ -58,13 +57,3 @@ class TransformTool(Tool):
         """Return the amount, the axis that is locked, and what is snapped to."""
         caught = context.snappers.caught
         return GestureMarks(snap=caught, note=context.note(), axis=self._transform.locked_axis)
-
-
-def begin_transform(kind: TransformKind, context: ToolContext) -> TransformTool | None:
-    """Begin to transform the target, or say why not; nothing selected means all points."""
-    if refusal := context.target.refusal_of_keys:
-        context.host.refuse(refusal)
-        return None
-    tool = TransformTool(context.target.transform(kind, context.pointer))
-    tool.begin(context)
-    return tool

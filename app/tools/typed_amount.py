@@ -79,13 +79,13 @@ class TypedAmount(msgspec.Struct, frozen=True):
     def unfinished(self) -> str:
         """The text of one number that is none yet, such as "−"."""
         text = self.fields[0]
-        return _shown(text) if text and not self.is_pair and math.isnan(_number(text, math.nan)) else ""
+        return with_minus(text) if text and not self.is_pair and math.isnan(_number(text, math.nan)) else ""
 
     def told(self, default: str) -> str:
         """Return both numbers as typed, with a mark where the next digit goes: "x 1, y 2|"."""
         parts = []
         for at, text in enumerate(self.fields):
-            shown = f"{_shown(text)}|" if at == self.at else _shown(text) or default
+            shown = f"{with_minus(text)}|" if at == self.at else with_minus(text) or default
             parts.append(f"{_AXES[at]} {shown}")
         return ", ".join(parts)
 
@@ -101,7 +101,3 @@ def _number(text: str, default: float) -> float:
     except ValueError:
         return default
     return value if math.isfinite(value) else default
-
-
-def _shown(text: str) -> str:
-    return with_minus(text)

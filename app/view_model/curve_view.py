@@ -195,12 +195,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def _derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
         if self.sides is None or order > self.source.family.derivatives:
             return None
-        x, y = (self.sides.after if ahead else self.sides.before)[index, order]
+        x, y = self.sides[ahead][index, order]
         return (float(x), float(y))
 
     def is_explicit(self, index: int, order: int, *, ahead: bool = True) -> bool:
         """Whether the person set the velocity (order 1) or acceleration (2) of point `index`."""
-        return explicit_sides(self.source.points[index], order)[1 if ahead else 0] is not None
+        return explicit_sides(self.source.points[index], order)[ahead] is not None
 
     def spacing(self, index: int, *, ahead: bool) -> float | None:
         """Return the length in t of the segment ahead of or behind point `index`, None beyond the ends."""

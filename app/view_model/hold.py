@@ -154,6 +154,6 @@ def _change(
     index = view.owner(knot)
     values = view.points[index]
     if order and view.sides is not None:
-        values = (view.sides.after if ahead else view.sides.before)[index, order]
+        values = view.sides[ahead][index, order]
     x, y = values.tolist()
     return Change(JetValue(index, order, ahead, (x, y)), rate / strength if strength else 0.0)

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
-import msgspec
 import numpy as np
 
 from app.document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
@@ -31,7 +31,7 @@ _REACH = 64
 """Knots after which an estimate has forgotten the data: a natural spline forgets half at every knot."""
 
 
-class Sides(msgspec.Struct, frozen=True, eq=False):
+class Sides(NamedTuple):
     """The jets at the knots, before and after each; they differ only at corners. Shapes (k, R, 2)."""
 
     before: FloatArray
@@ -46,7 +46,9 @@ def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: P
     corners = corner_knots(arrays, len(points))
     for order, estimate in enumerate(_estimates(curve), start=1):
         _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
-        _set_explicit(before[:, order], after[:, order], arrays, order)
+        for side, jets in enumerate((before, after)):
+            rows = _given_rows(arrays, side, order, len(jets))
+            jets[rows, order] = arrays.given[rows % len(arrays.given), side, order - 1]
     return Sides(before, after)
 
 
@@ -148,12 +150,6 @@ def _estimate(
     else:
         # The ends have one side only; the other is never used.
         before[0], after[-1] = after[0], before[-1]
-
-
-def _set_explicit(before: FloatArray, after: FloatArray, arrays: PointArrays, order: int) -> None:
-    for side, derivatives in enumerate((before, after)):
-        rows = _given_rows(arrays, side, order, len(derivatives))
-        derivatives[rows] = arrays.given[rows % len(arrays.given), side, order - 1]
 
 
 def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntArray:

@@ -6,7 +6,7 @@ import numpy as np
 
 import curvecore
 from app.view_model.curve_view import CurveView
-from app.view_model.jets import sides_of
+from app.view_model.jets import Sides, sides_of
 from curvecore.arrays import FloatArray
 
 _STEP = 1e-5
@@ -24,21 +24,21 @@ def parameter_moves(view: CurveView, piece: int, t: FloatArray) -> FloatArray:
     moves[:, first : first + len(core.parameters)] = curvecore.parameter_sensitivity(core, t)
     if core.derivatives and core.is_local:
         segment, values = core.local_basis(t)
-        for end, slopes in enumerate(_slopes(view)):
+        # After the knot at the start of the segment, before the one at its end.
+        for end, slopes in enumerate(reversed(_slopes(view))):
             at = slopes[:, segment + first + end]
             moves += np.einsum("mr,imrd->mid", values[:, end, 1:], at)
     return moves
 
 
-def _slopes(view: CurveView) -> tuple[FloatArray, FloatArray]:
-    """Return what each parameter i does to the derivatives after and before every knot, (i, k, R - 1, 2)."""
+def _slopes(view: CurveView) -> Sides:
+    """Return what each parameter i does to the derivatives before and after every knot, (i, k, R - 1, 2)."""
     t, gaps = view.parameters, np.diff(view.parameters)
     steps = _STEP * np.minimum(np.append(gaps, np.inf), np.insert(gaps, 0, np.inf))
-    after, before = [], []
+    changes = []
     for index, step in enumerate(steps.tolist()):
         shift = np.zeros(len(t))
         shift[index] = step
         far, near = (sides_of(view.source, view.at_knots, t + by, view.arrays) for by in (shift, -shift))
-        after.append((far.after - near.after)[:, 1:] / (2.0 * step))
-        before.append((far.before - near.before)[:, 1:] / (2.0 * step))
-    return np.array(after), np.array(before)
+        changes.append((np.array(far) - near)[:, :, 1:] / (2.0 * step))
+    return Sides(*np.array(changes).swapaxes(0, 1))

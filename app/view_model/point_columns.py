@@ -223,8 +223,7 @@ def _derivatives(order: int, component: int, view: CurveView) -> FloatArray:
     if view.curve is None or view.sides is None:
         return np.full(count, np.nan)
     shown = np.array(view.sides.before[:count, order, component])
-    if shows_ahead(view, 0):
-        shown[0] = view.sides.after[0, order, component]
+    shown[0] = view.sides[shows_ahead(view, 0)][0, order, component]
     return shown
 
 

@@ -144,8 +144,7 @@ def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArr
     if before.sides is None or after.sides is None:
         return changed
     values = []
-    sides = ((before.sides.before, after.sides.before), (before.sides.after, after.sides.after))
-    for ahead, (was, now) in zip((False, True), sides, strict=True):
+    for ahead, was, now in zip((False, True), before.sides, after.sides, strict=True):
         scale = np.abs(was[:, 1:]).max(axis=(0, 2), keepdims=True)
         moved = np.abs(now[new, 1:] - was[old, 1:]) > _ROUNDING * scale
         for row, below in zip(*map(np.ndarray.tolist, np.nonzero(moved.any(axis=2))), strict=True):

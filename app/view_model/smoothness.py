@@ -84,7 +84,7 @@ def _refuse_without_tangent(view: CurveView, index: int) -> None:
 def _mean(view: CurveView, index: int, order: int) -> Vector:
     """Return the mean of a derivative before and after a point; at an end, that of its one side."""
     assert view.sides is not None
-    before, after = view.sides.before[index, order], view.sides.after[index, order]
+    before, after = (jets[index, order] for jets in view.sides)
     if not view.source.is_closed and index == 0:
         before = after
     elif not view.source.is_closed and index == len(view.source.points) - 1:

@@ -1,8 +1,11 @@
 """Widgets that know nothing of curves.
 
-- ``action_switch``: buttons that show an action.  ``tool_buttons``: named for tests and screen readers.
+- ``boxes``: layouts in one expression.  ``overlay_frame``: frames that lie over another widget.
+- ``controls``: buttons and boxes, named for tests and screen readers.  ``tool_buttons``: small ones.
+- ``action_switch``: buttons that show an action.  ``choice_style``: style of those that switch something.
   ``toolbar_widget``: what shrinks with a toolbar.
 - ``field_edit``, ``told_spin``: numbers and words to type.  ``number_text``: numbers as they are written.
+- ``field_form``: fields that ask for changes of the document.
 - ``live_slider``, ``setting_slider``: sliders.  ``elided_label``: words that change while a hand moves.
-- ``fitting``: room on small screens.  ``choice_style``: style of small buttons that switch something.
+- ``fitting``: room on small screens.
 """

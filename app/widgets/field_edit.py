@@ -9,8 +9,9 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from app.document.expression import ExpressionError, parse_number
+from app.document.words import number
 from app.qt.overrides import Guarded
-from app.widgets.number_text import decimal_mark
+from app.widgets.number_text import decimal_mark, typed_text
 
 # Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
 _PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
@@ -144,6 +145,11 @@ class NumberEdit(FieldEdit):
         super().__init__(name, label, tip)
         self._read = read
         self.committed.connect(self._enter)
+
+    def show_number(self, value: float, digits: int | None = None) -> None:
+        """Show a number, while nobody has the cursor in the field with so many digits."""
+        short = None if digits is None else number(value, digits, decimal_mark())
+        self.show_text(typed_text(value), short)
 
     def _enter(self, text: str) -> None:
         try:

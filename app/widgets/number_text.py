@@ -34,6 +34,12 @@ def exact_text(value: float, mark: str = ".") -> str:
     return "" if math.isnan(value) else repr(float(value)).replace(".", mark)
 
 
+def typed_text(value: float) -> str:
+    """Return the shortest text that a person may type for just this float, in the person's locale."""
+    mark = decimal_mark()
+    return exact_text(value, mark).removesuffix(f"{mark}0")
+
+
 class Extent(msgspec.Struct, frozen=True):
     """The signs and powers of ten of the numbers in a column: all that decides how wide they are written.
 

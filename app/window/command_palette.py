@@ -8,7 +8,6 @@ from functools import partial
 import msgspec
 from PySide6.QtCore import (
     QAbstractListModel,
-    QEvent,
     QModelIndex,
     QObject,
     QPersistentModelIndex,
@@ -33,15 +32,17 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QVBoxLayout,
     QWidget,
 )
 from shiboken6 import isValid
 
 from app.actions.keymap import full_name_of, native, why_not
-from app.appearance.theme import mix, theme_of
+from app.appearance.theme import Theme, mix, theme_of
 from app.qt.labels import Label
 from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of
+from app.widgets.controls import named
+from app.widgets.overlay_frame import OverlayFrame
 from app.window.fuzzy import SearchEntry, ranked
 
 _WIDEST, _ROWS, _ROW_HEIGHT, _TOP = 560, 10, 30, 12
@@ -61,7 +62,7 @@ class Command(msgspec.Struct, frozen=True):
         return full_name_of(self.action)
 
 
-class CommandPalette(Guarded, QFrame):
+class CommandPalette(OverlayFrame):
     """A search field over a list of commands, on top of another widget.
 
     Parameters
@@ -73,30 +74,23 @@ class CommandPalette(Guarded, QFrame):
     """
 
     def __init__(self, below: QWidget, commands: Callable[[], Sequence[Command]]) -> None:
-        super().__init__(below)
-        self.setObjectName("commandPalettePanel")
+        super().__init__("commandPalettePanel", below)
         self.setAccessibleName("Command palette")
-        self._below, self._commands_now = below, commands
+        self._commands_now = commands
         self._commands: Sequence[Command] = ()
         # By their ids, while they live.
         self._heard: set[int] = set()
         self._focus_before: QWidget | None = None
         self.search = _SearchField(self)
         self.list = _command_list()
-        self._note = Label()
-        self._note.setObjectName("paletteNote")
+        self._note = Label(name="paletteNote")
         self._model = _CommandModel(self)
         self.list.setModel(self._model)
         self.list.setItemDelegate(_CommandDelegate(self.list))
-        layout = self._rows = QVBoxLayout(self)
-        layout.setContentsMargins(8, 8, 8, 8)
-        layout.setSpacing(6)
-        for part in (self.search, self.list, self._note):
-            layout.addWidget(part)
+        self._rows = column_of(self.search, self.list, self._note, margins=8, spacing=6, parent=self)
         self.search.textChanged.connect(self._look_up)
         self.list.clicked.connect(self._run)
-        below.installEventFilter(self)
-        self._render_theme()
+        self.follow_theme()
         self.hide()
 
     # Opening and closing
@@ -132,7 +126,7 @@ class CommandPalette(Guarded, QFrame):
         """Close and give the focus back to where it was."""
         before, self._focus_before = self._focus_before, None
         # A cell's editor is gone by now: it closes when it loses the focus.
-        target = before if before is not None and isValid(before) and before.isVisible() else self._below
+        target = before if before is not None and isValid(before) and before.isVisible() else self.below
         target.setFocus(Qt.FocusReason.PopupFocusReason)
         self.hide()
 
@@ -150,7 +144,7 @@ class CommandPalette(Guarded, QFrame):
         self.list.setVisible(not self._note.text())
         if self._model.rowCount():
             self.list.setCurrentIndex(self._model.index(0, 0))
-        self._place()
+        self.place()
 
     def step(self, rows: int) -> None:
         """Go up or down in the list; at its ends to the other end."""
@@ -172,42 +166,27 @@ class CommandPalette(Guarded, QFrame):
         if not command.action.isEnabled():
             self._note.setText(why_not(command.action))
             self._note.show()
-            self._place()
+            self.place()
             return
         # Closed first: what is done may open a dialog, or care for who has the focus.
         self.close_and_return()
         command.action.trigger()
 
-    # Looks
-
-    def _place(self) -> None:
-        width = min(_WIDEST, self._below.width() - 2 * _TOP)
-        rows = min(self._model.rowCount(), _ROWS, max((self._below.height() - 90) // _ROW_HEIGHT, 3))
+    def place(self) -> None:
+        """Lie at the top, in the middle, as high as the list needs and there is room."""
+        below = self.below
+        width = min(_WIDEST, below.width() - 2 * _TOP)
+        rows = min(self._model.rowCount(), _ROWS, max((below.height() - 90) // _ROW_HEIGHT, 3))
         self.list.setFixedHeight(rows * _ROW_HEIGHT + 4)
         self._rows.activate()
-        self.setGeometry((self._below.width() - width) // 2, _TOP, width, self.sizeHint().height())
+        self.setGeometry((below.width() - width) // 2, _TOP, width, self.sizeHint().height())
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize and not self.isHidden():
-            self._place()
-        return super().eventFilter(watched, event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_note"):
-            self._render_theme()
-
-    def _render_theme(self) -> None:
-        theme = theme_of(QApplication.palette())
-        line = mix(theme.ink, theme.paper, 0.2).name()
-        sheet = (
-            f"#commandPalettePanel {{ background: {theme.surface.name()}; border: 1px solid {line};"
-            " border-radius: 8px }"
+    def set_theme(self, theme: Theme) -> None:
+        self.set_sheet(
             "#paletteSearch { padding: 4px 6px }"
-            f"#paletteNote {{ color: {theme.muted.name()}; padding: 4px }}"
+            f"#paletteNote {{ color: {theme.muted.name()}; padding: 4px }}",
+            line=0.2,
         )
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
 
 
 def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
@@ -250,9 +229,8 @@ class _SearchField(Guarded, QLineEdit):
     def __init__(self, palette: CommandPalette) -> None:
         super().__init__(palette)
         self._owner = palette
-        self.setObjectName("paletteSearch")
-        self.setAccessibleName("Search for a command")
-        self.setToolTip("Type letters of a command; ↑ ↓ choose, Enter does it, Escape closes")
+        tip = "Type letters of a command; ↑ ↓ choose, Enter does it, Escape closes"
+        named(self, "paletteSearch", "Search for a command", tip)
         self.setPlaceholderText("What do you want to do?")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -284,10 +262,7 @@ class _SearchField(Guarded, QLineEdit):
 
 
 def _command_list() -> QListView:
-    view = QListView()
-    view.setObjectName("paletteList")
-    view.setAccessibleName("Commands found")
-    view.setToolTip("Click to do it")
+    view = named(QListView(), "paletteList", "Commands found", "Click to do it")
     view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     view.setUniformItemSizes(True)
     view.setFrameShape(QFrame.Shape.NoFrame)

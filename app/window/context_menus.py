@@ -31,14 +31,14 @@ class ContextMenus:
         session = self._context.session
         if hit is not None and hit.part is Part.OTHER_CURVE:
             # One of those that are selected leaves them selected: the menu is about all.
-            selected = session.selected_curves
-            session.select_curves(selected if hit.index in selected else (hit.index,), hit.index)
+            selected = session.selected.curves
+            session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
             self._open_on_edited(place)
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(place)
         elif hit is not None:
             if hit.index not in session.selection:
-                session.select([hit.index])
+                session.selected.set_points([hit.index])
             strip_menu(self._context, POINT_MENU).popup(place)
         else:
             strip_menu(self._context, CANVAS_MENU).popup(place)
@@ -46,7 +46,7 @@ class ContextMenus:
     def _open_on_edited(self, place: QPoint) -> None:
         """Open the menu for a place on the curve that the right button has made the one edited."""
         hit = self._context.central.canvas.hit_at(place)
-        is_alone = len(self._context.session.selected_curves) == 1
+        is_alone = len(self._context.session.selected.curves) == 1
         if hit is not None and hit.part is not Part.OTHER_CURVE and (is_alone or hit.part is Part.CURVE):
             self._open_on_canvas(hit, place)
         else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -30,20 +30,20 @@ from app.appearance.icons import app_icon
 from app.appearance.theme import Theme, apply_theme, theme_of
 from app.plotting.tool_plot import ToolPlot
 from app.qt.overrides import Guarded
-from app.session import Message, MessageKind, Session
+from app.session import Session
 from app.settings.preferences import Preferences
 from app.state.analysis import Analysis
 from app.state.window_state import WindowState, WindowStore
-from app.view_model.curve_view import CurveView
 from app.window.connect import COMMAND_SETS, Commands
 from app.window.drops import accepted
 from app.window.menus import Menus
+from app.window.rendering import Rendering
 from app.window.toolbar import Toolbar
 from app.window.window_layout import hide_floating, restore_layout, when_first_shown
 from app.workbench.central_area import CentralArea
 from app.workbench.context import WindowContext
 from app.workbench.docks import Docks, declared_panels
-from app.workbench.document_files import DocumentFiles, title_of
+from app.workbench.document_files import DocumentFiles
 from app.workbench.file_work import FileWork
 from app.workbench.status_line import StatusLine
 
@@ -82,44 +82,21 @@ class MainWindow(Guarded, QMainWindow):
         self.asks_before_closing = True
         self.preferences = preferences or Preferences()
         self._theme: Theme | None = None
-        # What the panels show; behind the session while it tells that what was selected is there no more.
-        self._rendered: CurveView | None = None
         # First of all: panels read the palette when they are built.
         self._apply_theme()
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
         self._command_sets = command_sets
-        self.store = WindowStore(self.preferences, self)
-        clipboard = ClipboardWatch(self)
-        now = Situation(session, self.store, clipboard)
-        self.actions_by_name = Actions(self, command_sets, now)
-        for changed in (self.store.changed, session.history_changed, clipboard.changed):
-            changed.connect(self.actions_by_name.render)
-        self.analysis = Analysis(self.store, self)
-        self._build_plots()
-        self._build_docks()
-        self._build_bars()
-        self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
-        self._panels_due.timeout.connect(self._render_panels)
-        files = DocumentFiles(session, self.preferences, self, self.message_bar.warn)
-        work = FileWork(session, self.message_bar.warn, self)
-        files.beside = work.start
-        self.context = self._make_context(files, work)
+        self._build_state()
+        self._build_parts()
         self.commands = Commands(self.context, self._command_sets)
         self.basis_panel = self.findChild(ToolPlot, "basisPanel")
         self.toolbar.fill(self.commands.widgets())
-        self._docks.fill()
+        self.context.docks.fill()
         self._connect()
-        self._connect_end()
         restore_layout(self, self.splitter, self.preferences)
         self._render_theme()
-        self._render_document()
-        self._render_file()
-        if self.session.path is None and not self.session.files.beginning.title:
-            # Who opens a document came to work on it.
-            self.commands.messages.greet()
-        if self.preferences.complaint:
-            self.status_line.refuse(self.preferences.complaint)
+        self._rendering = Rendering(self.context, self.commands)
         self.actions_by_name.attach(self)
         self.central.fit()
         # Not what is usual: a lesson may be open, which has chosen what is shown.
@@ -127,43 +104,42 @@ class MainWindow(Guarded, QMainWindow):
 
     # Building
 
-    def _build_plots(self) -> None:
-        central = CentralArea(self.session, self)
+    def _build_state(self) -> None:
+        session = self.session
+        self.store = WindowStore(self.preferences, self)
+        self.analysis = Analysis(self.store, self)
+        clipboard = ClipboardWatch(self)
+        now = Situation(session, self.store, clipboard)
+        self.actions_by_name = Actions(self, self._command_sets, now)
+        for changed in (self.store.changed, session.history_changed, clipboard.changed):
+            changed.connect(self.actions_by_name.render)
+
+    def _build_parts(self) -> None:
+        session, actions = self.session, self.actions_by_name
+        central = CentralArea(session, self)
         self.setCentralWidget(central.splitter)
         self.splitter, self.canvas, self.message_bar = central.splitter, central.canvas, central.message_bar
         self.central = central
-
-    def _build_docks(self) -> None:
         panels = [panel for each in self._command_sets for panel, _build in declared_panels(each)]
-        self._docks = Docks(self, panels, self._build_dock)
+        docks = Docks(self, panels, self._build_dock)
+        self.status_line = StatusLine(self)
+        self.setStatusBar(self.status_line)
+        self.menus = Menus(self, actions)
+        self.menus.fill_with_panels(docks.all)
+        self.toolbar = Toolbar(actions, self)
+        self.addToolBar(self.toolbar)
+        files = DocumentFiles(session, self.preferences, self, self.message_bar.warn)
+        work = FileWork(session, self.message_bar.warn, self)
+        files.beside = work.start
+        self.context = WindowContext(
+            session=session, store=self.store, preferences=self.preferences, analysis=self.analysis,
+            actions=actions, files=files, work=work, window=self, central=self.central, docks=docks,
+            toolbar=self.toolbar, status_line=self.status_line,
+        )  # fmt: skip
 
     def _build_dock(self, name: str, *parent: QWidget) -> QWidget:
         # Commands are made later than docks; what they fill is asked of them.
         return self.commands.build_dock(name, *parent)
-
-    def _build_bars(self) -> None:
-        self.status_line = StatusLine(self)
-        self.setStatusBar(self.status_line)
-        self.menus = Menus(self, self.actions_by_name)
-        self.menus.fill_with_panels(self._docks.all)
-        self.toolbar = Toolbar(self.actions_by_name, self)
-        self.addToolBar(self.toolbar)
-
-    def _make_context(self, files: DocumentFiles, work: FileWork) -> WindowContext:
-        return WindowContext(
-            session=self.session,
-            store=self.store,
-            preferences=self.preferences,
-            analysis=self.analysis,
-            actions=self.actions_by_name,
-            files=files,
-            work=work,
-            window=self,
-            central=self.central,
-            docks=self._docks,
-            toolbar=self.toolbar,
-            status_line=self.status_line,
-        )
 
     @property
     def point_table(self) -> QTableView:
@@ -175,94 +151,15 @@ class MainWindow(Guarded, QMainWindow):
     # Connecting
 
     def _connect(self) -> None:
-        session = self.session
+        session, files = self.session, self.context.files
         self.store.changed.connect(self._show_state)
-        session.document_changed.connect(self._render_document)
-        session.active_changed.connect(self._render_document)
-        session.selection_changed.connect(self._render_selection)
-        session.selected_curves_changed.connect(self._render_selected_curves)
-        session.hovered_changed.connect(self.canvas.drawing.set_hovered)
-        session.scrub_changed.connect(self._render_scrub)
-        session.file_changed.connect(self._render_file)
         session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
-        session.message.connect(self._tell)
         self.canvas.pointed_at.connect(self.status_line.show_place)
-        self.menus.fill_with_files(self.preferences, self.context.files.open, self.context.files.open_example)
-        session.history_changed.connect(self._render_file)
-
-    def _connect_end(self) -> None:
-        for end in (
-            self.context.files.release,
-            self.commands.close,
-            self._remember_layout,
-            self._close_dialogs,
-        ):
+        self.menus.fill_with_files(self.preferences, files.open, files.open_example)
+        for end in (files.release, self.commands.close, self._remember_layout, self._close_dialogs):
             self.closed.connect(end)
-
-    # Rendering: from values to widgets, never back
-
-    def _render_document(self) -> None:
-        view = self._rendered = self.session.active_view
-        self.canvas.render_view(view)
-        self.canvas.render_others(self.session.views, self.session.active_index, self.session.selected_curves)
-        self.commands.follow(view)
-        if not self.session.is_previewing:
-            self._render_panels()
-        elif not self._panels_due.isActive():
-            self._panels_due.start()
-
-    def _render_panels(self) -> None:
-        """Render what need not follow a drag frame by frame."""
-        self._panels_due.stop()
-        view = self.session.active_view
-        self.commands.render(view)
-
-    def _render_selection(self, selection: frozenset[int]) -> None:
-        self.canvas.set_selection(selection)
-        self._render_commands()
-
-    def _render_selected_curves(self, chosen: frozenset[int]) -> None:
-        session = self.session
-        self.canvas.render_others(session.views, session.active_index, chosen)
-        self.canvas.hover_again()
-        self._render_commands()
-
-    def _render_commands(self) -> None:
-        """Check and enable actions; those of a document that the panels do not show yet, together with it."""
-        view = self.session.active_view
-        if view is self._rendered:
-            self.commands.render(view)
-
-    def _render_scrub(self, t: float | None) -> None:
-        self.canvas.drawing.set_scrub(t)
-        self.status_line.show_scrub(t)
-        self.commands.follow_scrub(t)
-
-    def _render_file(self) -> None:
-        path = self.session.path
-        name = title_of(self.session).replace("[*]", "[*][*]")
-        self.setWindowFilePath(str(path) if path is not None else "")
-        read_only = " (read-only)" if self.session.files.is_read_only else ""
-        self.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
-        if self.isWindowModified() != self.session.is_modified:
-            # Qt writes the title anew, whatever is there.
-            self.setWindowModified(self.session.is_modified)
-
-    def _tell(self, message: Message) -> None:
-        match message.kind:
-            case MessageKind.SAID:
-                self.status_line.say(message.text)
-            case MessageKind.REFUSED:
-                self.status_line.refuse(message.text)
-            case MessageKind.OFFERED:
-                self._offer(message.text, message.action)
-
-    def _offer(self, text: str, action: str) -> None:
-        self._render_commands()
-        self.status_line.clear_message()
-        self.commands.messages.offer(text, self.actions_by_name[action])
 
     # Theme and layout
 

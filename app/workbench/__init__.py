@@ -8,4 +8,5 @@
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
 - ``status_line``: hints, messages and places.  ``clipboard``: what is put there.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
+  ``form_edits``: changes by a form.
 """

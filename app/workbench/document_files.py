@@ -143,12 +143,11 @@ class DocumentFiles:
 
         Work without a file stays in the history, below a step called `text`: nobody is asked about it.
         """
-        session = self._session
+        session, files = self._session, self._session.files
         session.cancel()
-        leaves_work = session.path is None and session.is_modified
-        is_open = self._open(
-            path, partial(session.files.open_copy, text=text), remember=False, asks=session.path is not None
-        )
+        leaves_work = files.path is None and files.is_modified
+        read = partial(files.open_copy, text=text)
+        is_open = self._open(path, read, remember=False, asks=files.path is not None)
         if is_open and leaves_work:
             session.offer("What you had before is kept.", "goBack")
         return is_open
@@ -178,19 +177,21 @@ class DocumentFiles:
     def save(self) -> bool:
         """Save to the document's file, or ask for one; return whether it was saved."""
         file = self._session.files.file
-        if self._session.path is None or (
+        if self._session.files.path is None or (
             self._session.files.is_read_only and file and not file.take_if_free()
         ):
             return self.ask_and_save()
-        return self._save(self._session.path)
+        return self._save(self._session.files.path)
 
     def overwrite(self) -> bool:
         """Save to the document's file although it was changed meanwhile; return whether it was saved."""
-        return self._session.path is not None and self._save(self._session.path, overwrite=True)
+        return self._session.files.path is not None and self._save(self._session.files.path, overwrite=True)
 
     def ask_and_save(self) -> bool:
         """Let the person choose a file and save there."""
-        start = self._session.path or self._preferences.last_folder / (file_stem(self._session) + SUFFIX)
+        start = self._session.files.path or self._preferences.last_folder / (
+            file_stem(self._session) + SUFFIX
+        )
         if self._session.files.is_read_only:
             start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
         name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
@@ -229,7 +230,7 @@ class DocumentFiles:
         self._session.cancel()
         # The watch may be waiting whether another program goes on writing.
         self._session.files.check()
-        if not self._session.is_modified:
+        if not self._session.files.is_modified:
             return True
         answer = self._ask_about_changes()
         if answer == QMessageBox.StandardButton.Save:
@@ -261,10 +262,10 @@ class DocumentFiles:
 
 def _question_about(session: Session) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why."""
-    name = _short(title_of(session)) if session.path is not None else "the sketch"
+    name = _short(title_of(session)) if session.files.path is not None else "the sketch"
     file = session.files.file
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
-    if session.has_changes:
+    if session.files.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."
     return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
 
@@ -277,13 +278,14 @@ def _short(name: str) -> str:
 
 def title_of(session: Session) -> str:
     """Return what the document is called: its file; a curve's name would change with the order of curves."""
-    return session.path.name if session.path is not None else session.files.beginning.title or "Untitled"
+    path = session.files.path
+    return path.name if path is not None else session.files.beginning.title or "Untitled"
 
 
 def file_stem(session: Session) -> str:
     """Return a file name for the document, without ending."""
-    if session.path is not None:
-        return session.path.name.removesuffix(SUFFIX)
+    if session.files.path is not None:
+        return session.files.path.name.removesuffix(SUFFIX)
     name = "".join(character for character in session.document.curves[0].name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"

@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from app.appearance.icons import icon
-from app.appearance.theme import LIGHT, Theme, mix
+from app.appearance.theme import Theme
 from app.qt.labels import Label
-from app.qt.overrides import Guarded
+from app.widgets.boxes import row_of
+from app.widgets.overlay_frame import OverlayFrame
 from app.widgets.tool_buttons import tool_button
 
-_TOP, _SIDE, _WIDEST = 10, 56, 720
-_GAP = 8
+_TOP, _SIDE, _NARROWEST, _WIDEST = 10, 56, 120, 720
+_AROUND_SENTENCE = 90
+"""Pixels for the sign, the button that closes, and the gaps."""
+
+GAP = 8
+"""Pixels between the parts of a bar."""
 
 
-class MessageBar(Guarded, QFrame):
-    """A sentence with a sign; hidden while there is nothing to say.
-
-    It lies on top of its parent and takes no room from it: a drawing that moved when a message appears would
-    move under the hand. What is pressed on it, but for its buttons, is pressed on the parent.
+class SentenceBar(OverlayFrame):
+    """A sentence with a sign and a button that puts it away; hidden while there is nothing to say.
 
     Signals
     -------
@@ -30,113 +32,116 @@ class MessageBar(Guarded, QFrame):
 
     closed = Signal(str)
 
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("messageBar")
-        parent.installEventFilter(self)
-        self._theme = LIGHT
+    def __init__(self, kind: str, close_name: str, below: QWidget, beside: QWidget | None = None) -> None:
+        super().__init__(f"{kind}Bar", below, beside)
+        self._beside = beside
         self._is_warning = False
-        self._sign = Label()
-        self._text = Label()
-        self._text.setObjectName("messageText")
-        self._text.setWordWrap(True)
-        self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.sign, self.sentence = Label(), Label(name=f"{kind}Text", wordWrap=True)
+        self.sentence.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         words = "Put this message away"
-        self._close = tool_button("closeMessage", words, words, flat=True)
-        self._close.clicked.connect(self._put_away)
-        words = "What can be done about it"
-        self._offer = tool_button("offeredAction", words, words, icon_size=14)
-        self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._offer.hide()
-        for button in (self._close, self._offer):
-            # A pointer that moves on a button moves over nothing below it.
-            button.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(12, 6, 8, 6)
-        layout.setSpacing(_GAP)
-        layout.addWidget(self._sign)
-        layout.addWidget(self._text, 1)
-        layout.addWidget(self._offer)
-        layout.addWidget(self._close)
-        for part in (self, self._sign, self._text):
-            # What lies below hears of a pointer that only passes, too, and says what a press would do.
-            part.setMouseTracking(True)
+        self.close_button = tool_button(close_name, words, words, flat=True)
+        self.close_button.clicked.connect(self._put_away)
+        keep_pointer(self.close_button)
         self.hide()
-
-    @property
-    def _below(self) -> QWidget:
-        """Parent widget, asked for anew: for PySide6 a viewport that was kept was once gone."""
-        below = self.parentWidget()
-        assert below is not None
-        return below
 
     @property
     def text(self) -> str:
         """The sentence on screen, empty while the bar is hidden."""
-        return "" if self.isHidden() else self._text.text()
+        return "" if self.isHidden() else self.sentence.text()
+
+    def show_sentence(self, text: str, *, warns: bool) -> None:
+        """Show what is wrong, or a hint."""
+        self._is_warning = warns
+        self.sentence.setText(text)
+        self._paint_sign()
+        self.show()
+        self.place()
+        self.raise_()
+
+    def _put_away(self) -> None:
+        self.hide()
+        self.closed.emit(self.sentence.text())
+
+    def wanted_width(self, sentence: int, room: int) -> int:
+        """Return how wide the bar wants to be, of `room` pixels, with a sentence of this width."""
+        return sentence
+
+    def place(self) -> None:
+        """Lie at the top, in the middle, as wide as the sentence needs."""
+        room = min(self.below.width() - 2 * _SIDE, _WIDEST)
+        sentence = self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + _AROUND_SENTENCE
+        width = max(min(self.wanted_width(sentence, room), room), _NARROWEST)
+        if (layout := self.layout()) is not None:
+            layout.activate()
+        height = max(self.heightForWidth(width), self.minimumSizeHint().height())
+        top = _TOP
+        if self._beside is not None and not self._beside.isHidden():
+            top = self._beside.geometry().bottom() + 1 + GAP
+        self.setGeometry((self.below.width() - width) // 2, top, width, height)
+
+    def set_theme(self, theme: Theme) -> None:
+        self.close_button.setIcon(icon("close", theme))
+        self.set_sheet()
+        self._paint_sign()
+
+    def _paint_sign(self) -> None:
+        colour = (self.theme.warning if self._is_warning else self.theme.muted).name()
+        self.sign.setPixmap(icon("warning" if self._is_warning else "help", self.theme).pixmap(QSize(16, 16)))
+        self.sentence.setStyleSheet(f"color: {colour}")
+
+
+def keep_pointer(button: QToolButton) -> None:
+    """Let a pointer that moves on a button move over nothing below it."""
+    button.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
+
+
+class MessageBar(SentenceBar):
+    """The line of the window, with a button for what can be done.
+
+    It takes no room from the canvas: a drawing that moved when a message appears would move under the hand.
+    What is pressed on it, but for its buttons, is pressed on the parent.
+    """
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__("message", "closeMessage", parent)
+        words = "What can be done about it"
+        self._offer = tool_button("offeredAction", words, words, icon_size=14)
+        self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._offer.hide()
+        keep_pointer(self._offer)
+        parts = (self.sign, (self.sentence, 1), self._offer, self.close_button)
+        row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
+        for part in (self, self.sign, self.sentence):
+            # What lies below hears of a pointer that only passes, too, and says what a press would do.
+            part.setMouseTracking(True)
+        self.follow_theme()
 
     @property
     def covered(self) -> int:
-        """How many pixels of its parent's height it takes at the top."""
+        """Pixels of its parent's height that it takes at the top."""
         return 0 if self.isHidden() else self.geometry().bottom() + 1
 
     def warn(self, text: str, action: QAction | None = None) -> None:
         """Show what is wrong and what to do, with a button where one thing does it."""
-        self._show(text, warning=True, action=action)
+        self._show(text, action, warns=True)
 
     def tell(self, text: str) -> None:
         """Show a hint."""
-        self._show(text, warning=False)
+        self._show(text, None, warns=False)
 
     def offer(self, text: str, action: QAction) -> None:
         """Show a sentence, and a button for what can be done about it."""
-        self._show(text, warning=False, action=action)
+        self._show(text, action, warns=False)
 
-    def _show(self, text: str, *, warning: bool, action: QAction | None = None) -> None:
+    def _show(self, text: str, action: QAction | None, *, warns: bool) -> None:
         if self.text == text and self._offer.isHidden() is (action is None):
             return
         if action is not None:
             self._offer.setDefaultAction(action)
             self._offer.setAccessibleName(action.text())
         self._offer.setVisible(action is not None)
-        self._is_warning = warning
-        self._text.setText(text)
-        self._paint_sign()
-        self._place()
-        self.show()
-        self.raise_()
+        self.show_sentence(text, warns=warns)
 
-    def _place(self) -> None:
-        """Lie at the top, in the middle, as wide as the sentence needs."""
-        room = self._below.width() - 2 * _SIDE
-        needed = self._text.fontMetrics().horizontalAdvance(self._text.text()) + 90
-        if not self._offer.isHidden():
-            needed += self._offer.sizeHint().width() + _GAP
-        width = max(min(needed, room, _WIDEST), 120)
-        height = max(self.heightForWidth(width), self.minimumSizeHint().height())
-        self.setGeometry((self._below.width() - width) // 2, _TOP, width, height)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize and not self.isHidden():
-            self._place()
-        return super().eventFilter(watched, event)
-
-    def _put_away(self) -> None:
-        self.hide()
-        self.closed.emit(self._text.text())
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._theme = theme
-        self._close.setIcon(icon("close", theme))
-        surface, line = theme.surface.name(), mix(theme.ink, theme.paper, 0.14).name()
-        self.setStyleSheet(
-            f"#messageBar {{ background: {surface}; border: 1px solid {line}; border-radius: 8px }}"
-        )
-        self._paint_sign()
-
-    def _paint_sign(self) -> None:
-        colour = (self._theme.warning if self._is_warning else self._theme.muted).name()
-        size = QSize(16, 16)
-        self._sign.setPixmap(icon("warning" if self._is_warning else "help", self._theme).pixmap(size))
-        self._text.setStyleSheet(f"color: {colour}")
+    def wanted_width(self, sentence: int, room: int) -> int:
+        """Return how wide the bar is with its button beside the sentence."""
+        return sentence + (0 if self._offer.isHidden() else self._offer.sizeHint().width() + GAP)

@@ -109,7 +109,7 @@ def monomial_condition(curve: Curve, norm: float = 2) -> float:
     if interpolants is None:
         raise CurveError("curve must be of polynomials whose data are known")
     derivatives = curve.jets.shape[1] - 1
-    return max(vandermonde_condition(each.nodes, norm, derivatives) for each in interpolants)
+    return max(vandermonde_condition(each.parameters, norm, derivatives) for each in interpolants)
 
 
 def _matrix(t: Sequence[float], width: int) -> FloatArray:
@@ -140,19 +140,19 @@ def _simple_inverse(t: Sequence[float]) -> FloatArray:
     With t_i = k_i / b for integers k_i, the product of all (x - k_j) is
     divided by one factor at a time: O(n**2) operations on integers.
     """
-    nodes, b = scaled_integers(t)
-    n = len(nodes)
+    places, b = scaled_integers(t)
+    n = len(places)
     master = [1]
-    for node in nodes:
-        master = [low - node * high for low, high in zip([0, *master], [*master, 0], strict=True)]
+    for place in places:
+        master = [low - place * high for low, high in zip([0, *master], [*master, 0], strict=True)]
     result = np.empty((n, n))
-    for i, node in enumerate(nodes):
-        below = math.prod(node - other for j, other in enumerate(nodes) if j != i)
+    for i, place in enumerate(places):
+        below = math.prod(place - other for j, other in enumerate(places) if j != i)
         coefficient, power = 0, 1
         # The coefficient of t**k is that of x**k times b**k.
         powers = [power := 1] + [power := power * b for _ in range(n - 1)]
         for k in range(n - 1, -1, -1):
-            coefficient = master[k + 1] + node * coefficient
+            coefficient = master[k + 1] + place * coefficient
             result[k, i] = as_float(coefficient * powers[k], below)
     return result
 

@@ -274,23 +274,10 @@ def inflections(curve: Curve) -> FloatArray:
 
 @np.errstate(under="ignore")
 def curvature_extrema(curve: Curve) -> CurvatureExtrema:
-    """Return where the signed curvature has a local maximum or minimum.
+    """Return where the signed curvature of a plane curve has a local maximum or minimum, inside the domain.
 
-    Parameters
-    ----------
-    curve : Curve
-        Plane (dim 2).
-
-    Returns
-    -------
-    CurvatureExtrema
-        Inside the domain. At joints where the curvature jumps there is none,
-        nor on arcs of circles and straight parts.
-
-    Raises
-    ------
-    CurveError
-        If the curve is not plane.
+    At joints where the curvature jumps there is none, nor on arcs of circles
+    and straight parts. Argument and errors are those of `inflections`.
 
     Notes
     -----
@@ -309,7 +296,8 @@ def curvature_extrema(curve: Curve) -> CurvatureExtrema:
     found = _crossings(pieces, 2.0 * rising - 3.0 * falling, noise)
     steady = found.piece < 0
     ends = np.maximum(found.piece, 1)
-    before, after = (_end_curvatures(pieces, side) for side in (-1, 0))
+    second = derivative(pieces.slopes)
+    before, after = (curvature_of(pieces.slopes[:, side], second[:, side]) for side in (-1, 0))
     with np.errstate(invalid="ignore"):
         jump = np.abs(before[ends - 1] - after[ends % len(after)])
         steady |= jump <= _KINK * np.abs(after[ends % len(after)])
@@ -321,19 +309,13 @@ def _turn(pieces: BezierPieces) -> tuple[FloatArray, FloatArray]:
     """Return c' x c'' for every piece, and the size below which it says nothing."""
     velocity = pieces.slopes
     acceleration = derivative(velocity)
-    (vx, vy), (ax, ay) = (np.moveaxis(each, 2, 0) for each in (velocity, acceleration))
+    (vx, vy), (ax, ay) = (each.transpose(2, 0, 1) for each in (velocity, acceleration))
     turn = product(vx, ay) - product(vy, ax)
     degree = velocity.shape[1]
     fast, bent = (np.abs(each).max(axis=(1, 2)) for each in (velocity, acceleration))
     # An error of c' grows by twice the degree squared at most when it is differentiated (Markov).
     noise = pieces.slope_error * (bent + 2.0 * degree**2 * fast)
     return turn, noise + 8.0 * UNIT_ROUNDOFF * fast * bent
-
-
-def _end_curvatures(pieces: BezierPieces, side: int) -> FloatArray:
-    """Return the curvature at the beginnings (side 0) or ends (side -1) of the pieces."""
-    velocity = pieces.slopes
-    return curvature_of(velocity[:, side], derivative(velocity)[:, side])
 
 
 class _Crossings(NamedTuple):

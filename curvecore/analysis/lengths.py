@@ -254,7 +254,7 @@ def arc_lengths(parts: Sequence[BezierPieces], tolerances: ArrayLike) -> list[Le
 
 
 class _MeasuredCurves(NamedTuple):
-    """SpeedArcs of curves with their lengths.
+    """Arcs of curves with their lengths.
 
     Attributes
     ----------

@@ -39,7 +39,7 @@ _FOLLOWED = 1e-11  # how closely pieces follow a polynomial of high degree, of i
 _SHARE = 1e-3  # of the reach, by which another point of the curve may be nearer
 _CLOSE = 1e-6  # the same, of the size of the curve
 _LEAST = 128  # pieces to look among: most are told by their hulls to be out of reach
-_HALVINGS = 4  # of a step that leads away
+_TRIALS = 4  # of a step that leads away, each of half the length
 
 
 class Nearest(NamedTuple):
@@ -95,10 +95,14 @@ def nearest(curve: Curve, point: ArrayLike, tolerance: float) -> Nearest:
     size = size_of(np.concatenate([curve.points, target[None]]))
 
     def at(t: float) -> _Descent:
-        found, velocity, acceleration = (curve.evaluate(t, order) for order in range(3))
-        rest = found - target
-        slope, square = float(rest @ velocity), float(velocity @ velocity)
-        return _descent(float(vector_lengths(rest)), slope, square, float(rest @ acceleration))
+        rest = curve.evaluate(t) - target
+
+        def step() -> float:
+            velocity, acceleration = curve.evaluate(t, 1), curve.evaluate(t, 2)
+            slope, speed = float(rest @ velocity), float(velocity @ velocity)
+            return _newton_step(slope, speed, float(rest @ acceleration))
+
+        return _Descent(float(vector_lengths(rest)), step)
 
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         pieces = bezier_pieces(curve, min(1e-3, 0.1 * limit / size))
@@ -194,7 +198,7 @@ class NearestWithin:
             best = _search(arcs, min(_SHARE * radius, self._tolerance), self._slack, limit)
             if np.isnan(best.parameter):
                 return None
-            t = _polished(self._curve.domain, partial(self._at, *place.tolist()), best.parameter)
+            t = _polished(self._curve.domain, partial(self._at, *place.tolist()), best.parameter, _TRIALS)
             found = _nearest_at(self._curve, target, t, best, self._exponent)
         return found if found.distance <= reach else None
 
@@ -206,38 +210,40 @@ class NearestWithin:
         s = np.array([(t - float(start[i])) / h])
         x, y, vx, vy, ax, ay = (weights(s, self._jets.shape[1] - 1)[0] @ self._jets[i]).tolist()
         x, y = x - target_x, y - target_y
-        at = _descent(x * x + y * y, x * vx + y * vy, vx * vx + vy * vy, x * ax + y * ay)
-        return at._replace(step=h * at.step)
+        products = x * vx + y * vy, vx * vx + vy * vy, x * ax + y * ay
+        return _Descent(x * x + y * y, lambda: h * _newton_step(*products))
 
 
 class _Descent(NamedTuple):
-    """A step towards the nearest point.
+    """A place on the way to the nearest point.
 
     Attributes
     ----------
     size : float
         The distance, or its square, that is to become smaller.
-    step : float
+    step : callable
         What Newton's method subtracts from t.
     """
 
     size: float
-    step: float
+    step: Callable[[], float]
 
 
-def _descent(size: float, slope: float, speed: float, bend: float) -> _Descent:
-    """Return the step, given the products (c - p) . c', c' . c' and (c - p) . c''."""
+def _newton_step(slope: float, speed: float, bend: float) -> float:
+    """Return the step in t, given the products (c - p) . c', c' . c' and (c - p) . c''."""
     # Where the distance is not convex, the way of Gauss and Newton leads down as well.
     divisor = speed + bend if speed + bend > 0.0 else speed
-    return _Descent(size, slope / divisor if 0.0 < divisor < np.inf else 0.0)
+    return slope / divisor if 0.0 < divisor < np.inf else 0.0
 
 
-def _polished(domain: tuple[float, float], at: Callable[[float], _Descent], t: float) -> float:
-    """Improve t by Newton's method, by steps that bring the curve nearer."""
+def _polished(
+    domain: tuple[float, float], at: Callable[[float], _Descent], t: float, trials: int = 1
+) -> float:
+    """Improve t by Newton's method, as long as one of so many trials, each a half step, brings c nearer."""
     here = at(t)
     for _ in range(_NEWTON):
-        step = here.step
-        for _ in range(_HALVINGS):
+        step = here.step()
+        for _ in range(trials):
             following = min(max(t - step, domain[0]), domain[1])
             there = at(following)
             if there.size < here.size:
@@ -266,7 +272,7 @@ def _search(arcs: Arcs, tolerance: float, slack: float, reach: float = np.inf) -
         best, parameter = reach, np.nan
     bound = np.inf
     for step in range(_ROUNDS):
-        low = _lower_bounds(arcs.controls)
+        low = np.sqrt(np.maximum(squared_length(arcs.controls).min(axis=1), 0.0))
         open_ = low < best - tolerance
         closed = low[~open_]
         bound = min(bound, float(closed.min(initial=np.inf)))
@@ -284,8 +290,3 @@ def _nearest_end(arcs: Arcs) -> tuple[float, float]:
     distance = vector_lengths(arcs.controls[:, [0, -1]])
     i, side = np.unravel_index(int(np.argmin(distance)), distance.shape)
     return float(distance[i, side]), float(arcs.end[i] if side else arcs.start[i])
-
-
-def _lower_bounds(controls: FloatArray) -> FloatArray:
-    bound: FloatArray = np.sqrt(np.maximum(squared_length(controls).min(axis=1), 0.0))
-    return bound

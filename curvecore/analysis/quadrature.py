@@ -14,10 +14,12 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 from curvecore.bezier.bernstein_algebra import halves, weights
+from curvecore.bezier.chebyshev import to_chebyshev
 from curvecore.bezier.pieces import BezierPieces
+from curvecore.parametrization import chebyshev
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
-_NODES = 16
+_GAUSS_POINTS = 16
 _ROUNDS = 60
 _MOST = 1 << 14  # arcs, or 8 a piece; a curve that needs more gets a larger error bound
 _AT_ONCE = 1 << 12  # quadratures, of 16 sets of weights each: a few megabytes
@@ -140,12 +142,12 @@ def _bounds(slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
     evaluation, transform = _square_matrices(degree)
     q = np.square(evaluation @ slopes).sum(axis=2)
     coefficients = np.abs(q @ transform.T)
-    k = np.arange(1, 2 * degree + 1)
+    k = np.arange(1, len(transform))
     growth = 0.5 * (_RHO[:, None] ** k + _RHO[:, None] ** -k)
     rest = coefficients[:, 1:] @ growth.T
     free = rest < coefficients[:, :1]
     largest = np.sqrt(coefficients[:, :1] + rest)
-    factor = 64.0 * _RHO ** (-2.0 * _NODES) / (15.0 * (1.0 - _RHO**-2.0))
+    factor = 64.0 * _RHO ** (-2.0 * _GAUSS_POINTS) / (15.0 * (1.0 - _RHO**-2.0))
     # Half, because s runs over an interval of length 1.
     proved = np.where(free, 0.5 * largest * factor, np.inf).min(axis=1)
     return np.minimum(proved, rough), polygon
@@ -158,9 +160,9 @@ def integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatAr
 
 
 def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    nodes, gauss = _gauss()
+    places, gauss = _gauss()
     length = end - start
-    s = start[:, None] + length[:, None] * nodes
+    s = start[:, None] + length[:, None] * places
     degree = slopes.shape[1] - 1
     bernstein = weights(s.ravel(), degree).reshape(*s.shape, degree + 1)
     speeds = np.linalg.norm(bernstein @ slopes, axis=2)
@@ -189,19 +191,12 @@ def places_of(slopes: FloatArray, wanted: FloatArray, whole: FloatArray) -> Floa
 
 @cache
 def _gauss() -> tuple[FloatArray, FloatArray]:
-    nodes, gauss = np.polynomial.legendre.leggauss(_NODES)
-    return read_only(0.5 * (nodes + 1.0)), read_only(0.5 * gauss)
+    places, gauss = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+    return read_only(0.5 * (places + 1.0)), read_only(0.5 * gauss)
 
 
 @cache
 def _square_matrices(degree: int) -> tuple[FloatArray, FloatArray]:
     """Return matrices to values at Chebyshev points, and from values of a square to coefficients."""
-    n = 2 * degree
-    if n == 0:
-        return read_only(np.ones((1, 1))), read_only(np.ones((1, 1)))
-    k = np.arange(n + 1)
-    places = np.sin(k * (np.pi / (2 * n))) ** 2
-    transform = (2.0 / n) * np.cos(np.pi * np.outer(k, k) / n) * (-1.0) ** k[:, None]
-    transform[:, [0, n]] *= 0.5
-    transform[[0, n]] *= 0.5
-    return read_only(weights(places, degree)), read_only(transform)
+    n = max(2 * degree, 1)
+    return read_only(weights(chebyshev(n + 1), degree)), to_chebyshev(n)

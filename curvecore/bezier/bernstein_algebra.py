@@ -95,8 +95,10 @@ def product(first: FloatArray, second: FloatArray) -> FloatArray:
 
 def squared_length(vectors: FloatArray) -> FloatArray:
     """Return the coefficients of the squared lengths of vectors, shape (k, d + 1, dim) to (k, 2 d + 1)."""
-    squares = (product(column, column) for column in np.moveaxis(vectors, 2, 0))
-    result: FloatArray = np.sum(list(squares), axis=0)
+    first, *others = vectors.transpose(2, 0, 1)
+    result = product(first, first)
+    for column in others:
+        result += product(column, column)
     return result
 
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray, tolerance_value
+from curvecore.arrays import FloatArray, IntArray, end_to_end, tolerance_value
 from curvecore.bezier.bernstein import control_points
 from curvecore.bezier.bernstein_algebra import elevated, weights
 from curvecore.errors import CurveError
@@ -115,7 +115,9 @@ def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
     """
     limit = tolerance_value(tolerance)
     if len(curve.pieces) > 1:
-        return _joined([cubic_path(piece, limit) for piece in curve.pieces])
+        paths = [cubic_path(piece, limit) for piece in curve.pieces]
+        points, parameters, deviations = zip(*paths, strict=True)
+        return CubicPath(np.concatenate(points), end_to_end(parameters), max(deviations))
     controls = drawable_pieces(curve)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         if controls is None:
@@ -123,15 +125,6 @@ def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
         if controls.shape[1] <= 4:
             return CubicPath(elevated(controls, 4 - controls.shape[1]), curve.breaks.copy(), 0.0)
         return _proved_path(curve, controls, limit)
-
-
-def _joined(paths: list[CubicPath]) -> CubicPath:
-    parameters = [paths[0].parameters, *(path.parameters[1:] for path in paths[1:])]
-    return CubicPath(
-        np.concatenate([path.control_points for path in paths]),
-        np.concatenate(parameters),
-        max(path.deviation for path in paths),
-    )
 
 
 def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:

@@ -165,11 +165,11 @@ def _powers(curve: Curve, start: float, end: float, most: float = math.inf) -> l
     first, last = curve.domain
     if not first <= low < high <= last:
         raise CurveError(f"start and end must ascend inside the domain, from {first} to {last}")
-    nodes, jets = _interpolant_over(curve, low, high)
-    if len(nodes) > most:
-        raise CurveError(f"curve must have at most {most} points to be converted, not {len(nodes)}")
+    parameters, jets = _interpolant_over(curve, low, high)
+    if len(parameters) > most:
+        raise CurveError(f"curve must have at most {most} points to be converted, not {len(parameters)}")
     return [
-        _shifted(interpolated(nodes.tolist(), jets[:, :, axis].tolist()), low, high)
+        _shifted(interpolated(parameters.tolist(), jets[:, :, axis].tolist()), low, high)
         for axis in range(jets.shape[2])
     ]
 
@@ -178,10 +178,10 @@ def _interpolant_over(curve: Curve, low: float, high: float) -> Interpolant:
     interpolants = curve.interpolants()
     if interpolants is None:
         raise CurveError("curve must be of polynomials whose data are known to be converted exactly")
-    ends = np.array([each.nodes[-1] for each in interpolants[:-1]])
+    ends = np.array([each.parameters[-1] for each in interpolants[:-1]])
     found = interpolants[int(np.searchsorted(ends, low, side="right"))]
-    if high > found.nodes[-1]:
-        joint = int(np.searchsorted(curve.parameters, found.nodes[-1]))
+    if high > found.parameters[-1]:
+        joint = int(np.searchsorted(curve.parameters, found.parameters[-1]))
         raise CurveError(f"parameters[{joint}] is inside the stretch; no joint must be", (joint,))
     return found
 
@@ -207,17 +207,17 @@ def _bernstein(powers: list[Fraction]) -> list[Fraction]:
 
 def _condition(parameters: FloatArray) -> float:
     """Return the largest sum over i of |Bernstein coefficient k of L_i|."""
-    nodes, _ = scaled_integers(parameters.tolist())
-    first, last = nodes[0], nodes[-1]
-    n = len(nodes)
+    places, _ = scaled_integers(parameters.tolist())
+    first, last = places[0], places[-1]
+    n = len(places)
     rows = [Fraction(0)] * n
-    for i, node in enumerate(nodes):
+    for i, place in enumerate(places):
         # t - t_j is (last - t_j) s - (t_j - first) r: products stay homogeneous in r and s.
         product, below = [1], 1
-        for j, other in enumerate(nodes):
+        for j, other in enumerate(places):
             if j != i:
                 a, b = last - other, first - other
-                below *= node - other
+                below *= place - other
                 product = [
                     (a * product[k - 1] if k else 0) + (b * product[k] if k < len(product) else 0)
                     for k in range(len(product) + 1)

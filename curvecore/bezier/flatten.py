@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, box_edges, require_plane, tolerance_value
+from curvecore.arrays import FloatArray, box_edges, end_to_end, require_plane, tolerance_value
 from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.control_points import drawable_pieces, equal_parts
 from curvecore.bezier.flatten_samples import sampled_pieces
@@ -151,7 +151,9 @@ def flatten_pieces(curve: Curve, tolerance: float, box: ArrayLike | None = None)
     require_plane(curve.points, "be flattened")
     edges = None if box is None else box_edges(box)
     if len(curve.pieces) > 1:
-        return _end_to_end([flatten_pieces(piece, tolerance, box) for piece in curve.pieces])
+        parts = [flatten_pieces(piece, tolerance, box) for piece in curve.pieces]
+        parameters, points, deviations = zip(*parts, strict=True)
+        return Pieces(end_to_end(parameters), end_to_end(points), np.concatenate(deviations))
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         controls = drawable_pieces(curve)
         if controls is not None:
@@ -159,16 +161,6 @@ def flatten_pieces(curve: Curve, tolerance: float, box: ArrayLike | None = None)
         else:
             pieces = sampled_pieces(curve, limit, edges)
         return merged_pieces(pieces, limit)
-
-
-def _end_to_end(parts: list[Pieces]) -> Pieces:
-    """Join pieces, each of which begins where the one before ends."""
-    first, *others = parts
-    return Pieces(
-        np.concatenate([first.parameters, *(part.parameters[1:] for part in others)]),
-        np.concatenate([first.points, *(part.points[1:] for part in others)]),
-        np.concatenate([part.deviation for part in parts]),
-    )
 
 
 class _Division(NamedTuple):
@@ -216,17 +208,17 @@ def _bezier_pieces(curve: Curve, controls: FloatArray, tolerance: float, box: Fl
 
 
 def _uniform_pieces(curve: Curve, arcs: _Division) -> Pieces:
-    joints = curve.breaks
-    room = max(MAX_VERTICES, 4 * len(joints)) - 1
+    breaks = curve.breaks
+    room = max(MAX_VERTICES, 4 * len(breaks)) - 1
     # Data that differ by hundreds of orders of magnitude may ask for more than any number, or for none.
     need = np.fmin(arcs.need, room)
     if need.sum() > room:
         need = np.maximum(1.0, np.floor(need * ((room - need.size) / need.sum())))
     arc, step = equal_parts(need.astype(np.intp))
     position = arcs.start[arc] + (arcs.end - arcs.start)[arc] * (step / need[arc])
-    segment = np.minimum(position.astype(np.intp), len(joints) - 2)
-    t = joints[segment] + (position - segment) * (joints[segment + 1] - joints[segment])
-    t = np.append(np.minimum(t, joints[segment + 1]), joints[-1])
+    segment = np.minimum(position.astype(np.intp), len(breaks) - 2)
+    t = breaks[segment] + (position - segment) * (breaks[segment + 1] - breaks[segment])
+    t = np.append(np.minimum(t, breaks[segment + 1]), breaks[-1])
     distinct = t[1:] > t[:-1]
     t = np.append(t[:-1][distinct], t[-1])
     return Pieces(t, points_at(curve, t), (arcs.bound / need**2)[arc][distinct])

@@ -10,6 +10,7 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.bezier.control_points import all_joints, equal_parts, sorted_distinct, spread
 from curvecore.bezier.polylines import MAX_VERTICES, Pieces, may_enter, points_at
 from curvecore.families.curve import Curve
+from curvecore.parametrization import chebyshev
 
 _MOST_WORK = 1 << 22  # vertices times points of a polynomial: a curve too wild to be followed is done in time
 _ROUNDS = 20
@@ -52,7 +53,7 @@ def _first_samples(curve: Curve) -> FloatArray:
     if curve.degree is None:
         return spread(joints, np.full(len(joints) - 1, _FIRST))
     count = 2 * curve.degree
-    s = first + (last - first) * np.sin(np.arange(1, count) * (np.pi / (2 * count))) ** 2
+    s = first + (last - first) * chebyshev(count + 1)[1:-1]
     # What all but coincides with a joint tells nothing that the joint does not.
     after = np.clip(np.searchsorted(joints, s), 1, len(joints) - 1)
     away = np.minimum(np.abs(s - joints[after - 1]), np.abs(s - joints[after]))

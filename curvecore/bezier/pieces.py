@@ -15,15 +15,16 @@ References
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray, read_only
-from curvecore.bezier.bernstein_algebra import derivative, elevated, weights
+from curvecore.arrays import FloatArray, IntArray
+from curvecore.bezier.bernstein_algebra import derivative, elevated
+from curvecore.bezier.chebyshev import to_bernstein, to_chebyshev
 from curvecore.bezier.control_points import MAX_PIECES, all_joints, spread
 from curvecore.families.curve import Curve
+from curvecore.parametrization import chebyshev
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 _DEGREE = 8
@@ -160,7 +161,7 @@ def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
         if finer.size == parameters.size:
             break
         parameters = finer
-    controls = _to_bernstein(degree) @ coefficients[:, : degree + 1]
+    controls = to_bernstein(degree) @ coefficients[:, : degree + 1]
     # Coefficients as small as rounding are none of the polynomial's own.
     noise = 8.0 * UNIT_ROUNDOFF * np.abs(coefficients[:, 0]).max(axis=1, initial=0.0)
     orders = np.arange(degree + 1, _POINTS, dtype=np.float64)
@@ -176,35 +177,9 @@ def _chebyshev(curve: Curve, parameters: FloatArray) -> tuple[FloatArray, float,
 
     Both are in units of a power of two, whose exponent is returned too.
     """
-    places = _places()
-    t = parameters[:-1, None] + np.diff(parameters)[:, None] * places
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * chebyshev(_POINTS)
     t = np.minimum(t, parameters[1:, None])
     sampled = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
     _, base = np.frexp(np.abs(sampled).max())
     sampled = np.ldexp(sampled, -base)
-    return _transform() @ sampled, size_of(sampled), int(base)
-
-
-@cache
-def _places() -> FloatArray:
-    k = np.arange(_POINTS)
-    return read_only(np.sin(k * (np.pi / (2 * (_POINTS - 1)))) ** 2)
-
-
-@cache
-def _transform() -> FloatArray:
-    """Return the matrix from values at `_places` to Chebyshev coefficients."""
-    n = _POINTS - 1
-    j, k = np.meshgrid(np.arange(_POINTS), np.arange(_POINTS))
-    matrix = (2.0 / n) * np.cos(np.pi * j * k / n) * (-1.0) ** k
-    matrix[:, [0, n]] *= 0.5
-    matrix[[0, n]] *= 0.5
-    return read_only(matrix)
-
-
-@cache
-def _to_bernstein(degree: int) -> FloatArray:
-    """Return the matrix from Chebyshev to Bernstein coefficients, shape (degree + 1, degree + 1)."""
-    s = np.linspace(0.0, 1.0, degree + 1)
-    chebyshev = np.cos(np.arange(degree + 1) * np.arccos(np.clip(2.0 * s - 1.0, -1.0, 1.0))[:, None])
-    return read_only(np.asarray(np.linalg.solve(weights(s, degree), chebyshev), dtype=np.float64))
+    return to_chebyshev(_POINTS - 1) @ sampled, size_of(sampled), int(base)

@@ -108,11 +108,11 @@ class FrozenSegments:
         return self._segment.size > _WASTE * needed
 
     def _parameters(self, curve: Curve) -> FloatArray:
-        joints = curve.breaks
-        start, end = joints[self._segment], joints[1:][self._segment]
+        breaks = curve.breaks
+        start, end = breaks[self._segment], breaks[1:][self._segment]
         t = np.empty(self._segment.size + 1)
         t[:-1] = np.minimum(start + self._local * (end - start), end)
-        t[-1] = joints[-1]
+        t[-1] = breaks[-1]
         return t
 
     def _points(self, curve: Curve, controls: FloatArray) -> FloatArray:

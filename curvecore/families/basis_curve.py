@@ -143,12 +143,12 @@ class BasisCurve(Curve):
 
     def _differences(self, t: FloatArray, order: int) -> FloatArray:
         """Differentiate the polynomials through the functions at seven places around each t."""
-        joints = self._parameters
-        segment = np.clip(np.searchsorted(joints, t, side="right") - 1, 0, len(joints) - 2)
-        step = np.diff(joints)[segment] / _FINENESS[min(order, len(_FINENESS)) - 1]
+        parameters = self._parameters
+        segment = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(parameters) - 2)
+        step = np.diff(parameters)[segment] / _FINENESS[min(order, len(_FINENESS)) - 1]
         middle = self._inside_of_a_piece(t, 3.0 * step)
         places = middle[:, None] + step[:, None] * _STENCIL
-        functions = self._functions(places.ravel(), 0).reshape(*places.shape, len(joints))
+        functions = self._functions(places.ravel(), 0).reshape(*places.shape, len(parameters))
         stencil = LagrangeCurve(np.zeros((_STENCIL.size, 1)), _STENCIL)
         weights = stencil.basis((t - middle) / step, order)[:, :, 0]
         with np.errstate(over="ignore", under="ignore"):

@@ -8,7 +8,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, jet_array, parameter_array, parameter_values, read_only
+from curvecore.arrays import (
+    FloatArray,
+    IntArray,
+    end_to_end,
+    jet_array,
+    parameter_array,
+    parameter_values,
+    read_only,
+)
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve, Interpolant, JointDerivatives, LocalBasis
 
@@ -43,8 +51,7 @@ class Chain(Curve):
     def __init__(self, pieces: Sequence[Curve]) -> None:
         self._pieces = tuple(pieces)
         _check(self._pieces)
-        first, *others = (piece.parameters for piece in self._pieces)
-        self._parameters = read_only(np.concatenate([first, *(each[1:] for each in others)]))
+        self._parameters = read_only(end_to_end(piece.parameters for piece in self._pieces))
         self._jets = read_only(np.concatenate([piece.jets for piece in self._pieces]))
 
     @property
@@ -66,14 +73,12 @@ class Chain(Curve):
     def degree(self) -> int | None:
         """The largest degree of any piece; None where one is no polynomial."""
         degrees = [piece.degree for piece in self._pieces]
-        known = [degree for degree in degrees if degree is not None]
-        return max(known) if len(known) == len(degrees) else None
+        return None if None in degrees else max(degree for degree in degrees if degree is not None)
 
     @property
     def breaks(self) -> FloatArray:
         """Those of the pieces, each once."""
-        first, *others = (piece.breaks for piece in self._pieces)
-        return np.concatenate([first, *(each[1:] for each in others)])
+        return end_to_end(piece.breaks for piece in self._pieces)
 
     @property
     def is_local(self) -> bool:  # type: ignore[override]

@@ -45,13 +45,13 @@ class Interpolant(NamedTuple):
 
     Attributes
     ----------
-    nodes : ndarray, shape (k,)
+    parameters : ndarray, shape (k,)
         The piece lies between the first and the last.
     jets : ndarray, shape (k, R, dim)
         Its value and R - 1 derivatives there.
     """
 
-    nodes: FloatArray
+    parameters: FloatArray
     jets: FloatArray
 
 
@@ -225,9 +225,7 @@ class Curve(Immutable, ABC):
             The parameters are neither copied nor checked again.
         """
         curve = object.__new__(type(self))
-        for name in (name for each in type(self).__mro__ for name in getattr(each, "__slots__", ())):
-            setattr(curve, name, None if name in self._caches else getattr(self, name))
-        curve._jets = read_only(jet_array(jets, self._jets.shape[:2]))
+        curve.__setstate__({**self.__getstate__(), "_jets": jet_array(jets, self._jets.shape[:2])})
         return curve
 
     # What follows from the basis
@@ -372,14 +370,10 @@ class Curve(Immutable, ABC):
         return self.parameter_derivatives(t)[:, index]
 
     def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim), where `is_local`.
-
-        Raises
-        ------
-        CurveError
-            If the family's functions reach further.
-        """
-        raise CurveError("curve must be of a family whose functions are local")
+        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim), where `is_local`."""
+        segment = self.local_basis(t).segment
+        moves = self.parameter_derivatives(t)
+        return segment, np.take_along_axis(moves, (segment[:, None] + np.arange(2))[:, :, None], axis=1)
 
     def _moved_by(self, t: FloatArray, index: int) -> FloatArray:
         joints = self._parameters

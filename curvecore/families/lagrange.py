@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer, parameter_values, stacked_jets
 from curvecore.families.curve import Curve, Interpolant
-from curvecore.families.nodal_derivatives import derivatives_at_nodes, nodes_serve
-from curvecore.families.product_form import Nodes
+from curvecore.families.differentiation_matrix import derivatives_by_matrix, matrix_serves
+from curvecore.families.product_form import ProductForm
 from curvecore.scaling import Scaled, normalise, scale_by_power
 
 
@@ -49,24 +49,24 @@ class LagrangeCurve(Curve):
     become the largest finite number of their sign.
     """
 
-    __slots__ = ("_prepared",)
-    _caches = ("_prepared",)
+    __slots__ = ("_form",)
+    _caches = ("_form",)
 
     name = "lagrange"
     title = "Lagrange"
     is_one_polynomial = True
 
-    _prepared: Nodes | None
+    _form: ProductForm | None
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
         self._keep(stacked_jets(points), parameters)
 
     @property
-    def _nodes(self) -> Nodes:
+    def _product_form(self) -> ProductForm:
         # Made when first needed: what draws a curve under a hand often knows a shorter way.
-        if self._prepared is None:
-            self._prepared = Nodes.of(self._parameters)
-        return self._prepared
+        if self._form is None:
+            self._form = ProductForm.of(self._parameters)
+        return self._form
 
     def weight_ratios(self, index: int) -> FloatArray:
         """Return w_i / w_index for all i, with w_i = 1 / prod_(j != i) (t_i - t_j).
@@ -81,7 +81,7 @@ class LagrangeCurve(Curve):
         ndarray, shape (n,)
             Infinite or 0 beyond the range of floating point.
         """
-        weights = self._nodes.weights
+        weights = self._product_form.weights
         mantissa = weights.mantissa / weights.mantissa[index]
         exponent = np.clip(weights.exponent - weights.exponent[index], -5000, 5000)
         with np.errstate(over="ignore", under="ignore"):
@@ -107,11 +107,11 @@ class LagrangeCurve(Curve):
         Of many t by a short cut: derivatives at the t_i, and interpolation of these. The errors are then up
         to max sum |L_i(t)| <= 1e5 times larger than those of `evaluate`.
         """
-        if nodes_serve(self._parameters, self.points, t, orders):
+        if matrix_serves(self._parameters, self.points, t, orders):
             basis = self.basis(t)[:, :, 0]
-            nodal = derivatives_at_nodes(self._parameters, self.points, basis, orders)
-            if nodal is not None:
-                return nodal
+            found = derivatives_by_matrix(self._parameters, self.points, basis, orders)
+            if found is not None:
+                return found
         return super().derivatives_at(t, orders)
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
@@ -131,14 +131,14 @@ class LagrangeCurve(Curve):
             points = np.ldexp(self.points, -exponent)
         result = np.empty((points.shape[1], at.values.size))
         with np.errstate(over="ignore", under="ignore"):
-            for part in self._nodes.basis_parts(at.values, rank):
+            for part in self._product_form.basis_parts(at.values, rank):
                 values, scale = part.values, exponent[:, None]
                 if part.exponent is not None:
                     values, common = normalise(Scaled(values, part.exponent))
                     scale = scale + common
                 result[:, part.where] = scale_by_power(points.T @ values, scale)
                 if rank == 0:
-                    result[:, part.where.start + part.hits.columns] = self.points[part.hits.nodes].T
+                    result[:, part.where.start + part.hits.columns] = self.points[part.hits.rows].T
         curve = np.ascontiguousarray(result.T)
         return curve[0] if at.is_scalar else curve
 
@@ -148,7 +148,7 @@ class LagrangeCurve(Curve):
         rank = integer(order, "order", 0)
         result = np.empty((len(self._parameters), at.values.size))
         with np.errstate(over="ignore", under="ignore"):
-            for part in self._nodes.basis_parts(at.values, rank, result):
+            for part in self._product_form.basis_parts(at.values, rank, result):
                 if part.exponent is not None:
                     result[:, part.where] = scale_by_power(part.values, part.exponent)
         return result.T[:, :, None]
@@ -156,5 +156,5 @@ class LagrangeCurve(Curve):
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with other points; it shares everything that depends on the parameters."""
         curve = super().with_jets(jets)
-        curve._prepared = self._nodes
+        curve._form = self._product_form
         return curve

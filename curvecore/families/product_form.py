@@ -1,19 +1,19 @@
-"""Lagrange basis functions as products, with values accurate for any distinct nodes.
+"""Lagrange basis functions as products, with values accurate for any distinct parameters.
 
 With l(t) = prod (t - t_j) and w_i = 1 / prod_(j != i) (t_i - t_j), the basis
 function is L_i(t) = l(t) w_i / (t - t_i). Every factor is one subtraction of
 the given numbers, so l, w_i and L_i have small *relative* errors however the
-nodes lie [1]_. The second barycentric form divides by a sum that cancels, and
+parameters lie [1]_. The second barycentric form divides by a sum that cancels, and
 lacks this property.
 
-Three things keep the products in range. The nodes are scaled, by a power of
+Three things keep the products in range. The parameters are scaled, by a power of
 two and hence without error, to an interval of length about 4, whose capacity
-is 1, so that n factors have a product near 1 for well spread nodes. Products
+is 1, so that n factors have a product near 1 for well spread parameters. Products
 run over blocks of rows that provably cannot leave the range. Between blocks,
 mantissas and exponents are kept apart.
 
 Derivatives are the business of `product_series`, and are as accurate while
-the distances of nodes differ by at most 1e50.
+the distances of parameters differ by at most 1e50.
 
 References
 ----------
@@ -37,25 +37,25 @@ from curvecore.scaling import ExponentArray, Scaled
 
 _CHUNK = 1 << 18  # entries of one working array: 2 MB, so that a slice is worth its dozen calls
 _BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
-_MANY = 64  # nodes, above which roundings that do not average out are worth half the time again
+_MANY = 64  # parameters, above which roundings that do not average out are worth half the time again
 _TINY = 2.0**-340  # scaled distances below need exponents of their own
 _FAR = 2.0**60  # so do those above
 
 
 class Hits(NamedTuple):
-    """Places at which parameters equal nodes: t[columns] == node[nodes]."""
+    """Values of t that are parameters: t[columns] == parameters[rows]."""
 
     columns: IntArray
-    nodes: IntArray
+    rows: IntArray
 
 
 class BasisPart(NamedTuple):
-    """Basis functions for a slice of the parameters.
+    """Basis functions for a slice of t.
 
     Attributes
     ----------
     where : slice
-        Which parameters.
+        Which t.
     values : ndarray, shape (n, m)
         L_i, or a derivative of it, in row i.
     exponent : ndarray of int, shape (n, m), or None
@@ -70,8 +70,8 @@ class BasisPart(NamedTuple):
     hits: Hits
 
 
-class Nodes(NamedTuple):
-    """Parameters, prepared for their basis functions.
+class ProductForm(NamedTuple):
+    """The product form of all basis functions of given parameters.
 
     Attributes
     ----------
@@ -82,10 +82,10 @@ class Nodes(NamedTuple):
     shift : int
         See `scaled`.
     least_bits : float
-        -log2 of half the least gap in `scaled`: no node but the nearest to
+        -log2 of half the least gap in `scaled`: no parameter but the nearest to
         some t is closer to it than ``2**-least_bits``.
     weights : Scaled
-        w_i for the scaled nodes.
+        w_i for the scaled parameters.
     plain_weights : ndarray, shape (n,), or None
         ``w_i / 2**plain_exponent`` if these fit in 2**+-450.
     plain_exponent : int
@@ -101,7 +101,7 @@ class Nodes(NamedTuple):
     plain_exponent: int
 
     @classmethod
-    def of(cls, parameters: FloatArray) -> Nodes:
+    def of(cls, parameters: FloatArray) -> ProductForm:
         """Prepare checked parameters; O(n**2) operations, O(n) memory."""
         mantissa, exponent = math.frexp(float(parameters[-1]) - float(parameters[0]))
         shift = (3 if mantissa < math.sqrt(0.5) else 2) - exponent
@@ -116,13 +116,13 @@ class Nodes(NamedTuple):
         low, high = int(weights.exponent.min()), int(weights.exponent.max())
         middle = (low + high) // 2
         plain = None
-        # Nodes that are all but zero relative to the length are left to the general method.
+        # Parameters that are all but zero relative to the length are left to the general method.
         if high - low <= 800 and not _has_tiny(scaled, parameters):
             plain = np.ldexp(weights.mantissa, (weights.exponent - middle).astype(np.intc))
         return cls(parameters, scaled, shift, least_bits, weights, plain, middle)
 
     def basis_parts(self, t: FloatArray, order: int, out: FloatArray | None = None) -> Iterator[BasisPart]:
-        """Yield all basis functions at t, a slice of the parameters at a time.
+        """Yield all basis functions at t, a slice of t at a time.
 
         Parameters
         ----------
@@ -143,7 +143,7 @@ class Nodes(NamedTuple):
         reach = _reach(x, self.scaled) if t.size else 1.0
         plain = self.plain_weights is not None and reach < _FAR and not _has_tiny(x, t)
         n = len(self.given)
-        # A series costs a Python loop over the nodes for each slice: not too few columns.
+        # A series costs a Python loop over the parameters for each slice: not too few columns.
         size = max(64, _CHUNK // (n * (order + 1))) if order else max(1, _CHUNK // n)
         buffer = np.empty((n, min(size, t.size))) if out is None and plain and not order else None
         for start in range(0, t.size, size):
@@ -168,7 +168,7 @@ class Nodes(NamedTuple):
         """Order 0 where all quantities of one column fit in one double; None if they do not."""
         assert self.plain_weights is not None
         difference = np.subtract(x, self.scaled[:, None], out=out)
-        difference[hits.nodes, hits.columns] = 1.0
+        difference[hits.rows, hits.columns] = 1.0
         total = _column_product(difference, _block(max(math.log2(reach), self.least_bits)))
         # sum |L_i| >= 1 bounds this exponent from below by about -900.
         exponent = total.exponent + self.plain_exponent
@@ -184,13 +184,9 @@ class Nodes(NamedTuple):
 
     def _general(self, t: FloatArray, hits: Hits) -> Scaled:
         """Order 0 with an exponent for every factor."""
-        difference = _scaled_differences(t, self.given, self.shift)
-        difference.mantissa[hits.nodes, hits.columns] = 0.5
-        difference.exponent[hits.nodes, hits.columns] = 1
-        total = _column_product(difference.mantissa, _block(1.0))
-        common = total.exponent + difference.exponent.sum(axis=0)
+        difference, total = _differences_and_product(t, self.given, self.shift, hits)
         values = (self.weights.mantissa[:, None] / difference.mantissa) * total.mantissa
-        exponent = self.weights.exponent[:, None] - difference.exponent + common
+        exponent = self.weights.exponent[:, None] - difference.exponent + total.exponent
         _put_units(values, hits)
         exponent[:, hits.columns] = 0
         return Scaled(values, exponent)
@@ -205,17 +201,19 @@ class Nodes(NamedTuple):
         return Scaled(values, coefficient.exponent + self.weights.exponent[:, None] + order * self.shift)
 
 
-def _rounding_of_product(x: FloatArray, nodes: FloatArray, difference: FloatArray, hits: Hits) -> FloatArray:
+def _rounding_of_product(
+    x: FloatArray, parameters: FloatArray, difference: FloatArray, hits: Hits
+) -> FloatArray:
     """Return the relative error that rounded differences leave in their product.
 
-    A node larger than x has coarser digits, so the difference loses the same
-    last bits of x for all such nodes: these roundings do not average out, and
-    add up to about n u / 4. Nodes smaller than x, whose roundings are as good
+    A parameter t_i larger than x has coarser digits, so the difference loses the same
+    last bits of x for all such parameters: these roundings do not average out, and
+    add up to about n u / 4. Parameters smaller than x, whose roundings are as good
     as independent, may come out as 0 here.
     """
-    rest = difference + nodes[:, None]
+    rest = difference + parameters[:, None]
     np.subtract(x, rest, out=rest)
-    rest[hits.nodes, hits.columns] = 0.0
+    rest[hits.rows, hits.columns] = 0.0
     rest /= difference
     error: FloatArray = rest.sum(axis=0)
     return error
@@ -242,54 +240,60 @@ def _block(bits: float) -> int:
 
 def _weights(scaled: FloatArray, least_bits: float) -> Scaled:
     n = len(scaled)
-    mantissa = np.empty(n)
-    exponent = np.empty(n, dtype=np.int64)
     size = max(1, _CHUNK // n)
     block = _block(max(3.0, least_bits))
+    products = []
     for start in range(0, n, size):
         where = slice(start, min(start + size, n))
         difference = scaled[where] - scaled[:, None]
         columns = np.arange(where.stop - start)
-        difference[start + columns, columns] = 1.0
+        hits = Hits(columns, start + columns)
+        difference[hits.rows, hits.columns] = 1.0
         product = _column_product(difference, block)
         if n > _MANY:
-            correction = _rounding_of_product(
-                scaled[where], scaled, difference, Hits(columns, start + columns)
-            )
-            product.mantissa[:] *= 1.0 + correction
-        mantissa[where] = 1.0 / product.mantissa
-        exponent[where] = -product.exponent
-    return Scaled(mantissa, exponent)
+            product.mantissa[:] *= 1.0 + _rounding_of_product(scaled[where], scaled, difference, hits)
+        products.append(product)
+    return _reciprocals(products)
 
 
 def _weights_far_apart(parameters: FloatArray, shift: int) -> Scaled:
     """Weights with an exponent for every factor."""
-    n = len(parameters)
-    mantissa = np.empty(n)
-    exponent = np.empty(n, dtype=np.int64)
-    for i in range(n):
-        difference = _scaled_differences(parameters[i : i + 1], np.delete(parameters, i), shift)
-        product = _column_product(difference.mantissa, _block(1.0))
-        mantissa[i] = 1.0 / product.mantissa[0]
-        exponent[i] = -(product.exponent[0] + difference.exponent.sum())
-    return Scaled(mantissa, exponent)
+    hits = [Hits(np.array([0]), np.array([i])) for i in range(len(parameters))]
+    columns = zip(parameters[:, None], hits, strict=True)
+    return _reciprocals([_differences_and_product(t, parameters, shift, hit)[1] for t, hit in columns])
 
 
-def _scaled_differences(t: FloatArray, nodes: FloatArray, shift: int) -> Scaled:
-    """Return (t - node) * 2**shift, shape (n, m)."""
-    difference = t - nodes[:, None]
+def _reciprocals(products: list[Scaled]) -> Scaled:
+    mantissa, exponent = (np.concatenate(column) for column in zip(*products, strict=True))
+    return Scaled(1.0 / mantissa, -exponent)
+
+
+def _differences_and_product(
+    t: FloatArray, parameters: FloatArray, shift: int, hits: Hits
+) -> tuple[Scaled, Scaled]:
+    """Return (t - t_i) * 2**shift, (n, m), with 1 in place of 0, and the products of the columns."""
+    difference = _scaled_differences(t, parameters, shift)
+    difference.mantissa[hits.rows, hits.columns] = 0.5
+    difference.exponent[hits.rows, hits.columns] = 1
+    total = _column_product(difference.mantissa, _block(1.0))
+    return difference, Scaled(total.mantissa, total.exponent + difference.exponent.sum(axis=0))
+
+
+def _scaled_differences(t: FloatArray, parameters: FloatArray, shift: int) -> Scaled:
+    """Return (t - t_i) * 2**shift, shape (n, m)."""
+    difference = t - parameters[:, None]
     mantissa, size = np.frexp(difference)
     exponent = size.astype(np.int64) + shift
     overflow = np.isinf(difference)
     if overflow.any():
-        halved, size = np.frexp(0.5 * t - 0.5 * nodes[:, None])
+        halved, size = np.frexp(0.5 * t - 0.5 * parameters[:, None])
         mantissa = np.where(overflow, halved, mantissa)
         exponent = np.where(overflow, size.astype(np.int64) + (shift + 1), exponent)
     return Scaled(mantissa, exponent)
 
 
 def _reach(x: FloatArray, scaled: FloatArray) -> float:
-    """Return at least the largest distance of any x from any node."""
+    """Return at least the largest distance of any x from any parameter."""
     low, high = float(x.min()), float(x.max())
     return max(high - float(scaled[0]), float(scaled[-1]) - low, 4.0)
 
@@ -302,4 +306,4 @@ def _has_tiny(x: FloatArray, t: FloatArray) -> bool:
 
 def _put_units(values: FloatArray, hits: Hits) -> None:
     values[:, hits.columns] = 0.0
-    values[hits.nodes, hits.columns] = 1.0
+    values[hits.rows, hits.columns] = 1.0

@@ -3,9 +3,9 @@
 With y the distance from t, prod_(j != i) (t - t_j + y) has L_i's derivatives as
 its coefficients, but for factorials and the weight. The factor t - t_i is
 left out by a running product from the left times one from the right, not by a
-division: next to a node the quotient of two series would cancel.
+division: next to t_i the quotient of two series would cancel.
 
-A coefficient is a sum of products of both signs. On unevenly spaced nodes it
+A coefficient is a sum of products of both signs. With uneven parameters it
 can be thousands of times smaller than its terms, and for all i at once, so
 the series run in double-double arithmetic; what remains is the error of the
 weights.
@@ -25,7 +25,7 @@ _FAR_BITS = 60
 
 
 class _RunningProducts(NamedTuple):
-    """Products of the factors before each node, from both sides.
+    """Products of the factors before each t_i, from both sides.
 
     Attributes
     ----------
@@ -40,14 +40,14 @@ class _RunningProducts(NamedTuple):
     exponent: ExponentArray
 
 
-def leave_one_out(t: FloatArray, nodes: FloatArray, shift: int, order: int) -> Scaled:
+def leave_one_out(t: FloatArray, parameters: FloatArray, shift: int, order: int) -> Scaled:
     """Return the coefficients of y**order of prod_(j != i) (x - x_j + y).
 
     Parameters
     ----------
     t : ndarray, shape (m,)
         Parameters; x = ``t * 2**shift``.
-    nodes : ndarray, shape (n,)
+    parameters : ndarray, shape (n,)
         t_j; x_j = ``t_j * 2**shift`` span a length of about 4.
     shift : int
         See above.
@@ -59,11 +59,11 @@ def leave_one_out(t: FloatArray, nodes: FloatArray, shift: int, order: int) -> S
     Scaled, shape (n, m)
     """
     with np.errstate(over="ignore", invalid="ignore"):
-        exact = difference(t, nodes[:, None])
+        exact = difference(t, parameters[:, None])
     halved = np.isinf(exact.high).any(axis=0)
     if halved.any():
         # A difference of this size loses nothing that counts.
-        exact.high[:, halved], exact.low[:, halved] = difference(0.5 * t[halved], 0.5 * nodes[:, None])
+        exact.high[:, halved], exact.low[:, halved] = difference(0.5 * t[halved], 0.5 * parameters[:, None])
     own = _own_shift(exact.high, shift)
     factors = rescaled(exact, own)
     running = _running_products(factors, order)
@@ -79,7 +79,7 @@ def leave_one_out(t: FloatArray, nodes: FloatArray, shift: int, order: int) -> S
     assert total is not None
     exponent = running.exponent[:, 0] + running.exponent[::-1, 1]
     # The coefficient has n - 1 - order factors.
-    exponent += (shift - own.astype(np.int64) + halved) * (len(nodes) - 1 - order)
+    exponent += (shift - own.astype(np.int64) + halved) * (len(parameters) - 1 - order)
     return Scaled(total.high + total.low, exponent)
 
 

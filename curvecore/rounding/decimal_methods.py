@@ -11,6 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from decimal import ROUND_HALF_EVEN, Context, Decimal
+from functools import reduce
+from itertools import accumulate
 from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
@@ -201,80 +203,66 @@ def _power_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
 
 
 def _powers(t: Decimal, count: int, a: Arithmetic) -> Row:
-    powers = [Decimal(1), t]
-    while len(powers) < count:
-        powers.append(a.multiply(powers[-1], t))
-    return powers[:count]
+    return [Decimal(1), *accumulate([t] * (count - 1), a.multiply)]
 
 
 def _newton(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes = decimals(data.parameters)
+    parameters = decimals(data.parameters)
     tables = _columns(data.jets[:, 0])
     for column in tables:
-        for order in range(1, len(nodes)):
-            for i in range(len(nodes) - 1, order - 1, -1):
-                gap = a.subtract(nodes[i], nodes[i - order])
+        for order in range(1, len(parameters)):
+            for i in range(len(parameters) - 1, order - 1, -1):
+                gap = a.subtract(parameters[i], parameters[i - order])
                 column[i] = a.divide(a.subtract(column[i], column[i - 1]), gap)
-    return Prepared(tables, [nodes])
+    return Prepared(tables, [parameters])
 
 
 def _newton_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
-    (nodes,) = prepared.helpers
+    (parameters,) = prepared.helpers
     row = []
     for column in prepared.coefficients:
         result = column[-1]
-        for i in range(len(nodes) - 2, -1, -1):
-            result = a.add(a.multiply(result, a.subtract(t, nodes[i])), column[i])
+        for i in range(len(parameters) - 2, -1, -1):
+            result = a.add(a.multiply(result, a.subtract(t, parameters[i])), column[i])
         row.append(result)
     return row
 
 
-def _product_without(x: Decimal, nodes: Row, skipped: int, a: Arithmetic) -> Decimal:
+def _product_without(x: Decimal, parameters: Row, skipped: int, a: Arithmetic) -> Decimal:
     """Return the product of x - t_j over all j but one, in ascending order."""
-    result: Decimal | None = None
-    for j, node in enumerate(nodes):
-        if j != skipped:
-            factor = a.subtract(x, node)
-            result = factor if result is None else a.multiply(result, factor)
-    assert result is not None
-    return result
+    return reduce(a.multiply, (a.subtract(x, t_j) for j, t_j in enumerate(parameters) if j != skipped))
 
 
 def _dot(weights: Row, column: Row, a: Arithmetic) -> Decimal:
-    total = a.multiply(weights[0], column[0])
-    for weight, value in zip(weights[1:], column[1:], strict=True):
-        total = a.add(total, a.multiply(weight, value))
-    return total
+    return reduce(a.add, map(a.multiply, weights, column))
 
 
 def _lagrange(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes = decimals(data.parameters)
-    below = [_product_without(node, nodes, i, a) for i, node in enumerate(nodes)]
-    return Prepared(_columns(data.jets[:, 0]), [nodes, below])
+    parameters = decimals(data.parameters)
+    below = [_product_without(t_i, parameters, i, a) for i, t_i in enumerate(parameters)]
+    return Prepared(_columns(data.jets[:, 0]), [parameters, below])
 
 
 def _lagrange_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
-    nodes, below = prepared.helpers
-    basis = [a.divide(_product_without(t, nodes, i, a), denominator) for i, denominator in enumerate(below)]
+    parameters, below = prepared.helpers
+    basis = [a.divide(_product_without(t, parameters, i, a), divisor) for i, divisor in enumerate(below)]
     return [_dot(basis, column, a) for column in prepared.coefficients]
 
 
 def _barycentric(data: Data, _segment: int, a: Arithmetic) -> Prepared:
-    nodes, one = decimals(data.parameters), Decimal(1)
-    weights = [a.divide(one, _product_without(node, nodes, i, a)) for i, node in enumerate(nodes)]
-    return Prepared([weights, *_columns(data.jets[:, 0])], [nodes])
+    parameters, one = decimals(data.parameters), Decimal(1)
+    weights = [a.divide(one, _product_without(t_i, parameters, i, a)) for i, t_i in enumerate(parameters)]
+    return Prepared([weights, *_columns(data.jets[:, 0])], [parameters])
 
 
 def _barycentric_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
-    (nodes,), (weights, *columns) = prepared.helpers, prepared.coefficients
-    if t in nodes:
+    (parameters,), (weights, *columns) = prepared.helpers, prepared.coefficients
+    if t in parameters:
         # The point itself, as a k-digit number: a product with 1 rounds it.
-        hit = nodes.index(t)
+        hit = parameters.index(t)
         return [a.multiply(Decimal(1), column[hit]) for column in columns]
-    shares = [a.divide(w, a.subtract(t, node)) for w, node in zip(weights, nodes, strict=True)]
-    total = shares[0]
-    for share in shares[1:]:
-        total = a.add(total, share)
+    shares = [a.divide(w, a.subtract(t, t_i)) for w, t_i in zip(weights, parameters, strict=True)]
+    total = reduce(a.add, shares)
     return [a.divide(_dot(shares, column, a), total) for column in columns]
 
 
@@ -289,8 +277,8 @@ def _derivative_row(powers: Row, order: int, a: Arithmetic) -> Row:
 
 
 def _hermite_basis(data: Data, segment: int, _a: Arithmetic) -> Prepared:
-    nodes, jets = data.stretch(segment)
-    return Prepared([decimals(axis) for axis in jets.reshape(-1, jets.shape[2]).T], [decimals(nodes)])
+    parameters, jets = data.stretch(segment)
+    return Prepared([decimals(axis) for axis in jets.reshape(-1, jets.shape[2]).T], [decimals(parameters)])
 
 
 def _hermite_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:

@@ -227,9 +227,9 @@ def exact_values(
     result = np.empty((len(where), data.jets.shape[2]))
     for segment in sorted(set(segments.tolist())):
         chosen = segments == segment
-        nodes, jets = data.stretch(segment)
+        places, jets = data.stretch(segment)
         for axis, values in enumerate(jets.transpose(2, 0, 1).tolist()):
-            polynomial = interpolated(nodes.tolist(), values)
+            polynomial = interpolated(places.tolist(), values)
             result[chosen, axis] = [polynomial.value(x) for x in where[chosen].tolist()]
     return result
 

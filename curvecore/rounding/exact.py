@@ -1,7 +1,7 @@
 """Exact polynomials through given data, in integers.
 
 Every double is an integer times a power of two, so that interpolation needs
-no rounding: nodes become integers over a common power of two, and only the
+no rounding: parameters become integers over a common power of two, and only the
 last division of an integer by another one rounds, once.
 
 References
@@ -59,23 +59,23 @@ def as_float(numerator: int, denominator: int) -> float:
         return LARGEST if (numerator > 0) == (denominator > 0) else -LARGEST
 
 
-def newton_coefficients(nodes: Sequence[Fraction], jets: Sequence[Sequence[Fraction]]) -> list[Fraction]:
-    """Return divided differences for nodes with derivatives.
+def newton_coefficients(parameters: Sequence[Fraction], jets: Sequence[Sequence[Fraction]]) -> list[Fraction]:
+    """Return divided differences for parameters with derivatives.
 
     Parameters
     ----------
-    nodes : sequence of Fraction, n
+    parameters : sequence of Fraction, n
         Distinct.
     jets : sequence of n sequences of Fraction, R each
-        Value and derivatives at each node.
+        Value and derivatives at each parameter.
 
     Returns
     -------
     list of Fraction, n R
-        The coefficients of 1, (t - t_0), (t - t_0)**2, ...: each node R times.
+        The coefficients of 1, (t - t_0), (t - t_0)**2, ...: each parameter R times.
     """
     width = len(jets[0])
-    repeated = [node for node in nodes for _ in range(width)]
+    repeated = [parameter for parameter in parameters for _ in range(width)]
     of = [jet for jet in jets for _ in range(width)]
     column = [jet[0] for jet in of]
     result = [column[0]]
@@ -90,9 +90,9 @@ def newton_coefficients(nodes: Sequence[Fraction], jets: Sequence[Sequence[Fract
     return result
 
 
-def interpolated(nodes: Sequence[float], jets: Sequence[Sequence[float]]) -> CommonPolynomial:
-    """Return the polynomial with given values and derivatives at distinct nodes, exactly."""
-    places = [Fraction(float(node)) for node in nodes]
+def interpolated(parameters: Sequence[float], jets: Sequence[Sequence[float]]) -> CommonPolynomial:
+    """Return the polynomial with given values and derivatives at distinct parameters, exactly."""
+    places = [Fraction(float(parameter)) for parameter in parameters]
     data = [[Fraction(float(value)) for value in jet] for jet in jets]
     differences = newton_coefficients(places, data)
     repeated = [place for place in places for _ in range(len(data[0]))]

@@ -64,8 +64,9 @@ def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) ->
     count, space = integer(n, "n", 2), integer(dim, "dim", 1)
     width = integer(derivatives, "derivatives", 0) + 1
     name = str(method)
-    if width == 1 and name in _POLYNOMIAL:
-        return _POLYNOMIAL[name](count, space)
+    polynomial = _polynomial_counts(count, space)
+    if width == 1 and name in polynomial:
+        return polynomial[name]
     if width in (2, 3) and name == "monomial":
         size = 2 * width
         entries = 2 * (size - 2) + sum(2 * (size - order) for order in range(1, width))
@@ -82,26 +83,13 @@ def _elimination(n: int, dim: int) -> int:
     return below + 2 * inner + 2 * dim * below + dim * (2 * below + n)
 
 
-def _monomial(n: int, dim: int) -> OperationCounts:
-    return OperationCounts(n * (n - 2) + _elimination(n, dim), 2 * dim * (n - 1))
-
-
-def _newton(n: int, dim: int) -> OperationCounts:
-    return OperationCounts(3 * dim * n * (n - 1) // 2, 3 * dim * (n - 1))
-
-
-def _lagrange(n: int, dim: int) -> OperationCounts:
+def _polynomial_counts(n: int, dim: int) -> dict[str, OperationCounts]:
+    """Return the numbers of each method for one polynomial."""
+    # The product of n - 1 differences.
     product = 2 * (n - 1) - 1
-    return OperationCounts(n * product, n * (product + 1) + dim * (2 * n - 1))
-
-
-def _barycentric(n: int, dim: int) -> OperationCounts:
-    return OperationCounts(n * (2 * (n - 1)), 2 * n + (n - 1) + 2 * dim * n)
-
-
-_POLYNOMIAL = {
-    "monomial": _monomial,
-    "newton": _newton,
-    "lagrange": _lagrange,
-    "barycentric": _barycentric,
-}
+    return {
+        "monomial": OperationCounts(n * (n - 2) + _elimination(n, dim), 2 * dim * (n - 1)),
+        "newton": OperationCounts(3 * dim * n * (n - 1) // 2, 3 * dim * (n - 1)),
+        "lagrange": OperationCounts(n * product, n * (product + 1) + dim * (2 * n - 1)),
+        "barycentric": OperationCounts(n * (product + 1), 2 * n + (n - 1) + 2 * dim * n),
+    }

@@ -5,6 +5,7 @@ A double is taken as the shortest decimal that stands for it, as printed.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 
 import numpy as np
@@ -50,11 +51,9 @@ def round_data(values: ArrayLike, decimals: int) -> FloatArray:
     """
     places = integer(decimals, "decimals", 0)
     array = number_array(values, "values")
-    flat = parameter_values(array.ravel()).values
     unit = Decimal(1).scaleb(-places)
     context = Context(prec=400 + places, rounding=ROUND_HALF_EVEN)
-    rounded = [float(Decimal(repr(float(x))).quantize(unit, context=context)) for x in flat]
-    return np.array(rounded).reshape(array.shape)
+    return _each(array, lambda value: value.quantize(unit, context=context))
 
 
 def round_significant(values: ArrayLike, digits: int) -> FloatArray:
@@ -73,6 +72,11 @@ def round_significant(values: ArrayLike, digits: int) -> FloatArray:
         The doubles nearest to the rounded decimal numbers, the values taken as
         `round_data` takes them.
     """
-    context, array = decimal_context(digits), np.array(values, dtype=np.float64)
-    flat = parameter_values(array.ravel()).values
-    return np.array([float(context.plus(Decimal(repr(float(x))))) for x in flat]).reshape(array.shape)
+    context = decimal_context(digits)
+    return _each(number_array(values, "values"), context.plus)
+
+
+def _each(values: FloatArray, rounded: Callable[[Decimal], Decimal]) -> FloatArray:
+    """Round numbers, which must be finite, as the shortest decimals that stand for them."""
+    flat = parameter_values(values.ravel()).values
+    return np.array([float(rounded(Decimal(repr(x)))) for x in flat.tolist()]).reshape(values.shape)

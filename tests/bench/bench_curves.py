@@ -56,7 +56,7 @@ def times(qtbot, count: int, shown: str, chosen: int = 1) -> Times:
     editor.show_dock(shown)
     editor.fit()
     editor.trigger("freezeParameters")
-    session.select_curves(range(chosen))
+    session.selected.set_curves(range(chosen))
     paints = Paints()
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
@@ -85,7 +85,7 @@ def test_thirty_chosen_curves_follow_the_pointer(qtbot):
     editor = Editor(qtbot, session, size=(1200, 900))
     session.commit(document(30), "Open")
     editor.fit()
-    session.select_curves(range(30))
+    session.selected.set_curves(range(30))
     paints, canvas = Paints(), editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
     x, y = session.views[29].curve.evaluate(0.513)

@@ -220,7 +220,7 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, fa
     error = "error of points" if not errors[1] else "and parameters"
     what = f"{NAMES[family]} n = 20, comb, band ({error}), Λ(t), ghosts"
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 6.5)
-    assert len(editor.window.canvas.drawing.annotations.ghosts) == 2
+    assert len(editor.window.canvas.drawing.annotations.figure_layer.ghosts) == 2
 
 
 @pytest.mark.parametrize("family", FAMILIES)

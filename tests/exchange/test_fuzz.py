@@ -20,12 +20,11 @@ from app.exchange.options import Options
 from app.exchange.svg.path_data import read_path_data
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.exchange.table.curves import document_of_table
 from app.exchange.table.json_table import read_json
 from app.exchange.table.numpy_array import read_array
-from app.exchange.table.text import preview_table, read_table
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.storage.format import FormatError, decode, encode, validate
+from tests.tables import document_of_table, read_table
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
 SKETCH = Document((make_curve(POINTS, name="Kurve α", family=HERMITE),))
@@ -66,7 +65,6 @@ def _npy(array) -> bytes:
 
 
 def _table(data: bytes) -> Document:
-    preview_table(data)
     return document_of_table(read_table(data)).document
 
 

@@ -15,17 +15,16 @@ from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.points import points_table
 from app.exchange.formats.samples import sampled_table
-from app.exchange.options import Extras, Options
+from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.curves import document_of_table
-from app.exchange.table.text import read_table
 from app.exchange.table.thinning import Thinning, thinned
 from app.exchange.writing import export
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
+from tests.tables import document_of_table, read_table
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
 NAMES = ["Pond", "=Arch, #1", "Line", "Line 2"]
@@ -172,7 +171,7 @@ def test_a_thinned_polyline_stays_within_the_tolerance(tolerance):
 
 def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
     plain = svg_of(document).text
-    full = svg_of(document, Options(points=True, extras=Extras(handles=True, grid=True, basis=0))).text
+    full = svg_of(document, Options(points=True, handles=True, grid=True, basis=0)).text
     for name in ("grid", "handles", "basis", "points"):
         assert f'<g id="{name}"' in full
         assert f'<g id="{name}"' not in plain
@@ -188,5 +187,5 @@ def test_handles_are_drawn_where_the_control_points_are():
         make_curve([(0.0, 0.0), (3.0, 0.0)], family=HERMITE),
         points=(Point(0.0, 0.0, velocity=(3.0, 6.0)), Point(3.0, 0.0, velocity=(3.0, -6.0))),
     )
-    text = svg_of(Document((curve,)), Options(extras=Extras(handles=True))).text
+    text = svg_of(Document((curve,)), Options(handles=True)).text
     assert "M 0 0 L 1 -2 M 3 0 L 2 -2" in text

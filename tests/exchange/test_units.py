@@ -177,10 +177,7 @@ def test_basis_functions_are_those_that_the_panel_shows():
     curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=HERMITE)
     document = Document((curve,))
     drawn = [
-        svg_of(
-            document,
-            Options(extras=ExportChoice(".svg", {"basis": True}).options(0, with_estimates=shown).extras),
-        ).text
+        svg_of(document, ExportChoice(".svg", {"basis": True}).options(0, with_estimates=shown)).text
         for shown in (False, True)
     ]
     lines = [ElementTree.fromstring(each.encode()).findall(".//*[@id='basis']//*[@d]") for each in drawn]

@@ -26,7 +26,7 @@ The narrower, the calmer.
 
 import numpy as np
 
-name = "gaussian"
+name = "my_gaussian"
 title = "Gaussian"
 
 
@@ -87,7 +87,7 @@ def write(tmp_path):
 
 def test_the_least_and_what_a_title_adds(write):
     (family,) = families_in(write(GAUSSIAN))
-    assert (family.name, family.title, family.action_name) == ("gaussian", "Gaussian", "familyGaussian")
+    assert (family.name, family.title, family.action_name) == ("my_gaussian", "Gaussian", "familyMyGaussian")
     assert family.tip == "Bells that are made cardinal"
     assert (family.derivatives, family.can_close, family.is_local, family.interpolates) == (
         0,
@@ -129,10 +129,10 @@ def test_a_curve_may_pass_its_points_by(write):
 MISTAKES = {
     "no file": (None, "cannot be read: No such file or directory"),
     "nothing": ("x = 1", "defines no family: it needs a name and a function basis(t, parameters)"),
-    "no name": (GAUSSIAN.replace('name = "gaussian"', ""), "must say its name"),
-    "a long name": (GAUSSIAN.replace('"gaussian"', '"Gaussian bells"'), "must say its name"),
+    "no name": (GAUSSIAN.replace('name = "my_gaussian"', ""), "must say its name"),
+    "a long name": (GAUSSIAN.replace('"my_gaussian"', '"Gaussian bells"'), "must say its name"),
     "a name that is taken": (
-        GAUSSIAN.replace('"gaussian"', '"hermite"'),
+        GAUSSIAN.replace('"my_gaussian"', '"hermite"'),
         "there is a family “hermite” already",
     ),
     "syntax": (GAUSSIAN.replace("def basis(t", "def basis(:t"), "line 17: invalid syntax"),
@@ -141,7 +141,7 @@ MISTAKES = {
     "a fact of the wrong kind": (HATS.replace("= True", "= 1"), "can_close must be bool, not 1"),
     "not cardinal": (
         GAUSSIAN.replace("parameters))\n", "parameters)) * 1.5\n"),
-        "line 17: function 0 of gaussian must be 1 at parameter 0, t = 0.0, not 1.",
+        "line 17: function 0 of my_gaussian must be 1 at parameter 0, t = 0.0, not 1.",
     ),
     "another shape": (
         GAUSSIAN.replace("_bells(t, parameters) @", "np.ones((1, 2)) @"),
@@ -153,7 +153,7 @@ MISTAKES = {
     ),
     "no number": (
         GAUSSIAN.replace("return _bells(t,", "return np.nan * _bells(t,"),
-        "line 17: the basis of gaussian is nan",
+        "line 17: the basis of my_gaussian is nan",
     ),
     "breaks that fall": (
         HATS.replace("return parameters", "return -parameters"),
@@ -188,7 +188,7 @@ def test_no_compiled_copy_is_left_beside_the_file(write):
 @pytest.fixture
 def document(tmp_path):
     path = tmp_path / "bells.curve.json"
-    curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 3)], family=Family("gaussian", None))
+    curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 3)], family=Family("my_gaussian", None))
     path.write_bytes(encode(Document((curve,))))
     return path
 
@@ -203,15 +203,16 @@ def test_every_verb_takes_the_file(write, document, tmp_path, capsys, place):
 
     assert run("info", "--json", str(document)) == 0
     facts = json.loads(capsys.readouterr().out)["curves"][0]
-    assert (facts["family"], facts["degree"], facts["warnings"]) == ("gaussian", None, [])
+    assert (facts["family"], facts["degree"], facts["warnings"]) == ("my_gaussian", None, [])
     assert run("render", str(document), "-o", str(tmp_path / "a.svg")) == 0
     assert run("convert", str(document), str(tmp_path / "a.csv")) == 0
     assert (
-        run("convert", "--family", "gaussian", str(tmp_path / "a.csv"), str(tmp_path / "b.curve.json")) == 0
+        run("convert", "--family", "my_gaussian", str(tmp_path / "a.csv"), str(tmp_path / "b.curve.json"))
+        == 0
     )
-    assert json.loads((tmp_path / "b.curve.json").read_text())["curves"][0]["family"] == "gaussian"
+    assert json.loads((tmp_path / "b.curve.json").read_text())["curves"][0]["family"] == "my_gaussian"
     assert run("lesson") == 0
-    assert "gaussian" not in [family.name for family in FAMILIES]
+    assert "my_gaussian" not in [family.name for family in FAMILIES]
 
 
 def test_help_names_the_option_and_a_missing_file_name_is_wrong_usage(capsys):

@@ -31,13 +31,11 @@ PASSING = {
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
-    *("FunctionLines._shown",),
+    *("Cardinals._key", "FunctionLines._shown"),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(
         "PlotLayer._strokes_of",
-        "PointLayer._apart",
-        "PointLayer._apart_for",
         "PointLayer._discs_now",
         "PointLayer.numbers",
     ),
@@ -45,12 +43,10 @@ PASSING = {
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("TickEdit._knot", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
-    *("_hand", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
+    *("_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(
         "CurvePicker.entered",
         "Snappers._hovered",
-        "RailTool._function",
-        "RailTool._scrubbing_from",
     ),
     # Where a motion was stopped, what a panel showed that is closed; both begin anew.
     *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),

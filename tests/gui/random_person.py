@@ -367,7 +367,7 @@ class RandomPerson:
         count = len(self.session.active_curve.points)
         chosen = self.choose.sample(range(count), self.choose.randint(0, min(3, count)))
         self.note(f"select {chosen} of {count}")
-        self.session.select(chosen)
+        self.session.selected.set_points(chosen)
 
     def walk_the_history(self) -> None:
         """Undo and redo a few times."""

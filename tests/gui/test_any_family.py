@@ -187,7 +187,7 @@ def test_parameters_are_dragged_and_typed_on_the_rail(drawn, own):
     assert editor.parameters[3] == 0.7
     assert is_true(editor)
     editor.scrub(0.6)
-    assert editor.session.scrub == pytest.approx(0.6, abs=0.01)
+    assert editor.session.selected.scrub == pytest.approx(0.6, abs=0.01)
 
 
 # Reshaping
@@ -197,7 +197,7 @@ def test_a_point_is_inserted_on_the_curve_and_the_change_is_told(drawn, own):
     editor = drawn(own, ParametrizationKind.MANUAL)
     place = editor.session.active_view.curve.evaluate(0.5)
     editor.scrub(0.5)
-    scrub = editor.session.scrub
+    scrub = editor.session.selected.scrub
     place = editor.session.active_view.curve.evaluate(scrub)
     editor.trigger("insertPoint")
     assert len(editor.curve.points) == 7
@@ -226,7 +226,7 @@ def test_two_of_them_are_joined_or_it_is_said_why_not(drawn, own):
     editor.session.commit(Document((editor.curve, second)), "Second")
     before = editor.session.document
     editor.trigger("joinCurve")
-    if own != "cosine_steps":
+    if own != "tests_cosine_steps":
         assert f"Two {FAMILIES.named(own).title} curves cannot be joined" in editor.status
         assert editor.session.document == before
     else:

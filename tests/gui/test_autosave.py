@@ -241,7 +241,7 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtb
     state_folder().write_text("in the way")
     sentences = []
     kept.session.message.connect(
-        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSED else None
+        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSAL else None
     )
     for place in ((2.0, 3.0), (1.0, 3.0)):
         move_point(kept, place)
@@ -275,7 +275,7 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     before = document_kept()
     sentences = []
     kept.session.message.connect(
-        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSED else None
+        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSAL else None
     )
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
@@ -323,8 +323,8 @@ def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
     assert "a moment ago" in labels
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
-    assert kept.session.path == path
-    assert kept.session.is_modified
+    assert kept.session.files.path == path
+    assert kept.session.files.is_modified
     assert not bar(kept).isVisible()
     # The new snapshot is there before the old one goes.
     assert document_kept() == SKETCH
@@ -360,7 +360,7 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
     assert any(f"file {fate}" in each.text() for each in bar(kept).findChildren(QLabel))
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
-    assert kept.session.path is None
+    assert kept.session.files.path is None
     assert fate in kept.status
 
 
@@ -444,7 +444,7 @@ def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, q
     assert kept.session.document == present
     (other,) = kept.opened
     assert other.session.document == SKETCH
-    assert other.session.is_modified
+    assert other.session.files.is_modified
     assert bar(kept).text == "A document with unsaved work from last time:"
     qtbot.waitUntil(lambda: len(files()) == 3, timeout=WAIT_MS)  # here, there, and the one not decided
 

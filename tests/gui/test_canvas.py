@@ -313,9 +313,9 @@ def test_to_pixel_and_to_plane_are_inverse(arch):
 def test_hovering_says_what_a_press_would_do(arch):
     arch.hover(arch.point(2))
     assert "Drag to move point 2" in arch.window.status_line.hint
-    assert arch.session.hovered == 2
+    assert arch.session.selected.hovered == 2
     arch.hover((2, 0.3))
-    assert arch.session.hovered == -1
+    assert arch.session.selected.hovered == -1
 
 
 def test_what_is_hovered_follows_the_view(arch):
@@ -323,10 +323,10 @@ def test_what_is_hovered_follows_the_view(arch):
     arch.hover(arch.point(2))
     arch.wheel((0, 0), 3)
     arch.hover(arch.point(2))
-    assert arch.session.hovered == 2
+    assert arch.session.selected.hovered == 2
     arch.window.canvas.camera.pan(150, 0)
     arch.settle()
-    assert arch.session.hovered == -1
+    assert arch.session.selected.hovered == -1
 
 
 def test_an_end_has_a_handle_on_its_free_side_only_while_points_are_added(arch):

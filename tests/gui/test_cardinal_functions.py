@@ -51,7 +51,7 @@ def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
     value = panel.drawing.basis.value_at(0.4, 0)[1]
     assert value == pytest.approx(-1.79, abs=0.01)
     uneven.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.4, value), held=False)
-    assert uneven.session.hovered == 1
+    assert uneven.session.selected.hovered == 1
     # By keyboard back, and for good with the space bar; a Lagrange curve has no estimates.
     switch(uneven).setFocus()
     QTest.keyClick(switch(uneven), Qt.Key.Key_Space)
@@ -101,7 +101,9 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     assert plot.levels[0].name == "Lebesgue constant Λ = 8.56"
     uneven.scrub(0.4)
     weights = uneven.window.canvas.drawing.points.weights
-    assert weights == pytest.approx(uneven.session.active_view.cardinal.basis(uneven.session.scrub)[0])
+    assert weights == pytest.approx(
+        uneven.session.active_view.cardinal.basis(uneven.session.selected.scrub)[0]
+    )
     assert np.abs(weights).sum() > 7
     # A velocity that is set does not follow its point any more, though no parameter has changed.
     uneven.select_point(2)

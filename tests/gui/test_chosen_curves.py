@@ -50,8 +50,8 @@ def names(editor):
 def chosen(editor):
     """The names of the chosen curves, the one that is edited first."""
     curves, session = editor.session.document.curves, editor.session
-    others = sorted(session.selected_curves - {session.active_index})
-    assert session.active_index in session.selected_curves
+    others = sorted(session.selected.curves - {session.active_index})
+    assert session.active_index in session.selected.curves
     return "".join(curves[place].name for place in (session.active_index, *others))
 
 
@@ -268,7 +268,7 @@ def test_the_choice_ends_with_what_replaces_the_edited_curve(five):
 def test_the_choice_ends_with_the_document(five):
     five.trigger("selectAllCurves")
     five.new()
-    assert five.session.selected_curves == {0}
+    assert five.session.selected.curves == {0}
 
 
 def test_the_choice_is_no_part_of_the_history(five):
@@ -340,14 +340,14 @@ def test_deleting_all_leaves_an_empty_curve(five):
     five.trigger("selectAllCurves")
     five.trigger("deleteCurve")
     assert [len(curve.points) for curve in five.session.document.curves] == [0]
-    assert five.session.selected_curves == {0}
+    assert five.session.selected.curves == {0}
 
 
 def test_all_chosen_are_duplicated_and_the_copies_chosen(five):
     choose(five, "CB")
     five.trigger("duplicateCurve")
     assert [curve.name for curve in five.session.document.curves[1:5]] == ["B", "C", "B copy", "C copy"]
-    assert (five.curve.name, five.session.selected_curves) == ("C copy", {3, 4})
+    assert (five.curve.name, five.session.selected.curves) == ("C copy", {3, 4})
     assert step_name(five) == "Duplicate 2 curves"
     assert five.session.selection == frozenset()
 
@@ -671,7 +671,7 @@ def test_all_chosen_are_copied_and_pasted(five):
     assert [curve.points for curve in five.session.document.curves[5:]] == [
         curve.points for curve in originals[1:3]
     ]
-    assert (five.session.active_index, five.session.selected_curves) == (5, {5, 6})
+    assert (five.session.active_index, five.session.selected.curves) == (5, {5, 6})
     assert step_name(five) == "Paste 2 curves"
 
 
@@ -708,7 +708,7 @@ def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
     five.wait_for_work()
     QTest.mouseClick(five.window.findChild(QPushButton, "importDrawing"), LEFT)
     five.settle()
-    assert (five.session.active_index, five.session.selected_curves) == (5, {5, 6})
+    assert (five.session.active_index, five.session.selected.curves) == (5, {5, 6})
 
 
 # The order
@@ -716,7 +716,7 @@ def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
 
 @pytest.mark.parametrize(("name", "order"), [("raiseCurve", "ACBED"), ("lowerCurve", "BADCE")])
 def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
-    five.session.select_curves({1, 3})
+    five.session.selected.set_curves({1, 3})
     five.trigger(name)
     verb = "Raise" if name == "raiseCurve" else "Lower"
     assert (names(five), chosen(five)) == (order, "BD")
@@ -728,7 +728,7 @@ def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
 
 
 def test_chosen_rows_are_dragged_together(five):
-    five.session.select_curves({1, 2}, 1)
+    five.session.selected.set_curves({1, 2}, 1)
     view = five.window.commands[CurveListCommands].panel.view
     start, end = view.row_rect(2).center(), view.row_rect(4).top()
     QTest.mousePress(view.viewport(), LEFT, pos=start)

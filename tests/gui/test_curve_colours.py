@@ -113,7 +113,7 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     across = [QColor(shot.pixel(row.x(), row.y() + step)) for step in range(-2, 3)]
     nearest = max(across, key=lambda colour: contrast(colour, theme.paper))
     assert contrast(nearest, theme.paper) > contrast(covered(drawn, theme), theme.paper)
-    editor.session.select_curves([1], 1)
+    editor.session.selected.set_curves([1], 1)
     editor.select([])
     assert has(canvas.viewport().grab().toImage().copy(row.x() - 60, row.y() - 3, 120, 6), drawn)
     assert has(picture, drawn)

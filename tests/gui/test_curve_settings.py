@@ -10,9 +10,9 @@ from app.appearance.theme import ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import AccelerationRule, ParametrizationKind, VelocityRule, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.features.curve_settings.controller import CurveSettingsController
 from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session
+from app.workbench.form_edits import FormEdits
 
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
 
@@ -26,7 +26,7 @@ class Form:
         curve = make_curve(points, name="Letter", family=family)
         self.session.commit(self.session.document.with_curve(0, curve), "Curve")
         self.panel = CurveSettings(self.session.active_view)
-        self.controller = CurveSettingsController(self.session, self.panel)
+        self.edits = FormEdits(self.session, self.panel)
         self.session.document_changed.connect(
             lambda _document: self.panel.render_view(self.session.active_view)
         )
@@ -191,7 +191,7 @@ def test_a_bad_interval_is_explained_and_can_be_mended(form, name, text, words):
     assert words in form.message
     assert form.message.startswith("⚠ ")
     assert form[name].text() == text
-    assert MessageKind.REFUSED in {message.kind for message in said}
+    assert MessageKind.REFUSAL in {message.kind for message in said}
     form.qtbot.keyClick(form[name], Qt.Key.Key_Escape)
     assert form.message == ""
     assert form[name].text() == {"intervalStart": "0", "intervalEnd": "1"}[name]

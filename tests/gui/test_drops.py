@@ -75,7 +75,7 @@ def test_a_drop_copies_and_says_beforehand_what_it_will_do(editor, files, name, 
     session = editor.session
     dialog = editor.window.findChild(QDialog, "importTableDialog")
     assert {
-        "a.curve.json": session.path == files / name,
+        "a.curve.json": session.files.path == files / name,
         "a.csv": dialog is not None,
         "a.png": session.document.image is not None,
     }[name]
@@ -138,9 +138,9 @@ def test_all_documents_of_a_drop_are_opened(program, tmp_path):
     send(program, QDragEnterEvent, carried(*paths), COPY)
     assert program.status == "Drop to open 3 documents"
     drop(program, *paths)
-    opened = [program.session.path, *(window.session.path for window in program.others())]
+    opened = [program.session.files.path, *(window.session.files.path for window in program.others())]
     assert sorted(opened) == paths
-    assert program.session.path == paths[0]
+    assert program.session.files.path == paths[0]
     assert program.status == "Opened b.curve.json and c.curve.json in windows of their own."
     assert program.message == ""
 
@@ -150,8 +150,8 @@ def test_what_a_drop_cannot_open_is_said(program, tmp_path):
     bad = tmp_path / "bad.curve.json"
     bad.write_text("{}", encoding="utf-8")
     drop(program, bad, paths[0], tmp_path, paths[1])
-    assert program.session.path == paths[0]
-    assert [window.session.path for window in program.others()] == [paths[1]]
+    assert program.session.files.path == paths[0]
+    assert [window.session.files.path for window in program.others()] == [paths[1]]
     assert "bad.curve.json was not opened: " in program.message
     assert f"{tmp_path.name} was not opened. “{tmp_path}” is a folder" in program.message
 
@@ -166,7 +166,7 @@ def test_a_drop_opens_no_hundred_windows(program, tmp_path, monkeypatch):
 def test_where_there_is_one_window_the_others_are_named(editor, tmp_path):
     paths = documents(tmp_path, "a", "b")
     drop(editor, *paths)
-    assert editor.session.path == paths[0]
+    assert editor.session.files.path == paths[0]
     assert editor.message == "b.curve.json was not opened: there is one window."
 
 
@@ -185,7 +185,7 @@ def test_a_mixed_drop_takes_all_it_can(editor, files):
         assert dialog.windowTitle() == f"Import {name} ({place} of 3)"
         press(editor, dialog, "cancelImport")
     assert dialogs(editor) == []
-    assert editor.session.path == files / "a.curve.json"
+    assert editor.session.files.path == files / "a.curve.json"
     assert editor.session.document.image is not None
     assert editor.message == (
         "b.png was not traced: a document has one picture to trace. "
@@ -199,7 +199,7 @@ def test_a_drop_adds_to_its_document_although_that_takes_a_while(editor, files, 
     drop(editor, files / "a.curve.json", files / "a.csv", files / "a.png")
     press(editor, only_dialog(editor), "importTable")
     session = editor.session
-    assert session.path == files / "a.curve.json"
+    assert session.files.path == files / "a.curve.json"
     assert len(session.document.curves) == 2
     assert session.document.image is not None
 

@@ -101,7 +101,7 @@ def edit(editor):
     """Make a step."""
     editor.session.commit(set_position(editor.session.document, 0, 2, (0.5, 4.2)), "Move point 2")
     editor.settle()
-    assert editor.session.is_modified
+    assert editor.session.files.is_modified
     return editor.session.document
 
 
@@ -139,12 +139,12 @@ def test_a_change_is_said_and_can_be_reloaded_and_undone(saved, path, until):
     assert saved.session.document is mine
     saved.answer_file_message("reloadFile")
     assert saved.session.document == THEIRS
-    assert not saved.session.is_modified
+    assert not saved.session.files.is_modified
     assert saved.file_message == ""
     assert saved.session.undo_stack.undoText() == "Reload"
     saved.trigger("undo")
     assert saved.session.document == mine
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     saved.trigger("saveDocument")
     assert load(path) == mine
 
@@ -179,10 +179,10 @@ def test_keep_mine_saves_over_it(saved, path, until):
     until(lambda: saved.file_message)
     saved.answer_file_message("keepMine")
     assert saved.file_message == ""
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     saved.trigger("saveDocument")
     assert load(path) == mine
-    assert not saved.session.is_modified
+    assert not saved.session.files.is_modified
 
 
 def test_reload_goes_back_to_the_file_and_can_be_undone(saved, path):
@@ -190,7 +190,7 @@ def test_reload_goes_back_to_the_file_and_can_be_undone(saved, path):
     mine = edit(saved)
     saved.trigger("reloadFile")
     assert saved.session.document == on_disk
-    assert not saved.session.is_modified
+    assert not saved.session.files.is_modified
     assert saved.status == "Reloaded drawing.curve.json; Undo brings back what was here."
     count = saved.session.undo_stack.count()
     saved.trigger("reloadFile")  # the same again is no step
@@ -215,7 +215,7 @@ def test_compare_shows_the_file_dashed_and_named(saved, path, until):
     assert [row.text for row in canvas.drawing.annotations.legend.rows] == ["drawing.curve.json on the disk"]
     assert saved.screenshot() != before
     save(path, OTHERS)  # another one: the ghost goes with it
-    until(lambda: saved.window.canvas.drawing.annotations._file_layer._views[0].points[-1, 0] == 5.0)
+    until(lambda: saved.window.canvas.drawing.annotations._file_layer._views[0][1].points[-1, 0] == 5.0)
     saved.answer_file_message("compareWithFile")
     assert canvas.drawing.annotations.file_version == ""
     assert canvas.drawing.annotations.legend.isHidden()
@@ -231,13 +231,13 @@ def test_saving_over_an_unseen_change_asks(saved, path):
     save(path, THEIRS)
     saved.trigger("saveDocument")
     assert load(path) == THEIRS
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     assert saved.session.document is mine
     assert saved.file_message.endswith("was changed by another program; it was not saved.")
     assert offered(saved) == ["overwriteFile", "saveDocumentAs", "reloadFile", "compareWithFile"]
     saved.answer_file_message("overwriteFile")
     assert load(path) == mine
-    assert not saved.session.is_modified
+    assert not saved.session.files.is_modified
     assert saved.file_message == ""
 
 
@@ -250,7 +250,7 @@ def test_save_as_is_a_way_out(saved, path, tmp_path):
     assert load(tmp_path / "mine.curve.json") == mine
     assert load(path) == THEIRS
     assert saved.file_message == ""
-    assert saved.session.path == tmp_path / "mine.curve.json"
+    assert saved.session.files.path == tmp_path / "mine.curve.json"
 
 
 def test_a_cancelled_save_as_changes_nothing(saved, path):
@@ -259,7 +259,7 @@ def test_a_cancelled_save_as_changes_nothing(saved, path):
     saved.trigger("saveDocument")
     answer_dialog(saved, None)
     saved.answer_file_message("saveDocumentAs")
-    assert saved.session.path == path
+    assert saved.session.files.path == path
     assert saved.session.document is mine
     assert saved.file_message.endswith("was changed by another program; it was not saved.")
 
@@ -318,7 +318,7 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
     assert words in asked[0][1]
     # The window knows it now, without waiting for the watch.
     assert saved.file_message
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     assert saved.window.isWindowModified()
     QTimer.singleShot(0, lambda: answer(QMessageBox.StandardButton.Save))
     if how == "deleted":
@@ -341,10 +341,10 @@ def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypa
     monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     content = path.read_bytes()
     path.write_bytes(b"")
-    until(lambda: saved.session.is_modified)
+    until(lambda: saved.session.files.is_modified)
     assert saved.file_message
     path.write_bytes(content)
-    until(lambda: not saved.session.is_modified)
+    until(lambda: not saved.session.files.is_modified)
     assert saved.file_message == ""
 
 
@@ -353,7 +353,7 @@ def test_a_reader_is_not_asked_about_what_the_owner_saved(saved, path, qtbot, un
     edit(saved)
     saved.trigger("saveDocument")
     until(lambda: second.file_message.startswith("You saved changes"))
-    assert not second.session.is_modified
+    assert not second.session.files.is_modified
     assert second.window.close()
 
 
@@ -386,11 +386,11 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_message)
     assert "is gone from its folder" in saved.file_message
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     saved.answer_file_message("saveDocument")
     assert load(path) == saved.session.document
     assert saved.file_message == ""
-    assert not saved.session.is_modified
+    assert not saved.session.files.is_modified
 
 
 @pytest.mark.parametrize("tries_to_save", [False, True])
@@ -418,7 +418,7 @@ def test_a_file_put_back_at_once_was_never_gone(saved, path, until):
     path.write_bytes(content)
     until(lambda: looks(saved) == 0)
     assert saved.file_message == ""
-    assert not saved.session.is_modified
+    assert not saved.session.files.is_modified
 
 
 def test_own_saves_are_no_news(saved, qtbot, look_soon):
@@ -639,8 +639,8 @@ def test_save_as_onto_a_document_that_is_open_elsewhere(saved, path, qtbot, tmp_
     assert offered(other) == ["saveDocumentAs"]
     assert load(path) == kept
     assert other.session.document is document
-    assert other.session.is_modified
-    assert other.session.path == tmp_path / "other.curve.json"
+    assert other.session.files.is_modified
+    assert other.session.files.path == tmp_path / "other.curve.json"
     other.trigger("saveDocument")
     assert load(tmp_path / "other.curve.json") == document
 
@@ -713,13 +713,13 @@ def test_a_save_that_fails_keeps_everything_and_offers_save_as(saved, path, monk
     assert saved.file_message.startswith("drawing.curve.json was not saved. ")
     assert words in saved.file_message
     assert offered(saved) == ["saveDocumentAs"]
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     assert saved.session.document is document
     assert path.read_bytes() == old
     answer_dialog(saved, tmp_path / "rescued.curve.json")
     saved.answer_file_message("saveDocumentAs")
     assert load(tmp_path / "rescued.curve.json") == document
-    assert not saved.session.is_modified
+    assert not saved.session.files.is_modified
     assert saved.file_message == ""
 
 
@@ -732,7 +732,7 @@ def test_a_folder_that_is_gone_keeps_the_document(saved, tmp_path):
     saved.trigger("saveDocument")
     assert "does not exist. Choose another folder." in saved.file_message
     assert "saveDocumentAs" in offered(saved)
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     assert saved.session.document is document
 
 
@@ -757,7 +757,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     assert "saveDocumentAs" in offered(saved)
     assert path.read_bytes() == newer
     assert saved.session.document is document
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
     other = path.with_name("newer.curve.json")
     other.write_bytes(newer)
     saved.session.files.give_up_changes()
@@ -802,7 +802,7 @@ def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
         assert bar.rect().contains(button.geometry())
         assert button.toolTip()
         assert button.accessibleName()
-    editor.session.select([])
+    editor.session.selected.set_points([])
     editor.window.message_bar.warn("Something else that has to be said at the same time.")
     editor.settle()
     assert not bar.geometry().intersects(editor.window.message_bar.geometry())
@@ -820,7 +820,7 @@ def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path
     saved.trigger("saveDocumentAs")
     assert "“there.curve.json” is there already." in saved.file_message
     assert load(tmp_path / "there.curve.json") == THEIRS
-    assert saved.session.is_modified
+    assert saved.session.files.is_modified
 
 
 def test_a_session_alone_refuses_too(tmp_path, qapp):

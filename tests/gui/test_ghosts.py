@@ -19,7 +19,7 @@ from app.view_model.analysis.ghost import Ghost, all_ghosts
 def shown(editor):
     return {
         ghost.ghost: ghost.view
-        for ghost in editor.window.canvas.drawing.annotations.ghosts
+        for ghost in editor.window.canvas.drawing.annotations.figure_layer.ghosts
         if not ghost.is_real
     }
 
@@ -89,7 +89,7 @@ def test_the_legend_hides_a_ghost(editor, qtbot):
     assert set(shown(editor)) == {Ghost(family=HERMITE)}
     assert not editor.action("ghostUniform").isChecked()
     press(editor, qtbot, "legendHide_hermite")
-    assert not editor.window.canvas.drawing.annotations.ghosts
+    assert not editor.window.canvas.drawing.annotations.figure_layer.ghosts
     assert editor.window.canvas.drawing.annotations.legend.isHidden()
 
 
@@ -131,11 +131,11 @@ def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
     assert set(shown(editor)) == {Ghost(family=LAGRANGE)}
     editor.press(editor.point(120))
     editor.move((2.0, 1.0))
-    (ghost,) = editor.window.canvas.drawing.annotations.ghosts
+    (ghost,) = editor.window.canvas.drawing.annotations.figure_layer.ghosts
     assert not ghost.is_drawn
     assert editor.window.canvas.drawing.annotations.legend.rows[1].text == "Lagrange …"
     editor.release((2.0, 1.0))
-    (ghost,) = editor.window.canvas.drawing.annotations.ghosts
+    (ghost,) = editor.window.canvas.drawing.annotations.figure_layer.ghosts
     assert ghost.is_drawn
     line = ghost.line(1e-3, (0, 0, 4, 4))
     assert np.linalg.norm(line - editor.point(120), axis=1).min() < 1e-9

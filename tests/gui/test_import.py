@@ -206,8 +206,8 @@ def test_as_a_new_document(editor, tmp_path):
     press(dialog, "importTable")
     editor.settle()
     assert [curve.name for curve in editor.session.document.curves] == ["a"]
-    assert editor.session.path is None
-    assert editor.session.is_modified
+    assert editor.session.files.path is None
+    assert editor.session.files.is_modified
 
 
 def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
@@ -544,7 +544,7 @@ def test_another_document_comes_in_too(editor, tmp_path):
     dialog = opened(editor, tmp_path / "other.curve.json", "importDrawingDialog")
     press(dialog, "importDrawing")
     assert [curve.name for curve in editor.session.document.curves][-1] == "Guest"
-    assert editor.session.path is None
+    assert editor.session.files.path is None
 
 
 @pytest.mark.parametrize(
@@ -602,7 +602,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     editor.new()
     assert dialog_of(editor, kind) is None
     assert [len(curve.points) for curve in editor.session.document.curves] == [0]
-    assert not editor.session.is_modified
+    assert not editor.session.files.is_modified
     assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
     # And one that is read for a document that has gone.
     editor.window.commands[ExchangeCommands].import_file(path)
@@ -662,7 +662,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
         spin(5)
     # Meanwhile the window works on.
     editor.select_point(0)
-    assert editor.session.selected == 0
+    assert editor.session.selected.point == 0
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert not editor.window.context.work.jobs.is_busy
     assert not bar.isVisible()

@@ -143,7 +143,7 @@ def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtb
     slider = find(lab, QSlider, "digitsSlider")
     while slider.value() != digits:
         press_key(lab, qtbot, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
-    lab.session.set_scrub(0.3)
+    lab.session.selected.set_scrub(0.3)
     settled(lab, qtbot)
     xs, ys = zip(*POINTS, strict=True)
     by_hand = [lagrange_by_hand(lab.parameters, each, 0.3, digits) for each in (xs, ys)]
@@ -189,7 +189,7 @@ def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab, qtbot):
     assert float(text(lab, "lost_monomial")) == 4.0
     assert text(lab, "error_lagrange") == before
     assert lab.session.document is document
-    assert not lab.session.is_modified or lab.session.undo_stack.count() == 1
+    assert not lab.session.files.is_modified or lab.session.undo_stack.count() == 1
     assert button.text() == "Shift t back"
     click(lab, qtbot, button)
     assert float(text(lab, "lost_monomial")) < 4.0

@@ -52,7 +52,7 @@ def test_a_large_document_is_opened_beside_the_window(editor, large, qtbot):
 
     # Of this thread alone; 1,450 for each curve when all was done in it.
     calls = calls_of(opened)
-    assert editor.session.path == large
+    assert editor.session.files.path == large
     assert len(editor.session.document.curves) == COUNT
     assert calls < 500 * COUNT
     assert [share for share, _ in told] == sorted(share for share, _ in told)
@@ -70,13 +70,13 @@ def test_a_large_document_named_at_the_start_is_read_beside_its_window(large, tm
         qtbot.addWidget(window)
         assert window.isVisible()
         assert window.context.work.jobs.is_busy
-        assert window.session.path is None
+        assert window.session.files.path is None
     first, second = map(Editor.on, windows)
     second.wait_for_work()
     assert "cut.curve.json was not opened" in second.message
     # It waits for its document, and is not lost with the sketch that is shown before.
     qtbot.waitUntil(lambda: first.window.findChild(QDialog, "importTableDialog") is not None)
-    assert first.session.path == large
+    assert first.session.files.path == large
 
 
 def test_what_is_wrong_with_a_large_file_and_others_is_said_together(large, tmp_path, qtbot):
@@ -94,7 +94,7 @@ def test_another_document_that_was_opened_meanwhile_stays(editor, large):
     editor.window.open_file(large)
     editor.session.new()
     editor.wait_for_work()
-    assert editor.session.path is None
+    assert editor.session.files.path is None
     assert editor.status == "many.curve.json was not opened, for another document was opened meanwhile."
 
 
@@ -103,7 +103,7 @@ def test_what_is_wrong_with_a_large_file_is_said(editor, large, tmp_path):
     path.write_bytes(large.read_bytes()[:-9])
     editor.window.open_file(path)
     editor.wait_for_work()
-    assert editor.session.path is None
+    assert editor.session.files.path is None
     assert "cut.curve.json was not opened" in editor.message
 
 

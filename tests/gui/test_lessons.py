@@ -104,9 +104,9 @@ def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
 def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbot):
     editor.window.commands[LessonCommands].open("01_basis_functions")
     click(qtbot, find(editor, QPushButton, "lessonNext"))
-    assert editor.session.scrub is not None
+    assert editor.session.selected.scrub is not None
     click(qtbot, find(editor, QPushButton, "lessonNext"))
-    assert editor.session.scrub is None
+    assert editor.session.selected.scrub is None
 
 
 def test_the_functions_that_a_step_speaks_of_are_all_in_sight(editor, qtbot):
@@ -233,11 +233,11 @@ def test_a_goal_waits_for_the_curve_that_it_names(editor, qtbot):
     open_step(editor, qtbot, "02_three_parameter_sets", 4)
     goal = find(editor, QLabel, "lessonGoal")
     editor.fit()
-    editor.session.activate(0)
+    editor.session.selected.activate(0)
     assert "Reached" not in goal.text()
     assert "click on the curve “Careless”" in goal.text()
     editor.choose_parametrization("chord_length")
-    editor.session.activate(2)
+    editor.session.selected.activate(2)
     editor.choose_parametrization("chord_length")
     assert "another rule makes the parameters now" in goal.text()
     editor.trigger("undo")
@@ -263,7 +263,7 @@ def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
     for _ in range(2):
         click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert editor.curve.name == "Eight points"
-    assert not editor.session.is_modified
+    assert not editor.session.files.is_modified
     assert editor.message == "What you had before is kept."
     editor.fit()
     editor.drag_point(1, to=(1.3, 1.5))
@@ -277,7 +277,7 @@ def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
     click(qtbot, find(editor, QToolButton, "offeredAction"))
     editor.settle()
     assert editor.session.document is work
-    assert editor.session.is_modified
+    assert editor.session.files.is_modified
     assert place(editor) == "5 of 5"
     assert not editor.action("toggleLaboratory").isChecked()
     assert editor.window.canvas.framing.shows_all_points
@@ -313,7 +313,7 @@ def test_work_is_kept_whatever_is_opened_next(editor, qtbot):
         open_next()
         editor.settle()
         assert session.document.curves != work.curves
-        assert not session.is_modified
+        assert not session.files.is_modified
         editor.trigger("undo")
         assert session.document is work
         assert place(editor) == lesson

@@ -67,7 +67,7 @@ class Motion:
 
     @property
     def t(self):
-        return self.editor.session.scrub
+        return self.editor.session.selected.scrub
 
     @property
     def dots(self):
@@ -106,7 +106,7 @@ def test_the_real_clock_moves_the_dot(editor, qtbot):
     began = time.perf_counter()
     editor.trigger("playMotion")
     player = editor.window.findChild(Player)
-    qtbot.waitUntil(lambda: editor.session.scrub > 0.05)
+    qtbot.waitUntil(lambda: editor.session.selected.scrub > 0.05)
     # Frames may be dropped; the dot is never ahead of the clock.
     assert player.seconds <= time.perf_counter() - began
 
@@ -195,7 +195,7 @@ def test_by_arc_length_the_dot_is_equally_fast(editor, motion):
 
 def test_escape_stops_and_brings_the_scrub_line_back(editor, motion):
     editor.scrub(0.4)
-    before = editor.session.scrub
+    before = editor.session.selected.scrub
     editor.trigger("playMotion")
     motion.wait(0.2)
     assert motion.t == pytest.approx(before + 0.2)
@@ -274,7 +274,7 @@ def test_putting_the_scrub_line_away_ends_it(editor, motion):
 def test_without_a_curve_the_dot_is_away_and_the_bar_says_why(editor, motion):
     editor.trigger("playMotion")
     motion.wait(0.2)
-    editor.session.select(range(len(editor.curve.points)))
+    editor.session.selected.set_points(range(len(editor.curve.points)))
     editor.trigger("deleteSelection")
     motion.wait(0.2)
     assert motion.dots == ()

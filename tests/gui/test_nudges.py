@@ -95,7 +95,7 @@ def test_a_saved_state_stays_a_step(arch, tmp_path):
     arch.key(RIGHT)
     assert history(arch) == ["Begin", "Nudge point 1", "Nudge point 1"]
     arch.trigger("undo")
-    assert not arch.session.is_modified
+    assert not arch.session.files.is_modified
 
 
 def test_there_and_back_again_is_no_step(arch):

@@ -50,11 +50,11 @@ def two(editor):
     """Two curves, the second one edited, two of its points selected, points and derivatives copied before."""
     editor.session.commit(Document((hat(), hat("Other", 5.0))), "Begin")
     editor.fit()
-    editor.session.activate(1)
+    editor.session.selected.activate(1)
     editor.select([1])
     editor.trigger("copyDerivatives")
     editor.select([1, 2])
-    editor.session.set_scrub(0.4)
+    editor.session.selected.set_scrub(0.4)
     return editor
 
 
@@ -105,7 +105,7 @@ def what_it_does(editor, name, begin, *, cancelled):
     editor.trigger("selectTool")
     while editor.session.committed is not before:
         editor.session.undo_stack.undo()
-    editor.session.activate(1)
+    editor.session.selected.activate(1)
     return after
 
 
@@ -140,7 +140,7 @@ def test_a_panel_in_the_middle_of_a_gesture_changes_what_was_there(two):
 
 def test_del_in_the_list_takes_no_preview_along(two):
     two.show_dock("curvesDock")
-    two.session.activate(0)
+    two.session.selected.activate(0)
     before = two.session.committed
     two.select([1, 2])
     under_g(two)
@@ -192,12 +192,12 @@ def test_another_curve_while_the_pen_begins_one(editor):
     editor.session.commit(Document(tuple(rings)), "Begin")
     editor.fit()
     editor.trigger("selectAllCurves")
-    assert editor.session.selected_curves == {0, 1}
+    assert editor.session.selected.curves == {0, 1}
     editor.trigger("addTool")
     editor.press((1.0, 1.5))
     assert len(editor.session.document.curves) == 3
     editor.escape()
-    assert editor.session.selected_curves == {0, 1}
+    assert editor.session.selected.curves == {0, 1}
     editor.release((1.0, 1.5))
     editor.press((1.0, 1.5))
     editor.trigger("nextCurve")
@@ -210,7 +210,7 @@ def test_another_curve_while_the_pen_begins_one(editor):
 
 
 def test_undo_of_an_insertion_leaves_no_other_point_selected(two):
-    two.session.activate(0)
+    two.session.selected.activate(0)
     place = tuple(two.session.active_view.curve.evaluate(0.15))
     two.trigger("addTool")
     two.click(place)
@@ -230,7 +230,7 @@ def test_undo_of_a_deletion_selects_what_it_brings_back(two):
     two.trigger("selectAllCurves")
     two.trigger("deleteCurve")
     two.trigger("undo")
-    assert two.session.selected_curves == {0, 1}
+    assert two.session.selected.curves == {0, 1}
 
 
 def test_undo_of_a_move_leaves_the_selection_of_now(two):
@@ -292,7 +292,7 @@ def test_points_that_would_share_a_parameter_are_not_pasted(editor):
     editor.session.commit(Document((source, target)), "Begin")
     editor.trigger("selectAll")
     editor.trigger("copyPoints")
-    editor.session.activate(1)
+    editor.session.selected.activate(1)
     before = editor.session.document
     editor.trigger("pastePoints")
     assert editor.session.document is before

@@ -28,7 +28,11 @@ from app.view_model.analysis.overlays import (
 
 
 def figures(editor, style):
-    return [figure for figure in editor.window.canvas.drawing.annotations.figures if figure.style is style]
+    return [
+        figure
+        for figure in editor.window.canvas.drawing.annotations.figure_layer.figures
+        if figure.style is style
+    ]
 
 
 def first(editor, style):
@@ -96,7 +100,7 @@ def test_an_overlay_follows_a_drag(editor, name):
     editor.escape()
     assert np.array_equal(first(editor, LIVE[name]), before, equal_nan=True)
     editor.trigger(name)
-    assert not editor.window.canvas.drawing.annotations.figures
+    assert not editor.window.canvas.drawing.annotations.figure_layer.figures
     assert not legend(editor)
 
 
@@ -188,7 +192,7 @@ def test_the_number_of_ticks(dock, qtbot):
 def test_the_circle_brings_the_scrub_line_and_follows_it(dock, qtbot):
     editor = dock
     editor.trigger("overlayCircle")
-    assert editor.session.scrub == pytest.approx(0.5)
+    assert editor.session.selected.scrub == pytest.approx(0.5)
     before = first(editor, circle.LINE)
     editor.scrub(0.8)
     assert not np.array_equal(first(editor, circle.LINE), before)
@@ -204,7 +208,7 @@ def test_an_arrow_at_the_scrub_line_has_its_length_in_words(editor):
     editor.scrub(0.5)
     arrow = figures(editor, vectors.VELOCITY)[1]
     assert arrow.label.startswith("|c′| ")
-    velocity = editor.session.active_view.curve.evaluate(editor.session.scrub, 1)
+    velocity = editor.session.active_view.curve.evaluate(editor.session.selected.scrub, 1)
     assert float(arrow.label.split()[1]) == pytest.approx(np.hypot(*velocity), rel=0.01)
 
 
@@ -261,8 +265,8 @@ def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock, qtbot):
     # Point 1 onto point 0: chord length has no parameters for these.
     moved = set_position(editor.session.document, 0, 1, editor.point(0))
     editor.session.commit(moved, "Move")
-    assert not editor.window.canvas.drawing.annotations.figures
-    assert not editor.window.canvas.drawing.annotations.ghosts
+    assert not editor.window.canvas.drawing.annotations.figure_layer.figures
+    assert not editor.window.canvas.drawing.annotations.figure_layer.ghosts
     problem = panel(editor, QLabel, "analysisProblem")
     qtbot.waitUntil(lambda: "distinct" in problem.text() or "coincide" in problem.text())
     editor.trigger("undo")

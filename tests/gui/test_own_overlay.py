@@ -139,19 +139,19 @@ def test_they_stand_in_menus_and_the_palette(editor):
 def test_an_overlay_is_drawn_and_explained_and_follows_drags_and_the_scrub_line(editor):
     assert not seen(editor, RED)
     editor.trigger("overlayPlate")
-    assert editor.session.scrub == pytest.approx(0.5)
+    assert editor.session.selected.scrub == pytest.approx(0.5)
     assert seen(editor, RED) > 100
     assert legend(editor) == ["Plate with 4 corners"]
-    (before,) = editor.window.canvas.drawing.annotations.figures
+    (before,) = editor.window.canvas.drawing.annotations.figure_layer.figures
     editor.scrub(0.8)
-    (after,) = editor.window.canvas.drawing.annotations.figures
-    here = editor.session.active_view.curve.evaluate(editor.session.scrub)
+    (after,) = editor.window.canvas.drawing.annotations.figure_layer.figures
+    here = editor.session.active_view.curve.evaluate(editor.session.selected.scrub)
     assert after.points[:4].mean(axis=0) == pytest.approx(here)
     assert not np.array_equal(after.points, before.points, equal_nan=True)
     x, y = editor.point(3)
     editor.press((x, y))
     editor.move((x + 0.3, y + 0.3))
-    (moved,) = editor.window.canvas.drawing.annotations.figures
+    (moved,) = editor.window.canvas.drawing.annotations.figure_layer.figures
     assert not np.array_equal(moved.points, after.points, equal_nan=True)
     editor.escape()
     editor.trigger("overlayPlate")
@@ -211,7 +211,7 @@ def test_a_plot_is_drawn_chosen_and_read_at_the_scrub_line(editor, qtbot):
     curve = editor.session.active_view.curve
     assert line.values == pytest.approx(np.linalg.norm(curve.evaluate(line.t), axis=1))
     editor.scrub(0.5)
-    distance = np.linalg.norm(curve.evaluate(editor.session.scrub))
+    distance = np.linalg.norm(curve.evaluate(editor.session.selected.scrub))
     assert f"|c| {distance:.4g}" in pane.values_text
     before = line.values
     editor.drag_point(3, (3.0, 3.0))

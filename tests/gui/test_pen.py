@@ -35,7 +35,7 @@ def lay(editor, *places):
     """Lay points at the end of the curve, as clicks with the pen do."""
     points = (*editor.curve.points, *(Point(*place) for place in places))
     begin(editor, edits.set_points(editor.session.document, 0, points))
-    editor.session.select([len(points) - 1])
+    editor.session.selected.set_points([len(points) - 1])
 
 
 @pytest.fixture

@@ -23,7 +23,7 @@ def pen(editor):
     document = edits.set_family(editor.session.document, 0, HERMITE)
     document = edits.set_points(document, 0, [Point(*place) for place in places])
     editor.session.commit(document, "Begin")
-    editor.session.select([2])
+    editor.session.selected.set_points([2])
     editor.trigger("addTool")
     return editor
 
@@ -65,10 +65,10 @@ def test_several_curves_in_a_row_and_back_again(pen):
         pen.click(at(pen, 300, y))
         pen.click(at(pen, 340, y))
     assert sizes(pen) == [3, 2, 2]
-    pen.session.activate(0)
+    pen.session.selected.activate(0)
     pen.hover(at(pen, 400, 200))
     assert hint(pen).startswith("Click to begin another curve")
-    pen.session.activate(2)
+    pen.session.selected.activate(2)
     pen.hover(at(pen, 400, 200))
     assert hint(pen).startswith("Click to add point 2")
 
@@ -214,7 +214,7 @@ def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
 def test_what_ctrl_does_is_told_where_a_drag_moves_the_point(pen):
     pen.choose_family(LAGRANGE)
     pen.press(at(pen, 300, 150))
-    spacing = pen.window.canvas.tools.grid()[0]
+    spacing = pen.window.canvas.tools.grid()
     by_the_grid = (12 * spacing + 3 * pen.pixel, 9 * spacing + 2 * pen.pixel)
     pen.move(by_the_grid)
     assert "Ctrl: snap, or not" in pen.status

@@ -93,7 +93,7 @@ def drive():
     tell("offered", bar.isVisible(), bar.text)
     bar.restore_asked.emit(0)
     tell_document("restored")
-    tell("path", editor.session.path, editor.session.is_modified)
+    tell("path", editor.session.files.path, editor.session.files.is_modified)
     bar.restore_asked.emit(0)
     windows = [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
     tell("windows", *(len(each.session.document.curves[0].points) for each in windows))

@@ -36,7 +36,7 @@ def refusals_of(session):
     """What the session refuses from now on."""
     found = []
     session.message.connect(
-        lambda message: found.append(message.text) if message.kind is MessageKind.REFUSED else None
+        lambda message: found.append(message.text) if message.kind is MessageKind.REFUSAL else None
     )
     return found
 
@@ -224,7 +224,7 @@ def test_t_x_y_and_velocities_fit_in_a_narrow_dock(hermite):
 def test_it_is_drawn_in_both_themes(qtbot, qapp, mode):
     theme = apply_theme(qapp, mode)
     table = Table(qtbot, HERMITE)
-    table.session.select([2])
+    table.session.selected.set_points([2])
     image = table.view.viewport().grab().toImage()
     place = table.view.visualRect(table.model.index(5, X))
     assert image.pixelColor(place.topLeft() + QPoint(3, 3)) == theme.paper
@@ -442,9 +442,9 @@ def test_delete_elsewhere_is_left_to_the_window(hermite):
 def test_the_button_resets_the_selected_points(quintic):
     button = quintic.panel.findChild(QToolButton, "resetToEstimated")
     set_derivatives(quintic, 2, 3, 5)
-    quintic.session.select([1])
+    quintic.session.selected.set_points([1])
     assert not button.isEnabled()
-    quintic.session.select([2, 3])
+    quintic.session.selected.set_points([2, 3])
     assert button.isEnabled()
     quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert [quintic.point(i).velocity for i in (2, 3, 5)] == [None, None, (1.0, 2.0)]
@@ -482,9 +482,9 @@ def test_the_row_header_selects_the_whole_row(table):
 
 def test_selecting_points_selects_their_rows(table):
     changes = QSignalSpy(table.session.selection_changed)
-    table.session.select([1, 2, 5])
+    table.session.selected.set_points([1, 2, 5])
     assert table.view.selected_rows() == {1, 2, 5}
-    table.session.select([])
+    table.session.selected.set_points([])
     assert table.view.selected_rows() == frozenset()
     assert changes.count() == 2  # no echo
 
@@ -506,16 +506,16 @@ def test_rows_and_columns_are_those_of_the_cells(hermite):
 
 def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
     document = edits.insert_points(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).points[0]])
-    table.session.select([8])
+    table.session.selected.set_points([8])
     assert table.session.selection == frozenset()
     table.session.commit(document, "Add point 8")
-    table.session.select([8])
+    table.session.selected.set_points([8])
     assert table.view.selected_rows() == {8}
     assert table.session.selection == {8}
 
 
 def test_deleting_points_never_writes_a_selection_back(table):
-    table.session.select([6, 7])
+    table.session.selected.set_points([6, 7])
     changes = QSignalSpy(table.session.selection_changed)
     table.session.commit(edits.delete_points(table.session.document, 0, {6, 7}), "Delete points")
     assert table.view.selected_rows() == frozenset()
@@ -523,7 +523,7 @@ def test_deleting_points_never_writes_a_selection_back(table):
 
 
 def test_another_family_keeps_the_selection(table):
-    table.session.select([3])
+    table.session.selected.set_points([3])
     table.session.commit(edits.set_family(table.session.document, 0, HERMITE), "Family")
     assert table.model.columnCount() == 5
     assert table.view.selected_rows() == {3}
@@ -542,7 +542,7 @@ def test_copied_cells_are_whole_numbers_with_tabs_between(table):
 
 def test_what_is_copied_comes_back_bit_for_bit(hermite):
     before = hermite.session.active_view.curve.jets
-    hermite.session.select(range(8))
+    hermite.session.selected.set_points(range(8))
     text = hermite.copy()
     hermite.click(0, T)
     hermite.paste(text)
@@ -657,7 +657,7 @@ def test_copy_and_paste_belong_to_the_table_only_while_it_has_the_focus(table):
     field = QLineEdit(table.window)
     field.show()
     field.setFocus()
-    table.session.select([0])
+    table.session.selected.set_points([0])
     QGuiApplication.clipboard().setText("kept")
     table.qtbot.keyClick(field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     assert QGuiApplication.clipboard().text() == "kept"
@@ -1037,7 +1037,7 @@ def test_at_a_corner_the_table_has_what_is_before_it(hermite):
     hermite.type(3, VX, "7")
     assert hermite.point(3).velocity == (7.0, 2.0)
     assert hermite.point(3).velocity_after == (3.0, 4.0)
-    hermite.session.select([3])
+    hermite.session.selected.set_points([3])
     hermite.panel.reset_to_estimated()
     assert hermite.point(3).velocity is hermite.point(3).velocity_after is None
 
@@ -1045,7 +1045,7 @@ def test_at_a_corner_the_table_has_what_is_before_it(hermite):
 def test_a_velocity_set_after_a_corner_alone_can_be_reset(hermite):
     document = edits.make_corner(hermite.session.document, 0, 3, None, (3.0, 4.0))
     hermite.session.commit(document, "Corner")
-    hermite.session.select([3])
+    hermite.session.selected.set_points([3])
     button = hermite.panel.findChild(QToolButton, "resetToEstimated")
     assert button.isEnabled()
     hermite.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)

@@ -77,7 +77,7 @@ def test_the_unit_is_shown_at_the_axes_and_in_the_status_line(editor, dialog):
 def test_a_grid_spacing_is_typed_as_an_expression_and_can_be_adaptive_again(editor, dialog):
     retype(dialog.grid_edit, "1/4")
     assert editor.window.preferences.grid_spacing == 0.25
-    assert editor.window.canvas.tools.grid() == (0.25, 0.25)
+    assert editor.window.canvas.tools.grid() == 0.25
     assert dialog.grid_edit.text() == "0.25"
     retype(dialog.grid_edit, "adaptive")
     assert editor.window.preferences.grid_spacing == 0

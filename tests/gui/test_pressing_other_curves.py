@@ -119,7 +119,7 @@ def test_at_the_edge_of_reach_there_is_a_click_or_a_band_but_never_both(three, p
 def test_shift_click_still_chooses_and_a_shift_drag_moves_nothing(three):
     before = three.session.document
     three.click(on_curve(three, 2), keys=SHIFT)
-    assert (three.session.active_index, three.session.selected_curves) == (1, {1, 2})
+    assert (three.session.active_index, three.session.selected.curves) == (1, {1, 2})
     three.drag(on_curve(three, 0), (1.5, -1), keys=SHIFT)
     assert three.session.active_index == 1
     assert three.session.document is before
@@ -134,16 +134,16 @@ def test_curves_chosen_together_still_move_together(three):
 
 
 def test_a_locked_curve_refuses_with_a_sentence(three):
-    three.session.activate(2)
+    three.session.selected.activate(2)
     three.trigger("curveLocked")
-    three.session.activate(1)
+    three.session.selected.activate(1)
     before = three.session.document
     sentence = "“C” is locked; unlock it in the list of curves to change it."
     x, y = on_curve(three, 2)
     three.hover((x, y))
     assert three.window.status_line.hint == "Click to edit “C” (locked) · Shift+click: choose it too"
     for start in ((x, y), (2, 6)):
-        three.session.activate(1)
+        three.session.selected.activate(1)
         three.press(start)
         three.move((start[0] + 0.5, start[1] + 0.5))
         assert three.session.document is before
@@ -168,9 +168,9 @@ def test_the_first_right_click_offers_what_can_be_done_at_that_place(three):
 
 
 def test_the_first_right_click_on_a_locked_curve_offers_no_change_of_shape(three):
-    three.session.activate(2)
+    three.session.selected.activate(2)
     three.trigger("curveLocked")
-    three.session.activate(1)
+    three.session.selected.activate(1)
     three.settle()
     found = entries(three.open_menu(on_curve(three, 2)))
     assert three.curve.name == "C"
@@ -191,10 +191,10 @@ def test_the_first_right_click_on_its_point_is_for_the_point(three):
 def test_a_right_click_on_one_of_several_chosen_leaves_them_chosen(three):
     three.click(on_curve(three, 2), keys=SHIFT)
     assert "insertPointHere" in entries(three.open_menu(on_curve(three, 2)))
-    assert (three.curve.name, three.session.selected_curves) == ("C", {1, 2})
+    assert (three.curve.name, three.session.selected.curves) == ("C", {1, 2})
     close(three)
     assert "deleteCurve" in entries(three.open_menu((2, 3)))
-    assert (three.session.selected_curves, three.session.selection) == ({1, 2}, frozenset())
+    assert (three.session.selected.curves, three.session.selection) == ({1, 2}, frozenset())
     close(three)
 
 

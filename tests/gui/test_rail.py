@@ -313,10 +313,13 @@ def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
 
 def test_the_alpha_slider_has_a_ghost_too(editor):
     canvas, slider = editor.window.canvas, editor.window.findChild(QSlider, "alphaSlider")
+    at_press = canvas.drawing.curve.polyline(canvas.pixel_map).points
     slider.setSliderDown(True)
     slider.setSliderPosition(70)
     slider.setSliderPosition(20)
     assert canvas.drawing.curve.ghost_opacity == 1
+    # It was the curve of the step before.
+    assert canvas.drawing.curve._ghost is at_press
     slider.setSliderDown(False)
     assert canvas.drawing.curve.ghost_opacity > 0
 
@@ -326,7 +329,7 @@ def test_the_alpha_slider_has_a_ghost_too(editor):
 
 @pytest.mark.parametrize("what", ["tick", "scrub line", "pan"])
 def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
-    document, scrub = editor.session.document, editor.session.scrub
+    document, scrub = editor.session.document, editor.session.selected.scrub
     t = editor.parameters[3]
     rail = what == "tick"
     start = panel.rail_pixel(t) if rail else QPointF(panel.to_pixel(t + 0.02, 1.1))
@@ -336,7 +339,7 @@ def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
     editor.send(panel, QEvent.Type.MouseButtonPress, start, button=button)
     editor.send(panel, QEvent.Type.MouseMove, away, button=button)
     assert (editor.session.document != document) is rail
-    assert (editor.session.scrub != scrub) is (what == "scrub line")
+    assert (editor.session.selected.scrub != scrub) is (what == "scrub line")
     right = Qt.MouseButton.RightButton
     editor.send(panel, QEvent.Type.MouseButtonPress, away, button=right)
     menu = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, away.toPoint(), QPoint())
@@ -346,7 +349,7 @@ def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
     editor.send(panel, QEvent.Type.MouseMove, away + QPointF(9, 0), button=button)
     editor.send(panel, QEvent.Type.MouseButtonRelease, away, held=False, button=button)
     assert editor.session.document is document
-    assert editor.session.scrub == scrub
+    assert editor.session.selected.scrub == scrub
     assert editor.session.undo_stack.count() == 0
     # The next right press is one like any other.
     editor.send(panel, QEvent.Type.MouseButtonPress, away, button=right)

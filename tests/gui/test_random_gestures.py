@@ -25,7 +25,7 @@ from app.tools.rail import RAIL
 from app.tools.registry import TOOLS
 from app.tools.select import SELECT
 from app.tools.snapping import Snapping
-from app.tools.tool_settings import ToolSettings
+from app.tools.tool import ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
 from app.view_model.handles import handles_of
@@ -59,7 +59,7 @@ class Gestures(RuleBasedStateMachine):
         )
         self.session.files.replace(Document(curves), None)
         self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
-        self.tool.hit_test, self.tool.grid = self.hit, lambda: (0.5, 0.5)
+        self.tool.hit_test, self.tool.grid = self.hit, lambda: 0.5
         self.rail.hit_test = lambda _pointer, _tool: self.tick
         self.now = 0.0
         self.session.history.clock = lambda: self.now
@@ -79,7 +79,7 @@ class Gestures(RuleBasedStateMachine):
         assert self.session.document == self.values[self.at]
         assert not self.tool.is_pressed
         assert all(index < len(self.session.active_curve.points) for index in self.session.selection)
-        assert {self.session.active_index} <= self.session.selected_curves <= {0, 1}
+        assert {self.session.active_index} <= self.session.selected.curves <= {0, 1}
 
     @invariant()
     def the_document_can_be_saved(self):
@@ -268,15 +268,17 @@ class Gestures(RuleBasedStateMachine):
     @rule(data=st.data())
     def select(self, data):
         count = len(self.session.active_curve.points)
-        self.session.select(data.draw(st.sets(st.integers(0, max(count - 1, 0)), max_size=count)))
+        self.session.selected.set_points(
+            data.draw(st.sets(st.integers(0, max(count - 1, 0)), max_size=count))
+        )
 
     @rule(curve=st.integers(0, 1))
     def activate(self, curve):
-        self.session.activate(curve)
+        self.session.selected.activate(curve)
 
     @rule(curves=st.sets(st.integers(0, 1)))
     def select_curves(self, curves):
-        self.session.select_curves(curves)
+        self.session.selected.set_curves(curves)
 
     @rule(edge=st.sampled_from(list(Edge)))
     def align(self, edge):
@@ -302,7 +304,7 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(corner=st.booleans())
     def corner(self, corner):
-        index = self.session.selected
+        index = self.session.selected.point
         if index is None:
             return
         if corner:
@@ -314,7 +316,7 @@ class Gestures(RuleBasedStateMachine):
     def delete(self):
         session, chosen = self.session, self.session.selection
         document = edits.delete_points(session.document, session.active_index, chosen)
-        session.select([])
+        session.selected.set_points([])
         session.commit(document, "Delete")
         self.note()
 

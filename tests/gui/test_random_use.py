@@ -70,10 +70,10 @@ def assert_sound(editor, odd_values) -> None:
     assert odd_values(session.document) == []
     curves, count = session.document.curves, len(session.active_curve.points)
     assert decode(encode(session.committed)) == session.committed
-    assert session.active_index in session.selected_curves
-    assert session.selected_curves <= set(range(len(curves)))
+    assert session.active_index in session.selected.curves
+    assert session.selected.curves <= set(range(len(curves)))
     assert session.selection <= set(range(count))
-    assert -1 <= session.hovered < count
+    assert -1 <= session.selected.hovered < count
     for view in session.views:
         assert view.is_current or view.problem
         assert np.isfinite(view.points).all()
@@ -81,9 +81,9 @@ def assert_sound(editor, odd_values) -> None:
         if view.curve is not None:
             assert np.isfinite(view.polyline).all()
             assert np.isfinite(view.flattened(1.0, editor.window.canvas.pixel_map.box).points).all()
-    if session.scrub is not None:
+    if session.selected.scrub is not None:
         start, end = session.active_view.curve.domain
-        assert start <= session.scrub <= end
+        assert start <= session.selected.scrub <= end
     for plot in (editor.window.canvas, editor.window.basis_panel):
         assert np.isfinite(plot.pixel_map.box).all()
 

@@ -384,7 +384,7 @@ def test_saving_elsewhere_keeps_the_picture(traced, tmp_path):
     traced.session.save(folder / "b.curve.json")
     assert b'"path": "../red.png"' in (folder / "b.curve.json").read_bytes()
     assert load(folder / "b.curve.json") == traced.session.document
-    assert not traced.session.is_modified
+    assert not traced.session.files.is_modified
 
 
 def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):

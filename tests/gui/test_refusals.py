@@ -99,7 +99,7 @@ def test_letters_typed_into_a_field_are_text(line):
 
 
 def test_every_action_that_is_disabled_says_what_it_needs_in_its_tip(line):
-    line.session.select([])
+    line.session.selected.set_points([])
     for name in ("joinCurve", "alignLeft", "distributeVertically", "undo"):
         action = line.action(name)
         assert ("\nNeeds " in action.toolTip()) is not action.isEnabled()

@@ -170,15 +170,15 @@ def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, pict
     qtbot.addWidget(first)
     with qtbot.waitExposed(first):
         first.show()
-    first.add_image(picture)
-    assert first.image_dock.isVisible()
+    first.commands[ImageCommands].trace(picture)
+    assert first.context.docks["imageDock"].isVisible()
     first.session.files.give_up_changes()
     first.close()
     second = MainWindow(Session(), Preferences(preferences))
     qtbot.addWidget(second)
     with qtbot.waitExposed(second):
         second.show()
-    assert second.image_dock.isHidden()
+    assert second.context.docks["imageDock"].isHidden()
 
 
 def test_folding_the_side_does_not_bring_it_back(arch, picture):

@@ -366,7 +366,7 @@ def test_a_locked_curve_s_menu_offers_no_changes_of_shape(wave):
 
 def test_the_menu_of_another_curve_is_for_that_curve(wave):
     at = tuple(wave.session.active_view.curve.evaluate(0.43))
-    wave.session.activate(1)
+    wave.session.selected.activate(1)
     wave.open_menu(at)
     assert wave.curve.name == "Wave"
     wave.choose("reverseCurve")
@@ -441,10 +441,10 @@ def test_a_new_curve_begins_with_parameters_of_its_own(wave):
     wave.paste_text("0 5\n1 6\n2 5")
     wave.trigger("pasteAsCurve")
     assert wave.curve.parametrization == Parametrization()
-    wave.session.activate(0)
+    wave.session.selected.activate(0)
     wave.trigger("newCurve")
     assert (wave.curve.family, wave.curve.parametrization) == (HERMITE, Parametrization())
-    wave.session.activate(0)
+    wave.session.selected.activate(0)
     before = wave.session.active_view.curve.evaluate(np.linspace(0.5, 2, 99))
     wave.trigger("selectAll")
     wave.trigger("copyPoints")
@@ -469,7 +469,7 @@ def test_points_are_copied_to_another_curve_with_their_derivatives(wave):
     source = wave.session.active_view
     wave.key(Qt.Key.Key_C, CTRL)
     assert wave.status == "Copied 4 points."
-    wave.session.activate(1)
+    wave.session.selected.activate(1)
     wave.choose_family(HERMITE)
     wave.key(Qt.Key.Key_V, CTRL)
     assert [point.position for point in wave.curve.points] == list(WAVE)
@@ -500,7 +500,7 @@ def test_cut_takes_the_points_away(wave):
     assert wave.session.selection == frozenset()
     wave.trigger("undo")
     assert len(wave.curve.points) == 4
-    wave.session.activate(1)
+    wave.session.selected.activate(1)
     wave.key(Qt.Key.Key_V, CTRL)
     assert [point.position for point in wave.curve.points] == [(1, 1), (2, 0)]
 

@@ -139,7 +139,7 @@ def test_up_to_eight_points_have_the_hues_of_okabe_and_ito(theme):
 def test_fewer_points_keep_their_colours_when_one_is_added():
     for n in range(8):
         assert point_colours(n, DARK) == point_colours(n + 1, DARK)[:n]
-    assert point_colours(0, LIGHT) == []
+    assert point_colours(0, LIGHT) == ()
 
 
 @pytest.mark.parametrize("theme", THEMES)

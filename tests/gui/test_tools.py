@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import msgspec
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from app.document import edits
-from app.document.model import Document, Point
+from app.document.model import Point
 from app.testing import Editor
+from app.tools.drag import Drag
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Cursor, Hint
 from app.tools.registry import TOOLS
@@ -20,19 +20,19 @@ from app.tools.tool import Tool, ToolRecord
 HINT = "Drag to put a point above where you pressed"
 
 
-class Raise(msgspec.Struct, frozen=True):
+class Raise(Drag, frozen=True):
     """A drag that appends a point to the curve, straight above the press."""
 
-    document: Document
     curve: int
     foot: tuple[float, float]
-    name: str = "Raise point"
-    keys: str = "No keys"
+
+    name = "Raise point"
+    keys = "No keys"
 
     def head(self, pointer):
         return (self.foot[0], pointer.position[1])
 
-    def readout_at(self, pointer):
+    def readout(self, pointer):
         return f"Raised to {pointer.position[1]:.1f}"
 
     def document_at(self, pointer):

@@ -149,7 +149,7 @@ def test_tab_goes_from_x_to_y(arch, key):
     four = Document((make_curve([(0, 0), (1, 2), (2, 3), (3, 0)]),))
     for typed, status, second in (case[1:] for case in TYPED if case[0] == key):
         arch.session.commit(four, "Four")
-        arch.session.select([1, 3])
+        arch.session.selected.set_points([1, 3])
         arch.key(key)
         arch.type_amount(typed)
         assert arch.status.startswith(status)

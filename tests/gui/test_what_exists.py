@@ -34,21 +34,27 @@ def at_the_edge(editor):
 
 def named(session):
     """What the session names, as a value."""
-    return session.active_index, session.selection, session.selected_curves, session.hovered, session.scrub
+    return (
+        session.active_index,
+        session.selection,
+        session.selected.curves,
+        session.selected.hovered,
+        session.selected.scrub,
+    )
 
 
 def assert_exists(session):
     """Raise unless everything that the session names is there."""
     curves, points = range(len(session.document.curves)), range(len(session.active_curve.points))
     assert session.active_index in curves
-    assert session.active_index in session.selected_curves
-    assert all(index in curves for index in session.selected_curves)
+    assert session.active_index in session.selected.curves
+    assert all(index in curves for index in session.selected.curves)
     assert all(type(index) is int and index in points for index in session.selection)
-    assert session.hovered == -1 or session.hovered in points
-    if session.scrub is not None:
+    assert session.selected.hovered == -1 or session.selected.hovered in points
+    if session.selected.scrub is not None:
         start, end = session.active_view.curve.domain
-        assert type(session.scrub) is float
-        assert start <= session.scrub <= end
+        assert type(session.selected.scrub) is float
+        assert start <= session.selected.scrub <= end
 
 
 # Plain numbers
@@ -66,10 +72,10 @@ def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
     editor.trigger("addTool")
     editor.click((1.0, 1.0))
     editor.trigger("toggleSnap")
-    new = editor.session.selected
+    new = editor.session.selected.point
     x, y = editor.point(new)
     editor.key(Qt.Key.Key_Right)
-    assert editor.point(new) == pytest.approx((x + editor.window.canvas.tools.grid()[0], y), abs=1e-15)
+    assert editor.point(new) == pytest.approx((x + editor.window.canvas.tools.grid(), y), abs=1e-15)
 
 
 def test_what_a_program_commits_becomes_plain(odd_values):
@@ -137,7 +143,7 @@ class Appended(msgspec.Struct):
 def test_a_gesture_that_is_refused_at_its_end_leaves_the_selection_and_offers_nothing():
     """What is said when it is done was said of what was refused, and the new point stayed selected."""
     session, done = Session(), []
-    session.select([1, 2])
+    session.selected.set_points([1, 2])
     machine, count = DragMachine(session), len(session.active_curve.points)
     pointer = Pointer((1.0, 1.0), (10.0, 10.0))
     machine.press_at_once(pointer, Appended(session), on_done=lambda: done.append(True), makes=count)
@@ -167,25 +173,25 @@ def test_selection_hover_chosen_and_scrub_name_only_what_exists():
     session.commit(
         Document((make_curve([(0, 0), (1, 1), (2, 0)]), make_curve([(0, 0), (1, 1)], name="Other"))), "Begin"
     )
-    session.select([-1, 0, np.int64(2), 3, 99])
+    session.selected.set_points([-1, 0, np.int64(2), 3, 99])
     assert session.selection == {0, 2}
     for index, there in ((7, -1), (2, 2), (-5, -1), (2, 2)):
-        session.set_hovered(index)
-        assert session.hovered == there
-    session.set_scrub(3.0)
-    assert session.scrub == 1.0
-    session.select_curves([0, 5], 5)
-    assert session.selected_curves == {0}
-    session.select_curves([-1, 1, 2])
-    assert (session.active_index, session.selected_curves) == (1, {1})
+        session.selected.set_hovered(index)
+        assert session.selected.hovered == there
+    session.selected.set_scrub(3.0)
+    assert session.selected.scrub == 1.0
+    session.selected.set_curves([0, 5], 5)
+    assert session.selected.curves == {0}
+    session.selected.set_curves([-1, 1, 2])
+    assert (session.active_index, session.selected.curves) == (1, {1})
     assert_exists(session)
-    session.activate(0)
-    session.select([0, 2])
-    session.set_hovered(2)
+    session.selected.activate(0)
+    session.selected.set_points([0, 2])
+    session.selected.set_hovered(2)
     session.preview(edits.delete_points(session.document, 0, [1, 2]))
     assert named(session) == (0, {0}, {0}, -1, None)
     session.cancel()
-    assert session.scrub == 1.0
+    assert session.selected.scrub == 1.0
     session.commit(Document((make_curve([(0, 0), (1, 1)], name="Lone"),)), "Leave one")
     assert_exists(session)
 
@@ -194,19 +200,19 @@ def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
     """A preview of a shorter interval left it at 3 of [0, 2]."""
     session = Session()
     session.commit(edits.set_interval(session.document, 0, 0.0, 5.0), "To 5")
-    session.set_scrub(3.0)
+    session.selected.set_scrub(3.0)
     session.preview(edits.set_interval(session.document, 0, 0.0, 2.0))
-    assert session.scrub == 2.0
+    assert session.selected.scrub == 2.0
     session.preview(edits.set_interval(session.document, 0, 0.0, 4.0))
-    assert session.scrub == 3.0
+    assert session.selected.scrub == 3.0
     session.preview(edits.set_interval(session.document, 0, 3.5, 4.0))
-    assert session.scrub == 3.5
+    assert session.selected.scrub == 3.5
     session.cancel()
-    assert session.scrub == 3.0
+    assert session.selected.scrub == 3.0
     session.commit(edits.delete_points(session.document, 0, range(1, 9)), "Delete")
-    assert session.scrub is None
+    assert session.selected.scrub is None
     session.undo_stack.undo()
-    assert session.scrub == 3.0
+    assert session.selected.scrub == 3.0
 
 
 def test_actions_are_checked_by_the_document_that_the_panels_show(editor):

@@ -75,7 +75,7 @@ def test_the_offer_stays_under_the_pointer(pair):
         lambda editor: editor.trigger("undo"),
         lambda editor: editor.trigger("familyLagrange"),
         lambda editor: editor.trigger("reverseCurve"),
-        lambda editor: editor.session.activate(0),
+        lambda editor: editor.session.selected.activate(0),
         lambda editor: editor.new(),
         lambda editor: editor.window.message_bar.findChild(QToolButton, "closeMessage").click(),
     ],
@@ -105,7 +105,7 @@ def test_a_tip_goes_in_front_of_what_was_said_and_gives_it_back(pair):
     [
         lambda editor: editor.trigger("familyLagrange"),
         lambda editor: editor.session.undo_stack.undo(),
-        lambda editor: editor.session.activate(0),
+        lambda editor: editor.session.selected.activate(0),
         lambda editor: editor.session.new(),
     ],
 )
@@ -171,7 +171,7 @@ def test_t_goes_when_the_pointer_leaves_the_rail(pair):
     assert shown_t(pair).startswith("t 0.4")
     QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))
     assert shown_t(pair) == ""
-    pair.session.set_scrub(0.25)
+    pair.session.selected.set_scrub(0.25)
     assert shown_t(pair) == "t 0.25"
     pair.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.5, 0.5), held=False)
     assert shown_t(pair) != "t 0.25"
@@ -319,7 +319,7 @@ def test_the_hint_follows_a_step_without_a_move(pair):
 def test_the_hint_follows_the_curve_that_is_edited(pair):
     place = tuple(pair.session.views[0].curve.evaluate(0.5))
     pair.hover(place)
-    pair.session.activate(0)
+    pair.session.selected.activate(0)
     pair.settle()
     assert pair.window.status_line.hint.startswith("Drag to bend the curve")
 

@@ -80,7 +80,7 @@ def test_escape_takes_the_preview_of_a_cure_away(runge, qtbot):
     assert ghosts(runge)
     for _ in range(2):
         runge.escape()
-    assert runge.session.scrub is None
+    assert runge.session.selected.scrub is None
     assert not ghosts(runge)
 
 
@@ -88,12 +88,12 @@ def test_the_tool_explains_the_widest_swing_at_once(runge, qtbot):
     runge.trigger("explainWiggle")
     settled(runge, qtbot)
     view = runge.session.active_view
-    _, y = view.curve.evaluate(runge.session.scrub)
+    _, y = view.curve.evaluate(runge.session.selected.scrub)
     assert abs(y) > 3  # twice as high as any point
     words = panel(runge).words.text()
     assert "swings out by" in words
     assert "points away" in words
-    weights = view.curve.basis(np.array([runge.session.scrub]))[0, :, 0]
+    weights = view.curve.basis(np.array([runge.session.selected.scrub]))[0, :, 0]
     strongest = panel(runge).bars.pulls[0]
     assert strongest.point == np.argmax(np.abs(weights))
     assert strongest.weight == pytest.approx(weights[strongest.point])
@@ -107,7 +107,7 @@ def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_a
     t = 0.46
     runge.click(tuple(runge.session.active_view.curve.evaluate(t).tolist()))
     settled(runge, qtbot)
-    assert runge.session.scrub == pytest.approx(t, abs=0.01)
+    assert runge.session.selected.scrub == pytest.approx(t, abs=0.01)
     assert "Between points 4 and 5" in panel(runge).words.text()
     runge.click(runge.window.canvas.to_plane(QPoint(60, 60)))
     assert "on the curve itself" in runge.status
@@ -121,7 +121,7 @@ def test_the_menu_of_the_curve_explains_the_place_under_the_pointer(runge, qtbot
     runge.open_menu(tuple(runge.session.active_view.curve.evaluate(t).tolist()))
     runge.choose("explainHere")
     settled(runge, qtbot)
-    assert runge.session.scrub == pytest.approx(t, abs=0.01)
+    assert runge.session.selected.scrub == pytest.approx(t, abs=0.01)
     assert panel(runge).isVisible()
     assert runge.action("selectTool").isChecked()
 
@@ -157,7 +157,7 @@ CURES = (
 def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge, qtbot):
     runge.trigger("explainWiggle")
     settled(runge, qtbot)
-    before, steps, t = runge.session.document, runge.session.undo_stack.count(), runge.session.scrub
+    before, steps, t = runge.session.document, runge.session.undo_stack.count(), runge.session.selected.scrub
     for key, family, kind in CURES:
         promised = text(runge, f"swing_{key}")
         panel(runge).ensureWidgetVisible(button(runge, key))
@@ -171,7 +171,7 @@ def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge,
         assert not button(runge, key).isEnabled()
         runge.trigger("undo")
         assert runge.session.document == before
-        runge.session.set_scrub(t)
+        runge.session.selected.set_scrub(t)
         settled(runge, qtbot)
 
 
@@ -197,7 +197,7 @@ def test_a_cure_that_makes_it_worse_says_so(editor, qtbot):
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     editor.session.commit(Document((replace(make_curve(points), parametrization=uniform),)), "Begin")
     editor.trigger("explainWiggle")
-    editor.session.set_scrub(0.02)
+    editor.session.selected.set_scrub(0.02)
     settled(editor, qtbot)
     # Measured: 124 as it is, 223 with chord-length parameters, 0.08 with Chebyshev's.
     assert text(editor, "swing_chordLength") == "worse, 223"
@@ -210,7 +210,7 @@ def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
     points = [replace(point, corner=index == 2) for index, point in enumerate(closed.points)]
     editor.session.commit(Document((replace(closed, points=tuple(points)),)), "Begin")
     editor.trigger("explainWiggle")
-    editor.session.set_scrub(0.97)
+    editor.session.selected.set_scrub(0.97)
     settled(editor, qtbot)
     assert "Between points 4 and 0" in panel(editor).words.text()
     assert text(editor, "swing_chebyshev")

@@ -53,7 +53,7 @@ def test_the_first_start_shows_a_curve_and_a_hint(editor):
     assert len(editor.curve.points) == 8
     assert editor.session.active_view.is_current
     assert "F1" in editor.message
-    assert not editor.session.is_modified
+    assert not editor.session.files.is_modified
 
 
 def test_a_document_is_opened_without_a_greeting(qtbot, tmp_path):
@@ -184,7 +184,7 @@ def test_a_dropped_file_is_opened(editor, tmp_path):
         )
         QApplication.sendEvent(editor.window, event)
     assert editor.session.document == document
-    assert editor.session.path == path
+    assert editor.session.files.path == path
 
 
 @pytest.mark.parametrize(("button", "closes"), [("Discard", True), ("Cancel", False)])
@@ -207,7 +207,7 @@ def test_examples_open_as_copies_without_a_file(editor):
     assert len(names) >= 5
     for name in names:
         editor.trigger(name)
-        assert editor.session.path is None
+        assert editor.session.files.path is None
         assert editor.session.active_view.is_current
         assert editor.message == ""
 
@@ -224,17 +224,17 @@ def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtb
     ):
         editor.window.open_file(path)
         assert editor.session.document == load(path)
-        assert editor.session.path is editor.session.files.file is None
+        assert editor.session.files.path is editor.session.files.file is None
         assert editor.window.windowTitle() == f"{title}[*] – Curvebench"
         # There is one already where the window has had a file before.
         watcher = editor.window.findChild(QFileSystemWatcher)
         assert watcher is None or not (watcher.files() or watcher.directories())
-        assert not editor.session.is_modified
+        assert not editor.session.files.is_modified
     assert Preferences().recent_files == []
     monkeypatch.chdir(resource().parent)
     (window,) = open_windows(["resources/examples/letter_s.curve.json"])
     qtbot.addWidget(window)
-    assert window.session.path is window.session.files.file is None
+    assert window.session.files.path is window.session.files.file is None
     assert window.windowTitle() == "Letter S (example)[*] – Curvebench"
     assert sorted(resource().rglob("*")) == before
     asked = []
@@ -318,7 +318,7 @@ def test_the_keys_work_in_presentation(editor):
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
     assert editor.curve.family is HERMITE
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_T)
-    assert editor.session.scrub is not None
+    assert editor.session.selected.scrub is not None
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_F11)
     assert not editor.action("presentation").isChecked()
 
@@ -518,7 +518,7 @@ def test_a_bad_file_is_refused_before_anyone_is_asked_to_save(editor, tmp_path, 
     editor.window.open_file(path)  # a question would wait for an answer here
     start = "bad.curve.json was not opened" + (". " if content is None else ": ")
     assert editor.message.startswith(start + words)
-    assert editor.session.is_modified
+    assert editor.session.files.is_modified
 
 
 # Pasting

@@ -1,78 +1,101 @@
-"""What is selected, chosen, hovered and scrubbed names what exists, whatever is asked for."""
+"""What is selected, hovered and scrubbed names what exists, whatever is asked for."""
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
-from app.document.model import make_curve
-from app.session.selection import Selection
+from app.document.model import Document, make_curve
+from app.session import Session
 
-CURVES = tuple(make_curve([(place, 0.0), (place, 1.0)], name=name) for place, name in enumerate("ABC"))
+A, B, C = (make_curve([(place, 0.0), (place, 1.0)], name=name) for place, name in enumerate("ABC"))
 indices = st.sets(st.integers(-3, 8))
+
+
+def session_with(*curves, active=0):
+    session = Session()
+    session.change("Begin", lambda _document: Document(curves), active=active)
+    return session
+
+
+def with_points(count):
+    return session_with(make_curve([(float(x), 0.0) for x in range(count)]))
 
 
 @given(indices, st.integers(0, 5))
 def test_points_that_do_not_exist_are_not_selected(asked, count):
-    selection = Selection()
-    assert selection.select(asked, count) == bool(selection.points)
-    assert selection.points == asked & set(range(count))
-    assert not selection.select(asked, count)
+    session, told = with_points(count), []
+    session.selection_changed.connect(told.append)
+    session.selected.set_points(asked)
+    assert session.selection == asked & set(range(count))
+    session.selected.set_points(asked)
+    assert told == ([session.selection] if session.selection else [])
 
 
 @given(indices, st.integers(0, 4), st.integers(1, 5))
-def test_the_active_curve_is_one_of_those_chosen(asked, active, count):
+def test_the_active_curve_is_one_of_those_selected(asked, active, count):
     active = min(active, count - 1)
-    selection = Selection()
-    wanted = selection.select_curves(asked, active, count)
+    session = session_with(*(make_curve([(0.0, 0.0), (1.0, 1.0)], name=str(n)) for n in range(count)))
+    session.selected.set_curves(asked, active)
+    wanted = session.active_index
     existing = asked & set(range(count))
-    assert selection.curves == existing | {wanted}
-    # The one asked for, or the nearest of those chosen.
+    assert session.selected.curves == existing | {wanted}
+    # The one asked for, or the nearest of those selected.
     nearest = min((abs(index - active) for index in existing), default=0)
     assert abs(wanted - active) == (0 if active in existing else nearest)
 
 
 @pytest.mark.parametrize(
-    ("asked", "domain", "expected"),
-    [
-        (0.25, (0.0, 1.0), 0.25),
-        (-1.0, (0.0, 1.0), 0.0),
-        (2.0, (0.0, 1.0), 1.0),
-        (0.5, None, None),
-        (None, (0.0, 1.0), None),
-    ],
+    ("asked", "has_curve", "expected"),
+    [(0.25, True, 0.25), (-1.0, True, 0.0), (2.0, True, 1.0), (0.5, False, None), (None, True, None)],
 )
-def test_the_scrub_line_stays_on_the_curve(asked, domain, expected):
-    selection = Selection()
-    assert selection.scrub_to(asked, domain) == (expected is not None)
-    assert selection.scrub == expected
-    assert selection.scrub_asked == asked
+def test_the_scrub_line_stays_on_the_curve(asked, has_curve, expected):
+    session, told = with_points(2 if has_curve else 1), []
+    session.scrub_changed.connect(told.append)
+    session.selected.set_scrub(asked)
+    assert session.selected.scrub == expected
+    assert told == ([] if expected is None else [expected])
     # On a longer curve it stands where it was asked for.
-    selection.scrub_to(selection.scrub_asked, (-5.0, 5.0))
-    assert selection.scrub == asked
+    curve = make_curve([(0.0, 0.0), (1.0, 0.0)])
+    longer = replace(curve, parametrization=replace(curve.parametrization, start=-5.0, end=5.0))
+    session.change("Make it longer", lambda _document: Document((longer,)))
+    assert session.selected.scrub == asked
 
 
 @given(st.integers(-3, 8), st.integers(0, 5))
 def test_no_point_is_hovered_that_does_not_exist(index, count):
-    selection = Selection()
-    selection.hover(index, count)
-    assert selection.hovered == (index if 0 <= index < count else -1)
+    session, told = with_points(count), []
+    session.hovered_changed.connect(told.append)
+    session.selected.set_hovered(index)
+    assert session.selected.hovered == (index if 0 <= index < count else -1)
+    assert told == ([index] if 0 <= index < count else [])
 
 
-def test_chosen_curves_are_followed_to_their_new_places():
-    selection = Selection()
-    selection.select_curves({0, 2}, 2, 3)
-    a, b, c = CURVES
-    assert selection.follow_curves(CURVES, (c, a, b), 0)
-    assert selection.curves == {0, 1}
+def test_selected_curves_are_followed_to_their_new_places():
+    session, told = session_with(A, B, C), []
+    session.selected.set_curves({0, 2}, 2)
+    session.selected_curves_changed.connect(told.append)
+    session.change("Move C to the front", lambda _document: Document((C, A, B)), active=0)
+    assert session.selected.curves == {0, 1}
     # Of several that are gone the active one stays, alone.
-    assert selection.follow_curves((c, a, b), (b,), 0)
-    assert selection.curves == {0}
+    session.change("Keep B", lambda _document: Document((B,)))
+    assert session.selected.curves == {0}
+    assert told == [{0, 1}, {0}]
 
 
 def test_selected_points_are_followed_to_where_they_are():
-    selection = Selection()
-    selection.select([1], 2)
-    before = CURVES[0]
-    assert selection.followed_points(before, make_curve([(0.0, 1.0), (7.0, 7.0), (8.0, 8.0)])) == {0}
-    assert selection.followed_points(before, make_curve([(9.0, 9.0), (5.0, 5.0)])) == {1}
-    assert selection.followed_points(None, before) == frozenset()
+    def selected_after(points):
+        session = session_with(A)
+        session.selected.set_points([1])
+        session.change("Other points", lambda _document: Document((make_curve(points),)))
+        return session.selection
+
+    assert selected_after([(0.0, 1.0), (7.0, 7.0), (8.0, 8.0)]) == {0}
+    assert selected_after([(9.0, 9.0), (5.0, 5.0)]) == {1}
+
+
+def test_points_of_a_curve_that_was_not_there_are_not_selected():
+    session = session_with(B, A, active=1)
+    session.selected.set_points([1])
+    session.change("Another curve", lambda _document: Document((B, A, C)), active=2)
+    assert session.selection == frozenset()

@@ -68,7 +68,7 @@ def test_recovered_work_is_not_dropped_for_a_lesson(session, tmp_path):
     assert len(files(tmp_path)) == 1
     session.undo_stack.undo()
     assert session.document is work
-    assert session.is_modified
+    assert session.files.is_modified
     kept.leave()
 
 
@@ -78,11 +78,11 @@ def test_a_lesson_that_was_saved_is_never_overwritten_by_what_was_before(session
     session.files.open_copy(LESSONS[0], "Lesson 3")
     session.save(file)
     session.undo_stack.undo()
-    assert session.path is None
-    assert session.is_modified
+    assert session.files.path is None
+    assert session.files.is_modified
     assert load(file).curves[0].name == "Uneven"
     session.undo_stack.redo()
-    assert session.path is None
+    assert session.files.path is None
     # The lock is gone with the file.
     other = Session()
     other.open(file)
@@ -93,7 +93,7 @@ def test_a_lesson_that_was_saved_is_never_overwritten_by_what_was_before(session
 def test_a_disk_that_refuses_is_told_of(session, tmp_path):
     said: list[str] = []
     session.message.connect(
-        lambda message: said.append(message.text) if message.kind is MessageKind.REFUSED else None
+        lambda message: said.append(message.text) if message.kind is MessageKind.REFUSAL else None
     )
     (tmp_path / "file").write_text("")
     kept = SetAside(session, tmp_path / "file")

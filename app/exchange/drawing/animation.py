@@ -23,7 +23,7 @@ from app.document.model import Document
 from app.exchange import drawing
 from app.exchange.drawing.styles import LIGHT, Style
 from app.exchange.errors import ExchangeError
-from app.exchange.formats import format_of
+from app.exchange.formats import FileKind, format_of
 from app.storage.files import write
 from app.tasks.progress import FINAL, Report, silent
 from app.view_model.curve_view import view_of
@@ -281,15 +281,11 @@ def _code_of(process: subprocess.Popen[bytes], report: Report) -> int:
 
 
 @dataclass(frozen=True)
-class FilmFormat:
+class FilmFormat(FileKind):
     """A format of films.
 
     Attributes
     ----------
-    endings
-        Of its files; the first is the one that a new file gets.
-    title
-        What people call it.
     most_pixels
         Of all frames together: Pillow keeps them until the file is written, in one or in three bytes a pixel.
     write
@@ -298,16 +294,9 @@ class FilmFormat:
         Returns what has to be there to write it and is not; empty where nothing is missing.
     """
 
-    endings: tuple[str, ...]
-    title: str
     most_pixels: float
     write: Callable[[FrameMaker, Film, Report], bytes]
     missing: Callable[[], str] = lambda: ""
-
-    @property
-    def ending(self) -> str:
-        """The ending that a new file gets."""
-        return self.endings[0]
 
 
 FILMS = (

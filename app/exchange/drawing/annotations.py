@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from app.document.model import Curve, Document
 from app.exchange.drawing.drawing import MARGIN, Annotation, Drawing, Frame, frame_with
 from app.exchange.errors import ExchangeError
-from app.exchange.options import Extras
+from app.exchange.options import Options
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.cardinal_view import cardinal_view
 from app.view_model.curve_view import view_of
@@ -33,7 +33,7 @@ _SQUARE = 0.004
 _DASHES = ((), (0.008, 0.005), (0.002, 0.004))
 
 
-def annotated(drawing: Drawing, document: Document, extras: Extras, theme: str) -> Drawing:
+def annotated(drawing: Drawing, document: Document, options: Options, theme: str) -> Drawing:
     """Return the drawing with what else is wanted, on the paper of a theme, "light" or "dark".
 
     Raises
@@ -42,17 +42,18 @@ def annotated(drawing: Drawing, document: Document, extras: Extras, theme: str) 
         If the basis functions are wanted of a curve that has none.
     """
     frame = drawing.frame
-    handles = _handles(document) if extras.handles else {}
+    handles = _handles(document) if options.handles else {}
     if handles:
         ends = np.array([handle.position for each in handles.values() for handle in each])
         frame = frame_with(drawing.outlines, ends)
-    found = _grid(frame) if extras.grid else []
-    for curve, each in handles.items():
-        found += _drawn_handles(document.curves[curve].colour, each, frame.side)
-    if extras.basis is not None:
-        view = _functions(document.curves[extras.basis], extras)
+    found = _grid(frame) if options.grid else []
+    for place, each in handles.items():
+        found += _drawn_handles(document.curves[place].colour, each, frame.side)
+    if options.basis is not None:
+        curve = document.curves[options.basis]
+        view = _functions(curve, options.with_estimates)
         if view is None:
-            raise ExchangeError(f"“{document.curves[extras.basis].name}” has no basis functions to draw.")
+            raise ExchangeError(f"“{curve.name}” has no basis functions to draw.")
         height = PANEL * frame.side
         panel = Frame(frame.left, frame.bottom - height, frame.width, height)
         found += _basis(view, panel, frame.side, theme)
@@ -60,10 +61,9 @@ def annotated(drawing: Drawing, document: Document, extras: Extras, theme: str) 
     return replace(drawing, frame=frame, annotations=tuple(found))
 
 
-def _functions(curve: Curve, extras: Extras) -> BasisView | None:
+def _functions(curve: Curve, with_estimates: bool) -> BasisView | None:
     view = view_of(curve)
-    shows_cardinals = extras.with_estimates and curve.family.derivatives > 0
-    return cardinal_view(view) if shows_cardinals else basis_view(view)
+    return cardinal_view(view) if with_estimates and curve.family.derivatives else basis_view(view)
 
 
 def grid_step(frame: Frame) -> float:

@@ -16,7 +16,7 @@ from enum import Enum, auto
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from app.exchange.errors import ExchangeError
 
@@ -68,18 +68,40 @@ class ContentKind(Enum):
     TABLE = auto()
 
 
-@dataclass(frozen=True, kw_only=True)
-class Format:
-    """A format of files.
+@dataclass(frozen=True)
+class FileKind:
+    """A kind of files, known by the endings of their names.
 
     Attributes
     ----------
     endings
-        Of its files, in small letters; the first is the one that a new file gets.
+        In small letters; the first is the one that a new file gets.
     title
-        What one file is: the name in the export dialog.
+        What one file is called.
+    """
+
+    endings: tuple[str, ...]
+    title: str
+
+    @property
+    def ending(self) -> str:
+        """The ending that a new file gets."""
+        return self.endings[0]
+
+    @property
+    def patterns(self) -> str:
+        """Names of such files, as file dialogs take them."""
+        return " ".join(f"*{ending}" for ending in self.endings)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Format(FileKind):
+    """A format of documents, as the export and import dialogs have it.
+
+    Attributes
+    ----------
     description
-        That in a sentence; a format without one is not offered there.
+        The title in a sentence; a format without one is not offered there.
     place
         Where it stands in lists: they are in ascending order.
     options
@@ -100,8 +122,6 @@ class Format:
         and returns a `Table`. None for documents and for tables of text.
     """
 
-    endings: tuple[str, ...]
-    title: str
     description: str = ""
     place: int = 1000
     options: tuple[Option[Any], ...] = ()
@@ -111,16 +131,6 @@ class Format:
     kind: ContentKind | None = None
     plural: str = ""
     read: Callable[..., Any] | None = None
-
-    @property
-    def ending(self) -> str:
-        """The ending that a new file gets."""
-        return self.endings[0]
-
-    @property
-    def patterns(self) -> str:
-        """Names of such files, as file dialogs take them."""
-        return " ".join(f"*{ending}" for ending in self.endings)
 
 
 class Registry:
@@ -167,18 +177,10 @@ class Registry:
 FORMATS = Registry()
 
 
-class HasEndings(Protocol):
-    """Kind of files that is known by the endings of their names."""
-
-    @property
-    def endings(self) -> tuple[str, ...]:
-        """In small letters."""
+Known = TypeVar("Known", bound=FileKind)
 
 
-Known = TypeVar("Known", bound=HasEndings)
-
-
-def endings_of(formats: Sequence[HasEndings]) -> tuple[str, ...]:
+def endings_of(formats: Sequence[FileKind]) -> tuple[str, ...]:
     """Return the endings of all their files."""
     return tuple(ending for each in formats for ending in each.endings)
 

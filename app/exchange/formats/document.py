@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import os
-
 from app.document.model import Document
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import DOCUMENT_ENDING, ContentKind, Format, Written
 from app.exchange.options import Options
+from app.storage.files import folder_of
 from app.storage.format import FormatError, encode
 from app.storage.image_path import relative_to
 
 
 def _write(document: Document, options: Options) -> Written:
     # The picture to trace is found from where the file lies.
-    folder = os.path.dirname(os.path.abspath(options.path))  # noqa: PTH100, PTH120 - links are kept
     try:
-        return Written(encode(relative_to(document, folder)))
+        return Written(encode(relative_to(document, folder_of(options.path))))
     except FormatError as problem:
         raise ExchangeError(f"The document cannot be written: {problem}.") from problem
 

@@ -57,9 +57,8 @@ def latex_formula(document: Document, options: Options = DEFAULT, digits: int = 
         for source in told(sources, part(options.report, 0.3, 0.6), "Comparing")
         for piece in source.polynomials.pieces
     )
-    head = [accuracy(deviation), r"Needs \usepackage{amsmath}.", *map(one_line, remarks)]
     parts = [_formula(each, digits) for each in told(sources, part(options.report, 0.6, 1.0), "Writing")]
-    return Written("\n".join([*(f"% {line}" for line in head), *parts]) + "\n", deviation, remarks)
+    return _file(parts, deviation, remarks, "amsmath")
 
 
 def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
@@ -217,9 +216,13 @@ def _rounded_deviation(piece: CoreCurve, digits: int) -> float:
 
 
 def _picture(lines: list[str], deviation: float, remarks: tuple[str, ...], package: str) -> Written:
+    return _file(["\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"], deviation, remarks, package)
+
+
+def _file(lines: list[str], deviation: float, remarks: tuple[str, ...], package: str) -> Written:
+    """Return lines below comments: how accurate they are, the package they need, what was left out."""
     head = [accuracy(deviation), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
-    text = "\n".join([*(f"% {line}" for line in head), "\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"])
-    return Written(text + "\n", deviation, remarks)
+    return Written("\n".join([*(f"% {line}" for line in head), *lines]) + "\n", deviation, remarks)
 
 
 def _path(outline: Outline, number: Callable[[float], str], system: str, margin: str = "  ") -> str:

@@ -103,21 +103,12 @@ def _samples_of(
     report(0.0, "Computing samples")
     needed = with_lengths or options[SPACING] is Spacing.LENGTH
     lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
-    half = part(report, 0.0, 0.5)
-    t, bound = _parameters_of(core, options[SAMPLES], options[SPACING], allowed, lengths, half)
-    for rows, missed in _in_parts(core, t, lengths, bound is None, part(report, 0.5, 1.0)):
-        yield rows, max(missed, bound or 0.0)
-
-
-def _in_parts(
-    core: CoreCurve, t: FloatArray, lengths: ArcLength | None, is_measured: bool, report: Report
-) -> Iterator[tuple[FloatArray, float]]:
-    """Yield the rows of a curve, some at a time, with the deviation of their polyline if it `is_measured`."""
+    t, bound = _parameters_of(core, options, allowed, lengths, part(report, 0.0, 0.5))
     for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
-        report(first / len(t), "Computing samples")
+        report(0.5 + 0.5 * first / len(t), "Computing samples")
         # The last sample of a part is the first of the next.
         some = t[first : first + _ROWS_AT_ONCE + 1]
-        missed = polyline_deviation(core, some) if is_measured else 0.0
+        missed = polyline_deviation(core, some) if bound is None else bound
         yield _rows_of(core, some, lengths)[1 if first else 0 :], missed
 
 
@@ -129,12 +120,7 @@ def _columns(titles: tuple[str, ...]) -> list[int]:
 
 
 def _parameters_of(
-    core: CoreCurve,
-    samples: int,
-    spacing: Spacing,
-    tolerance: float,
-    lengths: ArcLength | None,
-    report: Report,
+    core: CoreCurve, options: Options, tolerance: float, lengths: ArcLength | None, report: Report
 ) -> tuple[FloatArray, float | None]:
     """Return the parameters to sample a curve at, both ends of its domain among them.
 
@@ -142,6 +128,7 @@ def _parameters_of(
     to be measured. A tolerance that takes more vertices than a polyline can have is missed, and the bound
     says so.
     """
+    samples, spacing = options[SAMPLES], options[SPACING]
     if spacing is Spacing.TOLERANCE:
         pieces = flatten_pieces(core, tolerance)
         return pieces.parameters, pieces.reached

@@ -60,10 +60,10 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
 def picture_of(document: Document, options: Options, style: Style, report: Report) -> Drawing:
     """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
     plain = drawing_of(document, options.tolerance, report)
-    if options.extras is None:
+    if not (options.handles or options.grid or options.basis is not None):
         return plain
     # Views of basis functions and handles are no business of a plain drawing.
-    return drawing.annotations.annotated(plain, document, options.extras, style.theme)
+    return drawing.annotations.annotated(plain, document, options, style.theme)
 
 
 def nominal_width(drawing: Drawing, width: float | None) -> float:

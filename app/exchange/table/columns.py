@@ -77,6 +77,11 @@ class Guess:
     is_certain: bool = True
 
 
+def numbered_titles(count: int) -> tuple[str, ...]:
+    """Return the titles of so many columns that have none."""
+    return tuple(f"Column {place}" for place in range(1, count + 1))
+
+
 def role_of(title: str) -> str:
     """Return what a column of this title is; empty where the title does not say.
 
@@ -90,11 +95,6 @@ def role_of(title: str) -> str:
         parts.pop()
     joined = "".join(parts)
     return next((role for role, pattern in _PATTERNS.items() if pattern.fullmatch(joined)), "")
-
-
-def guessed(titles: Sequence[str], rows: Sequence[Sequence[str]] = ()) -> ColumnMapping | None:
-    """Return what `guess` takes the columns for."""
-    return guess(titles, rows).mapping
 
 
 def guess(

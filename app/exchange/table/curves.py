@@ -12,7 +12,7 @@ from app.document.words import NamedEnum
 from app.exchange.cubics_in import Imported
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import numbered
-from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
+from app.exchange.table.columns import AFTER, ROLES, ColumnMapping
 from app.exchange.table.layout import MissingNumber, RowProblem
 from app.exchange.table.table import Table
 from app.exchange.table.thinning import Thinning, thinned
@@ -74,29 +74,20 @@ class TableOptions:
 
 
 def document_of_table(
-    table: Table,
-    mapping: ColumnMapping | None = None,
-    options: TableOptions | None = None,
-    *,
-    report: Report = silent,
+    table: Table, mapping: ColumnMapping, options: TableOptions, *, report: Report = silent
 ) -> Imported:
     """Return the curves through the rows of a table, how far they are from them, and what there is to say.
 
     There is one curve, or one for each name in the column of names, and one for each block of rows. Where
-    there is no column of parameters, rows that repeat the point before become one point with it. By default
-    the columns are guessed from their titles.
+    there is no column of parameters, rows that repeat the point before become one point with it.
 
     Raises
     ------
     ExchangeError
         If the rows cannot be the points of a curve, with the row.
     """
-    options = options or TableOptions()
-    chosen = mapping or guessed(table.titles)
-    if chosen is None:
-        raise ExchangeError("The table has one column only; a curve needs x and y.")
-    columns = _columns_of(table, chosen)
-    all_groups = _groups(table, chosen, options.name)
+    columns = _columns_of(table, mapping)
+    all_groups = _groups(table, mapping, options.name)
     groups = _numbered(_without_missing(table, columns, all_groups, options.missing))
     curves, deviation, repeats, first_repeat = [], 0.0, 0, 0
     for place, (title, rows) in enumerate(groups):
@@ -109,7 +100,7 @@ def document_of_table(
             own = own.without(found)
         away = part(report, place / len(groups), (place + 1) / len(groups))
         if options.thin is None:
-            family, closed = _family_of(table, chosen, rows, options.family)
+            family, closed = _family_of(table, mapping, rows, options.family)
             curves.append(_full_curve(title, own, family, closed, away))
         else:
             kept = thinned(own.points, own.t, options.thin, options.thinning, report=away)

@@ -12,6 +12,7 @@ import numpy as np
 
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import numbered
+from app.exchange.table.columns import numbered_titles
 from app.exchange.table.layout import RowProblem
 from app.exchange.table.table import Table, table_of
 from app.storage.format import not_json
@@ -54,11 +55,11 @@ def read_json(data: bytes) -> Table:
     if isinstance(content, list) and content and all(isinstance(each, dict) for each in content):
         return _records(content)
     if _is_points(content):
-        return table_of(_numbers(content), _numbered(content[0]))
+        return table_of(_numbers(content), numbered_titles(len(content[0])))
     if isinstance(content, list) and content and all(map(_is_points, content)):
         rows = [point for curve in content for point in curve]
         blocks = tuple(accumulate(map(len, content[:-1])))
-        return table_of(_numbers(rows), _numbered(rows[0]), blocks=blocks)
+        return table_of(_numbers(rows), numbered_titles(len(rows[0])), blocks=blocks)
     raise ExchangeError(f"This JSON is no table; it can be {_KINDS}.")
 
 
@@ -71,10 +72,6 @@ def _is_points(content: object) -> bool:
         and len(content[0]) > 1
         and not any(isinstance(each, list | dict) for each in content[0])
     )
-
-
-def _numbered(row: Sequence[object]) -> tuple[str, ...]:
-    return tuple(f"Column {column + 1}" for column in range(len(row)))
 
 
 def _columns(content: dict[str, list[object]]) -> Table:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from statistics import mode
 
 from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import UNITS, role_of
+from app.exchange.table.columns import UNITS, numbered_titles, role_of
 
 
 class RowProblem(ExchangeError):  # noqa: N818 - the word for people
@@ -160,9 +160,9 @@ def cells_of(line: str, layout: TextLayout, width: int = 0) -> list[str]:
 
 def titles_of(rows: list[list[str]], layout: TextLayout) -> tuple[str, ...]:
     """Return the titles of the columns: the cells of the first of `rows`, or "Column 1" and so on."""
-    if layout.header:
-        return tuple(cell or f"Column {index + 1}" for index, cell in enumerate(rows[0]))
-    return tuple(f"Column {index + 1}" for index in range(len(rows[0])))
+    numbered = numbered_titles(len(rows[0]))
+    given = rows[0] if layout.header else [""] * len(numbered)
+    return tuple(cell or title for cell, title in zip(given, numbered, strict=True))
 
 
 def cells_of_row(data: bytes, layout: TextLayout, row: int) -> tuple[str, ...]:

@@ -55,11 +55,6 @@ def parts_of(data: bytes, size: int = BLOCK) -> Iterator[tuple[int, list[str], i
         start, number = end + 1, number + len(lines)
 
 
-def first_lines(data: bytes) -> list[str]:
-    """Return the first lines that hold data."""
-    return [line for _number, line in numbered_first_lines(data)]
-
-
 def numbered_first_lines(data: bytes) -> list[tuple[int, str]]:
     """Return the first lines that hold data, each after its number, from 1, in an editor of text.
 

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.exchange.errors import ExchangeError
+from app.exchange.table.columns import numbered_titles
 from app.exchange.table.table import MAX_COLUMNS, MAX_ROWS, Table, table_of
 
 _HEADERS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
@@ -44,8 +45,7 @@ def read_array(data: bytes) -> Table:
     said = ""
     if array.shape[0] in (2, 3) and array.shape[1] > array.shape[0] + 1 and not blocks:
         array, said = array.T, "The rows of the array are taken for columns."
-    titles = titles or tuple(f"Column {column + 1}" for column in range(array.shape[1]))
-    return table_of(array.astype(float), titles, blocks=blocks, said=said)
+    return table_of(array.astype(float), titles or numbered_titles(array.shape[1]), blocks=blocks, said=said)
 
 
 def _array(data: bytes) -> npt.NDArray[Any]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
 from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, guess, role_of
+from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, guess
 from app.exchange.table.layout import (
     MissingNumber,
     RowProblem,
@@ -21,7 +21,7 @@ from app.exchange.table.layout import (
     sniffed,
     titles_of,
 )
-from app.exchange.table.lines import first_lines, is_data, numbered_first_lines, parts_of, plain_utf_8
+from app.exchange.table.lines import is_data, numbered_first_lines, parts_of, plain_utf_8
 from app.exchange.table.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 from app.tasks.progress import Report, silent
 from curvecore.arrays import FloatArray
@@ -51,8 +51,8 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
 
 def read_table(
     data: bytes,
-    layout: TextLayout | None = None,
-    mapping: ColumnMapping | None = None,
+    layout: TextLayout,
+    mapping: ColumnMapping,
     *,
     allows_missing: bool = False,
     report: Report = silent,
@@ -67,10 +67,9 @@ def read_table(
     data
         The whole file: UTF-8, or UTF-16 with its mark.
     layout
-        How to read it; by default what the file looks like.
+        How to read it.
     mapping
-        The columns that are wanted; what stands in the others is not looked at. By default those that look
-        like numbers, and those with the titles `WORDS` as text.
+        The columns that are wanted; what stands in the others is not looked at.
     allows_missing
         Whether "nan" and the like may stand in place of a number.
     report
@@ -82,12 +81,8 @@ def read_table(
         With the row, as an editor of text counts, and the column, for the first cell that is no number.
     """
     data = plain_utf_8(data)
-    lines = first_lines(data)
-    layout = layout or sniffed(lines)
-    rows = _rows(lines, layout)
-    titles = titles_of(rows, layout)
-    shown = rows[layout.header + layout.units :]
-    wanted = _wanted(titles, mapping, _are_numbers(shown, len(titles), layout))
+    titles = titles_of(_rows([line for _number, line in numbered_first_lines(data)], layout), layout)
+    wanted = _wanted(len(titles), mapping)
     rows_at_most = max(data.count(b"\n"), data.count(b"\r")) + 1
     collector = _Collector(layout, wanted, rows_at_most, allows_missing)
     for first, block, place in parts_of(data):
@@ -144,21 +139,9 @@ class _Wanted:
         return len(self.numbers) == self.width
 
 
-def _wanted(titles: tuple[str, ...], mapping: ColumnMapping | None, are_numbers: list[bool]) -> _Wanted:
-    width = len(titles)
-    if mapping is None:
-        roles = [role_of(title) for title in titles]
-        words = tuple(column for column, role in enumerate(roles) if role in WORDS)
-        numbers = tuple(
-            column
-            for column, (role, looks) in enumerate(zip(roles, are_numbers, strict=True))
-            if role not in WORDS and (role or looks)
-        )
-        # Where none does, the first of them shall say what is wrong with it.
-        numbers = numbers or tuple(column for column in range(width) if column not in words)
-    else:
-        words = tuple(mapping.columns(WORDS).values())
-        numbers = tuple(sorted(set(mapping.columns((*ROLES, *AFTER)).values())))
+def _wanted(width: int, mapping: ColumnMapping) -> _Wanted:
+    words = tuple(mapping.columns(WORDS).values())
+    numbers = tuple(sorted(set(mapping.columns((*ROLES, *AFTER)).values())))
     for column in (*numbers, *words):
         if not 0 <= column < width:
             raise ExchangeError(f"There is no column {column + 1}.")

@@ -126,7 +126,7 @@ class BasisCommands:
     def _select(self, point: int) -> None:
         """Select a point whose tick the menu is about, unless it is among those selected already."""
         if point not in self._session.selection:
-            self._session.select([point])
+            self._session.selected.set_points([point])
 
     def _show_menu(self, place: QPoint) -> None:
         strip_menu(self._context, RAIL_MENU, "railMenu").popup(place)
@@ -169,7 +169,7 @@ class BasisCommands:
     @also(RAIL_MENU(10))
     def _type_parameter(self) -> None:
         """Type the parameter of the selected point at its tick."""
-        selected = self._session.selected
+        selected = self._session.selected.point
         if selected is not None:
             self._panel.edit_tick(selected)
 

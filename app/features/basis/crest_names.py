@@ -10,9 +10,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, QTimer
 from PySide6.QtGui import QFontMetricsF, QPainter
 
+from app.appearance.colours import point_colours
 from app.appearance.theme import Theme
-from app.plotting.colours import colours_of
-from app.plotting.fonts import Sizes
 from app.plotting.halo import Halo
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
@@ -78,7 +77,6 @@ class CrestNames:
     """
 
     def __init__(self, plot: PlotWidget, again: Callable[[], None]) -> None:
-        self._fonts = Sizes(plot.font())
         self._halos = tuple(Halo() for _ in range(MOST))
         self._cell = QSizeF()
         self._written = np.empty((0, 2))
@@ -110,7 +108,7 @@ class CrestNames:
         places, clear = crests + self._asides, np.flatnonzero(self._is_clear)
         kept = clear[apart(places[clear], self._cell)]
         self._written = np.round(places[kept])
-        colours, rim = colours_of(basis.point_count, theme), _RIM * scale
+        colours, rim = point_colours(basis.point_count, theme), _RIM * scale
         box = QRectF(QPointF(), self._cell).adjusted(rim, rim, -rim, -rim)
         for owner, place in zip(self._owners[kept].tolist(), self._written.tolist(), strict=True):
             box.moveCenter(QPointF(*place))
@@ -166,7 +164,6 @@ class CrestNames:
 
     def _measure(self, painter: QPainter, scale: float) -> None:
         """Find out how much room a number takes, with its halo of paper."""
-        painter.setFont(self._fonts.less(1.5, scale))
         metrics, rim = QFontMetricsF(painter.font()), _RIM * scale
         # Even numbers of pixels: their middles are whole, and letters are sharp.
         width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim

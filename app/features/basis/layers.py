@@ -11,12 +11,11 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
+from app.appearance.colours import point_colours
 from app.appearance.theme import mix
 from app.document.words import number
 from app.features.basis.crest_names import CrestNames
 from app.features.basis.function_lines import FunctionDrawing, FunctionLines, way_to_draw
-from app.plotting.colours import colours_of
-from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
 from app.plotting.pens import with_dashes
 from app.plotting.pixel_map import PixelMap
@@ -77,6 +76,7 @@ class FunctionLayer(Layer):
         if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.shown_of(self.kinds)
+            painter.setFont(self.fonts.less(1.5, self.scale))
             self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
         else:
             self._paint_together(painter, self._basis)
@@ -139,7 +139,7 @@ class FunctionLayer(Layer):
         without: frozenset[int] = frozenset(),
     ) -> None:
         assert self._lines is not None
-        colours = colours_of(basis.point_count, self.theme)
+        colours = point_colours(basis.point_count, self.theme)
         kinds = basis.shown_of(self.kinds)
         for knot in knots:
             owner = basis.owners[knot]
@@ -168,7 +168,6 @@ class RailLayer(Layer):
         self.scrub: float | None = None
         self._stamps = Stamps(_tick)
         self._basis: BasisView | None = None
-        self._fonts = Sizes(plot.font())
 
     def render(self, basis: BasisView | None) -> None:
         """Draw a tick at every knot from the next paint on."""
@@ -176,7 +175,6 @@ class RailLayer(Layer):
         self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw rail, ticks and scrub line."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         top = shown.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
@@ -192,11 +190,11 @@ class RailLayer(Layer):
         visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
         if len(visible) > _MARKED_ONE_BY_ONE:
             visible = self._stamp_ticks(painter, x, visible, count, top)
-        colours = colours_of(count, self.theme)
+        colours = point_colours(count, self.theme)
         last = self.selection | {self.hovered}
         order = sorted(visible.tolist(), key=lambda knot: owners[knot] in last)
         numbers_right_of = -np.inf
-        painter.setFont(self._fonts.less(1.5, self.scale))
+        painter.setFont(self.fonts.less(1.5, self.scale))
         for index in order:
             place, owner = float(x[index]), owners[index]
             self._paint_tick(painter, place, top, owner, colours[owner])

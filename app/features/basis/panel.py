@@ -60,9 +60,9 @@ class BasisPanel(ToolPlot):
 
     # Gestures
 
-    def pressed(self, pointer: Pointer) -> None:
-        super().pressed(pointer)
-        if self.tools.is_dragging:
+    def _pressed(self, pointer: Pointer) -> None:
+        super()._pressed(pointer)
+        if self.tools.is_pressed and self.tools.tool.gesture is None:
             self.drag_changed.emit(True)
 
     def abandon_gesture(self) -> None:
@@ -112,13 +112,10 @@ class BasisPanel(ToolPlot):
         place = self.rail_pixel(t) - QPointF(0, 8)
         self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, place.toPoint())))
 
-    def menu_wanted(self, event: QContextMenuEvent) -> None:
+    def _menu_wanted(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the t-rail."""
         self._select_for_menu(event)
         self.menu_requested.emit(event.globalPos())
-
-    def _hit_at(self, place: QPointF) -> Hit | None:
-        return self.hit(self.pointer_at(place), self.tools.tool)
 
     def _select_for_menu(self, event: QContextMenuEvent) -> None:
         """Let a right click on a tick that is not selected select it: the menu is about it."""
@@ -148,7 +145,7 @@ class BasisPanel(ToolPlot):
     def _set_ripple(self, *, down: bool) -> None:
         """Note whether E is down, and show at once what it changes of a drag in flight."""
         was_down, self._ripple_down = self._ripple_down, down
-        if down != was_down and self.is_dragging and self._hand is not None:
-            self._hand = replace(self._hand, ripple=down)
+        if down != was_down and self.is_dragging and self._pointer is not None:
+            self._pointer = replace(self._pointer, ripple=down)
             self._move_again()
             self._tell()

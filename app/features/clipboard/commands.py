@@ -83,7 +83,7 @@ class ClipboardCommands:
             f"Cut {count_of(len(selected), 'point')}",
             lambda document: edits.delete_points(document, session.active_index, selected),
         ):
-            session.select([])
+            session.selected.set_points([])
             session.say(f"Cut {count_of(len(selected), 'point')}.")
 
     @action(
@@ -144,7 +144,7 @@ class ClipboardCommands:
             f"Paste {count_of(len(pasted.points), 'point')}",
             lambda document: curve_edits.replace_curve(document, session.active_index, curve),
         ):
-            session.select(range(count, count + len(pasted.points)))
+            session.selected.set_points(range(count, count + len(pasted.points)))
             self._show_points()
             session.say(f"Pasted {count_of(len(pasted.points), 'point')}{pasted.note}.")
 
@@ -182,7 +182,7 @@ class ClipboardCommands:
     @also(POINT_MENU(32))
     def _copy_derivatives(self) -> None:
         """Copy the velocity and the acceleration of the selected point."""
-        view, index = self._session.active_view, self._session.selected
+        view, index = self._session.active_view, self._session.selected.point
         if index is None or not view.is_current:
             return
         point = view.source.points[index]

@@ -28,12 +28,12 @@ class CurveClipboard:
     @property
     def has_several(self) -> bool:
         """Whether there are curves to copy: several are selected, and no point is selected."""
-        return len(self._session.selected_curves) > 1 and not self._session.selection
+        return len(self._session.selected.curves) > 1 and not self._session.selection
 
     def copy(self) -> None:
         """Copy all selected curves."""
         session = self._session
-        curves = tuple(session.document.curves[place] for place in sorted(session.selected_curves))
+        curves = tuple(session.document.curves[place] for place in sorted(session.selected.curves))
         mark = decimal_mark()
         tables = [
             write_block([[exact_text(number, mark) for number in point.position] for point in curve.points])
@@ -49,7 +49,7 @@ class CurveClipboard:
     def cut(self) -> None:
         """Copy all selected curves and delete them."""
         session, document = self._session, self._session.document
-        selected = session.selected_curves
+        selected = session.selected.curves
         self.copy()
         session.change(
             f"Cut {named(document, selected)}",
@@ -69,6 +69,6 @@ class CurveClipboard:
         session, first = self._session, self._session.active_index + 1
         pasted = add_curves(session.document, curves, first)
         if session.change(f"Paste {len(curves)} curves", lambda _: pasted, active=first):
-            session.select_curves(range(first, first + len(curves)))
+            session.selected.set_curves(range(first, first + len(curves)))
             session.say(f"Pasted {len(curves)} curves; they are chosen.")
         return True

@@ -53,7 +53,7 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session = self._session
-        self.panel.render_document(session.document, session.active_index, session.selected_curves)
+        self.panel.render_document(session.document, session.active_index, session.selected.curves)
 
     # Number
 
@@ -68,7 +68,7 @@ class CurveListCommands:
     @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
-        session, selected = self._session, self._session.selected_curves
+        session, selected = self._session, self._session.selected.curves
         document, order = session.document, sorted(selected)
         colours = self._next_colours([document.curves[place].colour for place in order])
         first, active = order[-1] + 1, order.index(session.active_index)
@@ -80,12 +80,12 @@ class CurveListCommands:
             return
         if len(order) == 1:
             copy = session.active_curve
-            session.select(range(len(copy.points)))
+            session.selected.set_points(range(len(copy.points)))
             session.say(
                 f"“{copy.name}” lies on the original; all its points are selected, drag one to move it."
             )
             return
-        session.select_curves(range(first, first + len(order)))
+        session.selected.set_curves(range(first, first + len(order)))
         session.say(f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them.")
 
     @action(
@@ -99,7 +99,7 @@ class CurveListCommands:
     @also(CURVE_MENU(30), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
-        session, selected = self._session, self._session.selected_curves
+        session, selected = self._session, self._session.selected.curves
         document = session.document
         session.change(
             f"Delete {named(document, selected)}",
@@ -179,8 +179,8 @@ class CurveListCommands:
     def _choose_all(self) -> None:
         """Choose all curves, to move, scale, hide, colour or delete them together."""
         session = self._session
-        session.select_curves(range(len(session.document.curves)))
-        session.say(f"{named(session.document, session.selected_curves)} chosen.")
+        session.selected.set_curves(range(len(session.document.curves)))
+        session.say(f"{named(session.document, session.selected.curves)} chosen.")
 
     @action(
         "onlyThisCurve",
@@ -191,7 +191,7 @@ class CurveListCommands:
     @also(CURVE_LIST_MENU(23))
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
-        self._session.select_curves((self._session.active_index,))
+        self._session.selected.set_curves((self._session.active_index,))
 
 
 def _curves(now: Situation) -> str:

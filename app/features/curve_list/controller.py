@@ -17,18 +17,18 @@ class CurveListController:
 
     def __init__(self, session: Session, panel: CurveList) -> None:
         self._session = session
-        panel.view.activated_row.connect(session.activate)
-        panel.view.rows_selected.connect(session.select_curves)
+        panel.view.activated_row.connect(session.selected.activate)
+        panel.view.rows_selected.connect(session.selected.set_curves)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._rename)
         panel.visible_switched.connect(self.switch_visible)
         panel.locked_switched.connect(self.switch_locked)
         panel.colour_chosen.connect(self._paint)
-        panel.row_meant.connect(lambda row: session.select_curves(self._meant(row), row))
+        panel.row_meant.connect(lambda row: session.selected.set_curves(self._meant(row), row))
 
     def _meant(self, row: int) -> frozenset[int]:
         """Return the curves that a click on a part of a row is about: all selected ones, or another."""
-        selected = self._session.selected_curves
+        selected = self._session.selected.curves
         return selected if row in selected else frozenset({row})
 
     def switch_visible(self, row: int) -> None:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.features.curve_settings.controller import CurveSettingsController
 from app.features.curve_settings.panel import CurveSettings
 from app.view_model.curve_view import CurveView
 from app.workbench.context import WindowContext
 from app.workbench.docks import Panel
+from app.workbench.form_edits import FormEdits
 
 
 class CurveSettingsCommands:
@@ -30,7 +30,7 @@ class CurveSettingsCommands:
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         self.panel = CurveSettings(self._session.active_view, parent)
-        self._controller = CurveSettingsController(self._session, self.panel)
+        self._edits = FormEdits(self._session, self.panel)
         return self.panel
 
     def render(self, view: CurveView) -> None:

@@ -3,66 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from enum import StrEnum
-from functools import partial
-from typing import TypeVar
 
 import numpy as np
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
 from app.appearance.icons import icon
-from app.appearance.theme import theme_of
+from app.appearance.theme import Theme
 from app.document import edits
 from app.document.model import AccelerationRule, VelocityRule
 from app.document.words import NamedEnum, count_of, number
 from app.qt.labels import Label
-from app.qt.overrides import Guarded
 from app.view_model.curve_view import CoreCurve, CurveView
+from app.widgets.boxes import column_of, form_of, row_of
+from app.widgets.controls import choice_box
 from app.widgets.field_edit import FieldEdit, NumberEdit
-from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.field_form import FieldForm
+from app.widgets.number_text import decimal_mark
 from app.widgets.tool_buttons import ICON, tool_button
 
-Rule = TypeVar("Rule", bound=StrEnum)
 
-
-class CurveSettings(Guarded, QWidget):
-    """A form that shows a view and reports what is typed or chosen.
-
-    Signals
-    -------
-    name_edited
-        Another name was typed. Who cannot use it, or an interval, calls `refuse`.
-    interval_edited
-        Another start or end was typed: both.
-    velocity_rule_chosen, acceleration_rule_chosen
-        A rule was chosen.
-    reset_requested
-        All derivatives that were set by hand are to be estimated again.
-    refused
-        Why a text that was typed is no number.
-    """
-
-    name_edited = Signal(str)
-    interval_edited = Signal(float, float)
-    velocity_rule_chosen = Signal(object)
-    acceleration_rule_chosen = Signal(object)
-    reset_requested = Signal()
-    refused = Signal(str)
+class CurveSettings(FieldForm):
+    """A form that shows a view, and asks for changes of its curve."""
 
     def __init__(self, view: CurveView, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("curveSettings")
+        super().__init__("curveSettings", "curveProblem", parent)
         self._view = view
-        # The field that was typed in last.
-        self._entry: FieldEdit | None = None
-        self._refusal = ""
         self.name_edit = FieldEdit("curveName", "Name of the curve", "Name of the curve (Enter to set)")
-        self.start_edit = self._interval_edit(
-            "intervalStart", "Start of the interval", "t of the first point"
-        )
-        self.end_edit = self._interval_edit(
+        self.start_edit = _interval_edit("intervalStart", "Start of the interval", "t of the first point")
+        self.end_edit = _interval_edit(
             "intervalEnd",
             "End of the interval",
             "t of the last point (of a closed curve: of its return to the first)",
@@ -76,63 +46,40 @@ class CurveSettings(Guarded, QWidget):
             text="Reset all to estimated",
             icon_size=ICON,
         )
-        self._facts = _note("curveFacts")
-        self._problem = _note("curveProblem")
+        self._facts = Label(name="curveFacts", wordWrap=True)
         self._lay_out()
         self._connect()
-        self._render_theme()
+        self.follow_theme()
         self._render()
 
-    @staticmethod
-    def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
-        tip = f"{label}, the {what}; the curve keeps its shape (a number or an expression, Enter to set)"
-        return NumberEdit(name, label, tip)
-
     def _lay_out(self) -> None:
-        interval = QHBoxLayout()
-        interval.setSpacing(6)
-        interval.addWidget(self.start_edit, 1)
-        interval.addWidget(Label("to"))
-        interval.addWidget(self.end_edit, 1)
-        self._form = QFormLayout()
+        interval = row_of((self.start_edit, 1), "to", (self.end_edit, 1), spacing=6)
+        self._form = form_of(
+            ("Name", self.name_edit),
+            ("Interval of t", interval),
+            ("Velocities", self.velocity_box),
+            ("Accelerations", self.acceleration_box),
+        )
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
-        self._form.setHorizontalSpacing(12)
-        self._form.setVerticalSpacing(8)
-        self._form.addRow("Name", self.name_edit)
-        self._form.addRow("Interval of t", interval)
-        self._form.addRow("Velocities", self.velocity_box)
-        self._form.addRow("Accelerations", self.acceleration_box)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(12, 12, 12, 12)
-        layout.setSpacing(10)
-        layout.addLayout(self._form)
-        layout.addWidget(self.reset_button, 0, Qt.AlignmentFlag.AlignLeft)
-        layout.addWidget(self._problem)
-        layout.addWidget(self._facts)
-        layout.addStretch(1)
+        reset = (self.reset_button, Qt.AlignmentFlag.AlignLeft)
+        column_of(self._form, reset, self.problem, self._facts, 1, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
+        self.watch(self.name_edit, self.start_edit, self.end_edit)
         self.name_edit.committed.connect(self._rename)
-        for edit in (self.start_edit, self.end_edit):
-            edit.entered.connect(partial(self._set_interval, edit))
-            edit.refused.connect(partial(self._refuse_text, edit))
-            edit.left.connect(self._clear_refusal)
-        self.name_edit.left.connect(self._clear_refusal)
-        self.velocity_box.activated.connect(
-            lambda row: self.velocity_rule_chosen.emit(list(VelocityRule)[row])
-        )
-        self.acceleration_box.activated.connect(
-            lambda row: self.acceleration_rule_chosen.emit(list(AccelerationRule)[row])
-        )
-        self.reset_button.clicked.connect(self.reset_requested)
+        self.start_edit.entered.connect(lambda start: self._set_interval(start, self._interval[1]))
+        self.end_edit.entered.connect(lambda end: self._set_interval(self._interval[0], end))
+        self.velocity_box.activated.connect(self._set_velocity_rule)
+        self.acceleration_box.activated.connect(self._set_acceleration_rule)
+        self.reset_button.clicked.connect(self._reset_all)
 
     # Rendering: nothing here writes back
 
     def render_view(self, view: CurveView) -> None:
         """Show `view`; hidden, when shown again."""
         if view.source != self._view.source:
-            self._refusal = ""  # it was about another curve
+            self.forget_refusal()
         self._view = view
         if self.isVisible():
             self._render()
@@ -141,12 +88,15 @@ class CurveSettings(Guarded, QWidget):
         super().showEvent(event)
         self._render()
 
+    @property
+    def _interval(self) -> tuple[float, float]:
+        return edits.interval(self._view.source)
+
     def _render(self) -> None:
-        curve, mark = self._view.source, decimal_mark()
-        start, end = edits.interval(curve)
+        curve = self._view.source
         self.name_edit.show_text(curve.name)
-        for edit, value in ((self.start_edit, start), (self.end_edit, end)):
-            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), number(value, 6, mark))
+        for edit, value in zip((self.start_edit, self.end_edit), self._interval, strict=True):
+            edit.show_number(value, 6)
         self.velocity_box.setCurrentIndex(list(VelocityRule).index(curve.velocity_rule))
         self.acceleration_box.setCurrentIndex(list(AccelerationRule).index(curve.acceleration_rule))
         derivatives = curve.family.derivatives
@@ -154,55 +104,46 @@ class CurveSettings(Guarded, QWidget):
         self._form.setRowVisible(self.acceleration_box, derivatives > 1)
         self.reset_button.setVisible(bool(orders_set(self._view)))
         self._facts.setText(_facts(self._view))
-        self._render_problem()
-
-    def _render_problem(self) -> None:
         # Nothing is wrong with a curve that is yet to be begun.
-        text = self._refusal or (self._view.problem if self._view.source.points else "")
-        self._problem.setText(f"⚠ {text}" if text else "")
-        self._problem.setVisible(bool(text))
+        self.show_problem(self._view.problem if curve.points else "")
 
-    def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        super().set_theme(theme)
         self._facts.setStyleSheet(f"color: {theme.muted.name()}")
-        self._problem.setStyleSheet(f"color: {theme.warning.name()}")
         self.reset_button.setIcon(icon("reset", theme))
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_form"):
-            self._render_theme()
 
     # What the person did
 
-    def _rename(self, text: str) -> None:
-        self._entry = self.name_edit
-        self._clear_refusal()
-        self.name_edited.emit(text)
+    def _rename(self, name: str) -> None:
+        self.edited.emit("Rename curve", lambda document, curve: edits.rename_curve(document, curve, name))
         self._render()
 
-    def _set_interval(self, edit: NumberEdit, value: float) -> None:
-        self._entry = edit
-        self._clear_refusal()
-        start, end = edits.interval(self._view.source)
-        self.interval_edited.emit(*((value, end) if edit is self.start_edit else (start, value)))
+    def _set_interval(self, start: float, end: float) -> None:
+        self.edited.emit(
+            "Set interval", lambda document, curve: edits.set_interval(document, curve, start, end)
+        )
         self._render()
 
-    def _refuse_text(self, edit: NumberEdit, reason: str) -> None:
-        self._entry = edit
-        self.refuse(reason)
-        self.refused.emit(reason)
+    def _set_velocity_rule(self, place: int) -> None:
+        rule = list(VelocityRule)[place]
+        self.edited.emit(
+            "Choose velocity rule", lambda document, curve: edits.set_velocity_rule(document, curve, rule)
+        )
 
-    def refuse(self, reason: str) -> None:
-        """Say why what was typed last cannot be taken, and leave the text to be mended."""
-        self._refusal = reason
-        if self._entry is not None:
-            self._entry.keep()
-        self._render_problem()
+    def _set_acceleration_rule(self, place: int) -> None:
+        rule = list(AccelerationRule)[place]
+        self.edited.emit(
+            "Choose acceleration rule",
+            lambda document, curve: edits.set_acceleration_rule(document, curve, rule),
+        )
 
-    def _clear_refusal(self) -> None:
-        self._refusal = ""
-        self._render_problem()
+    def _reset_all(self) -> None:
+        everyone, orders = range(len(self._view.source.points)), orders_set(self._view)
+        self.edited.emit(
+            "Reset all to estimated",
+            lambda document, curve: edits.estimate_derivatives(document, curve, everyone, orders),
+        )
 
 
 def orders_set(view: CurveView) -> set[int]:
@@ -240,19 +181,14 @@ def _shape_facts(view: CurveView) -> list[str]:
     return [*facts, count_of(len(corners), "corner")] if corners else facts
 
 
+def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
+    tip = f"{label}, the {what}; the curve keeps its shape (a number or an expression, Enter to set)"
+    return NumberEdit(name, label, tip)
+
+
 def _rule_box(name: str, label: str, rules: Iterable[NamedEnum]) -> QComboBox:
-    box = QComboBox()
-    box.setObjectName(name)
-    box.setAccessibleName(label)
-    box.setToolTip(f"{label}: how those that nobody set are estimated")
-    box.addItems([each.label for each in rules])
+    tip = f"{label}: how those that nobody set are estimated"
+    box = choice_box(name, label, tip, (each.label for each in rules))
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box
-
-
-def _note(name: str) -> Label:
-    label = Label()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    return label

@@ -79,8 +79,8 @@ class CurveCommands:
         self._step("Lower", -1)
 
     def _step(self, verb: str, step: int) -> None:
-        session, what = self._session, named(self._session.document, self._session.selected_curves)
-        document = step_curves(session.document, session.selected_curves, step)
+        session, what = self._session, named(self._session.document, self._session.selected.curves)
+        document = step_curves(session.document, session.selected.curves, step)
         if session.change(
             f"{verb} {what}", lambda _: document, active=place_in(document, session.active_curve)
         ):
@@ -100,7 +100,7 @@ class CurveCommands:
     def _walk(self, step: int) -> None:
         # The next one is the one below in the list, hence behind.
         session = self._session
-        session.activate((session.active_index + step) % len(session.document.curves))
+        session.selected.activate((session.active_index + step) % len(session.document.curves))
         session.say(f"Editing “{session.active_curve.name}”.")
 
     # Shape
@@ -117,7 +117,7 @@ class CurveCommands:
         index = int(np.searchsorted(view.parameters, t))
         made = self._reshape(f"Insert point {index}", lambda: with_point_inserted(view, t))
         if made is not None:
-            self._session.select([index])
+            self._session.selected.set_points([index])
             if made.parameters_moved:
                 self._session.offer(made.sentence, "keepShape", t)
 
@@ -141,7 +141,7 @@ class CurveCommands:
         frozen = edits.freeze_parameters(session.document, session.active_index, view.parameters.tolist())
         fixed = view_of(frozen.curves[session.active_index])
         if self._reshape(f"Freeze and insert point {index}", lambda: with_point_inserted(fixed, t)):
-            session.select([index])
+            session.selected.set_points([index])
         else:
             session.undo_stack.redo()
 
@@ -159,7 +159,7 @@ class CurveCommands:
             session.say(f"{verb} at t = {number(t)}: {done[0].sentence}")
 
     def _at_scrub(self, act: Callable[[float], None]) -> None:
-        t = self._session.scrub
+        t = self._session.selected.scrub
         if t is None:
             self._session.refuse(
                 "Select an inner point, or put the scrub line (T) where on the curve it shall be."
@@ -212,7 +212,7 @@ class CurveCommands:
     @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
     def _split(self) -> None:
         """Split the curve at the selected point, or at the scrub line."""
-        session, selected = self._session, self._session.selected
+        session, selected = self._session, self._session.selected.point
         view = session.active_view
         if selected is not None and (view.source.is_closed or 0 < selected < len(view.source.points) - 1):
             self.split_at(float(view.parameters[selected]))
@@ -236,7 +236,7 @@ class CurveCommands:
             self._session.refuse(f"There is no curve to reverse. {view.problem}")
             return
         if self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
-            self._session.select([])
+            self._session.selected.set_points([])
 
     @action(
         "closeCurve",

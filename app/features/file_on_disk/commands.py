@@ -78,8 +78,8 @@ class DiskCommands(QObject):
             self._dismissed.clear()
             is_other = file is not None and file.owner is not None
             self._standing = Ownership.OPENED_ELSEWHERE if is_other else Ownership.OURS
-        if self._session.path != self._path:
-            self._path = self._session.path
+        if self._session.files.path != self._path:
+            self._path = self._session.files.path
             self._watch.watch(self._path)
         if file is not None and file.change is not self._change:
             self._settle(file, file.change)  # somebody has looked before the watch did
@@ -184,7 +184,7 @@ class DiskCommands(QObject):
         if file is not None:
             name, owner = file.path.name, file.owner
             lock = about_lock(name, self._standing, owner)
-            content = about_content(name, self._change, modified=self._session.has_changes, owner=owner)
+            content = about_content(name, self._change, modified=self._session.files.has_changes, owner=owner)
             is_urgent = self._standing in (Ownership.ASKED, Ownership.FREED, Ownership.TAKEN_AWAY)
             found += [lock, content] if is_urgent else [content, lock]
         return [each for each in found if each is not None]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.qt.labels import Label
+from app.widgets.boxes import row_of
+from app.widgets.controls import ThinProgress
 from app.widgets.tool_buttons import tool_button
-
-_STEPS = 1000
 
 
 class JobBar(QWidget):
@@ -17,27 +17,15 @@ class JobBar(QWidget):
     def __init__(self, cancel: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("jobBar")
-        self._word = Label()
-        self._word.setObjectName("jobWord")
-        self.bar = QProgressBar()
-        self.bar.setObjectName("jobProgress")
-        self.bar.setAccessibleName("Progress")
-        self.bar.setToolTip("How far it has come")
-        self.bar.setRange(0, _STEPS)
-        self.bar.setTextVisible(False)
-        self.bar.setFixedSize(120, 8)
+        self._word = Label(name="jobWord")
+        self.bar = ThinProgress("jobProgress", "How far it has come")
         words = cancel.text(), cancel.toolTip()
         self.button = tool_button("cancelJobButton", *words, text="Stop", icon_size=14, flat=True)
         self.button.clicked.connect(cancel.trigger)
         self._cancel = cancel
         # No higher than the labels beside it: the drawing must not move when the line appears.
         self.button.setFixedHeight(self.fontMetrics().height() + 4)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(6, 0, 6, 0)
-        layout.setSpacing(8)
-        layout.addWidget(self._word)
-        layout.addWidget(self.bar)
-        layout.addWidget(self.button)
+        row_of(self._word, self.bar, self.button, margins=(6, 0, 6, 0), spacing=8, parent=self)
         self.hide()
 
     @property
@@ -51,7 +39,3 @@ class JobBar(QWidget):
         self.bar.setValue(0)
         self.button.setIcon(self._cancel.icon())  # tinted for the theme of the moment
         self.show()
-
-    def show_share(self, share: float) -> None:
-        """Show how far it has come; it never runs backwards."""
-        self.bar.setValue(max(self.bar.value(), round(share * _STEPS)))

@@ -48,4 +48,4 @@ class WorkCommands:
 
     def _show_share(self, share: float, _word: str) -> None:
         if self._bar is not None:
-            self._bar.show_share(share)
+            self._bar.bar.show_share(share)

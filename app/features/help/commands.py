@@ -39,7 +39,7 @@ class HelpCommands:
             adding=context.store.state.uses(ADD),
             selected=len(context.session.selection),
             has_derivatives=context.session.active_curve.family.derivatives > 0,
-            curves=len(context.session.selected_curves),
+            curves=len(context.session.selected.curves),
         )
         self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 

@@ -7,27 +7,19 @@ from collections.abc import Sequence
 import msgspec
 from PySide6.QtCore import QEvent, QMargins, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import (
-    QApplication,
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QScrollArea,
-    QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QScrollArea, QSizePolicy, QWidget
 
 from app.appearance.icons import icon
-from app.appearance.theme import mix, theme_of
+from app.appearance.theme import Theme
 from app.document.words import count_of
 from app.qt.labels import Label, html_of
-from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of, row_of
+from app.widgets.overlay_frame import OverlayFrame
 from app.widgets.tool_buttons import ICON, tool_button
 
 Rows = Sequence[tuple[str, str]]
 _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
+_MARGINS = QMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
 
 
 class Moment(msgspec.Struct, frozen=True):
@@ -168,7 +160,7 @@ _GESTURES = (
 )
 
 
-class ShortcutSheet(Guarded, QFrame):
+class ShortcutSheet(OverlayFrame):
     """Lies over the drawing; Escape, F1 or a click beside it puts it away.
 
     It is a part of the window and no window of its own: it needs no place on the desktop, and Escape reaches
@@ -176,39 +168,25 @@ class ShortcutSheet(Guarded, QFrame):
     """
 
     def __init__(self, window: QWidget, over: QWidget) -> None:
-        super().__init__(window)
-        self.setObjectName("shortcutSheet")
+        super().__init__("shortcutSheet", window)
         self.setAccessibleName("Keys and mouse")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._window, self._over = window, over
+        self._over = over
         self._focus_before: QWidget | None = None
-        self._close = self._make_close_button()
+        words = "Put the sheet away"
+        self._close = tool_button("closeShortcuts", words, f"{words} (Esc)", icon_size=ICON, flat=True)
+        self._close.clicked.connect(self.dismiss)
         self._area = QScrollArea()
         self._area.setObjectName("shortcutArea")
         self._area.setWidgetResizable(True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._lay_out()
-        self.hide()
-
-    def _make_close_button(self) -> QToolButton:
-        words = "Put the sheet away"
-        button = tool_button("closeShortcuts", words, f"{words} (Esc)", icon_size=ICON, flat=True)
-        button.clicked.connect(self.dismiss)
-        return button
-
-    def _lay_out(self) -> None:
         heading = Label("<b>Keys and mouse</b>", is_html=True)
-        top = QHBoxLayout()
-        top.setContentsMargins(16, 8, 8, 4)
-        top.addWidget(heading, 1)
-        top.addWidget(self._close)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(1, 1, 1, 8)
-        layout.setSpacing(0)
-        layout.addLayout(top)
-        layout.addWidget(self._area)
+        top = row_of((heading, 1), self._close, margins=(16, 8, 8, 4))
+        column_of(top, self._area, margins=(1, 1, 1, 8), spacing=0, parent=self)
+        self.follow_theme()
+        self.hide()
 
     def open(self, moment: Moment, menus: Sequence[tuple[str, Rows]]) -> None:
         """Show what applies at `moment`, then the other gestures, then the keys of each menu."""
@@ -219,8 +197,7 @@ class ShortcutSheet(Guarded, QFrame):
             if not each.applies(moment)
         ]
         self._area.setWidget(_grid([(moment.title, now), ("Otherwise", rest), *menus]))
-        self._render_theme()
-        self._place()
+        self.place()
         self._focus_before = QApplication.focusWidget()
         self.show()
         self.raise_()
@@ -230,16 +207,16 @@ class ShortcutSheet(Guarded, QFrame):
     def dismiss(self) -> None:
         """Hide, and give the focus back."""
         _application().removeEventFilter(self)
-        had_focus = self.hasFocus() or self.isAncestorOf(QApplication.focusWidget() or self._window)
+        had_focus = self.hasFocus() or self.isAncestorOf(QApplication.focusWidget() or self.below)
         self.hide()
         if had_focus and self._focus_before is not None:
             self._focus_before.setFocus()
         self._focus_before = None
 
-    def _place(self) -> None:
+    def place(self) -> None:
         """Lie in the middle of the drawing, as high as the rows need and there is room."""
-        corner = self._over.mapTo(self._window, self._over.rect().topLeft())
-        room = self._over.size().shrunkBy(_margins())
+        corner = self._over.mapTo(self.below, self._over.rect().topLeft())
+        room = self._over.size().shrunkBy(_MARGINS)
         width = min(room.width(), _WIDEST)
         content = self._area.widget()
         # A vertical scroll bar takes its width from the rows.
@@ -247,31 +224,22 @@ class ShortcutSheet(Guarded, QFrame):
         height = min(room.height(), rows + self._close.sizeHint().height() + 24)
         self.setGeometry(corner.x() + (self._over.width() - width) // 2, corner.y() + _MARGIN, width, height)
 
-    def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
-        line = mix(theme.ink, theme.surface, 0.2).name()
+    def set_theme(self, theme: Theme) -> None:
         self._close.setIcon(icon("close", theme))
-        sheet = (
-            f"#shortcutSheet {{ background: {theme.surface.name()}; border: 1px solid {line};"
-            " border-radius: 8px }"
+        self.set_sheet(
             "#shortcutArea, #shortcutRows { background: transparent }"
-            f"#shortcutKeys {{ color: {theme.muted.name()} }}"
+            f"#shortcutKeys {{ color: {theme.muted.name()} }}",
+            line=0.2,
         )
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
 
     # Qt's events
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_area"):
-            self._render_theme()
-
     def keyPressEvent(self, event: QKeyEvent) -> None:
         scroll = self._area.verticalScrollBar()
-        steps = {Qt.Key.Key_Down: scroll.singleStep(), Qt.Key.Key_Up: -scroll.singleStep()}
-        pages = {Qt.Key.Key_PageDown: scroll.pageStep(), Qt.Key.Key_PageUp: -scroll.pageStep()}
-        by = {**steps, **pages}.get(Qt.Key(event.key()))
+        step, page = scroll.singleStep(), scroll.pageStep()
+        keys = Qt.Key
+        steps = {keys.Key_Down: step, keys.Key_Up: -step, keys.Key_PageDown: page, keys.Key_PageUp: -page}
+        by = steps.get(keys(event.key()))
         if by is None:
             super().keyPressEvent(event)
         else:
@@ -282,7 +250,7 @@ class ShortcutSheet(Guarded, QFrame):
             return False
         match event.type():
             case QEvent.Type.Resize if watched is self._over:
-                self._place()
+                self.place()
             case QEvent.Type.KeyPress if _is_escape(event) and watched.isWidgetType():
                 self.dismiss()
                 return True
@@ -309,32 +277,26 @@ def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:
     grid.setVerticalSpacing(4)
     grid.setColumnMinimumWidth(0, _KEYS_WIDTH)
     grid.setColumnStretch(1, 1)
-    row = 0
+    line = 0
     for title, rows in sections:
         if not rows:
             continue
         heading = Label(f"<b>{html_of(title)}</b>", is_html=True)
-        heading.setContentsMargins(0, 10 if row else 0, 0, 2)
-        grid.addWidget(heading, row, 0, 1, 2)
+        heading.setContentsMargins(0, 10 if line else 0, 0, 2)
+        grid.addWidget(heading, line, 0, 1, 2)
         for offset, (keys, what) in enumerate(rows, start=1):
-            grid.addWidget(_cell(keys, "shortcutKeys"), row + offset, 0)
-            grid.addWidget(_cell(what, "shortcutText"), row + offset, 1)
-        row += len(rows) + 1
-    grid.setRowStretch(row, 1)
+            grid.addWidget(_cell(keys, "shortcutKeys"), line + offset, 0)
+            grid.addWidget(_cell(what, "shortcutText"), line + offset, 1)
+        line += len(rows) + 1
+    grid.setRowStretch(line, 1)
     return content
 
 
 def _cell(text: str, name: str) -> Label:
-    label = Label(text)
-    label.setObjectName(name)
-    label.setWordWrap(True)
+    label = Label(text, name=name, wordWrap=True)
     label.setAlignment(Qt.AlignmentFlag.AlignTop)
     label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
     return label
-
-
-def _margins() -> QMargins:
-    return QMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
 
 
 def _application() -> QApplication:

@@ -12,15 +12,15 @@ class HistoryController:
     def __init__(self, session: Session, panel: HistoryPanel) -> None:
         self._session, self._panel = session, panel
         session.opened.connect(self._name_beginning)
-        if session.path is not None:
+        if session.files.path is not None:
             self._name_beginning()
 
     def _name_beginning(self) -> None:
         session = self._session
         if session.undo_stack.count():
             return  # a lesson or an example was opened as a step; it began with something else
-        if session.path is not None:
-            opened = session.path.name
+        if session.files.path is not None:
+            opened = session.files.path.name
         else:
             opened = session.active_curve.name if session.active_curve.points else ""
         self._panel.name_beginning(f"Opened {opened}" if opened else "New document")

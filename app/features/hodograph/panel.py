@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QWidget
 
+from app.appearance.colours import point_colours
 from app.appearance.icons import icon
-from app.appearance.theme import LIGHT, Theme, theme_of
+from app.appearance.theme import LIGHT, Theme
+from app.appearance.themed import FollowsTheme
 from app.document.words import number
-from app.plotting.colours import colours_of
-from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
+from app.plotting.drawing import MARGIN, Stroke, draw_segments
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.tool_plot import ToolPlot
-from app.qt.overrides import Guarded
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.tool import Tool
 from app.tools.toolbox import Toolbox
 from app.view_model.analysis.hodograph import Hodograph
+from app.widgets.boxes import column_of, row_of
 from app.widgets.choice_style import choice_style
+from app.widgets.controls import named
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.number_text import decimal_mark
 from app.widgets.tool_buttons import tool_button
@@ -142,7 +144,7 @@ class HodographPlot(ToolPlot):
     def _paint_knots(self, painter: QPainter, shown: PixelMap, hodograph: Hodograph) -> None:
         if len(hodograph.knots) > 64:
             return
-        colours = colours_of(self.owners, self.theme)
+        colours = point_colours(self.owners, self.theme)
         font = QFont(self.font())
         font.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0))
         painter.setFont(font)
@@ -165,10 +167,8 @@ class HodographPlot(ToolPlot):
         end = np.array(shown.point(value[0] / self.unit, value[1] / self.unit))
         if not np.isfinite(end).all():
             return
-        shaft = Segments()
-        shaft.fill(cut_segments(np.concatenate([start, end])[None], shown.width, shown.height))
         painter.setPen(QPen(self.theme.accent, 1.8))
-        shaft.draw(painter)
+        draw_segments(painter, np.concatenate([start, end])[None], shown)
         if (end >= -MARGIN).all() and (end <= (shown.width + MARGIN, shown.height + MARGIN)).all():
             painter.setPen(QPen(self.theme.paper, 1.5))
             painter.setBrush(self.theme.accent)
@@ -176,7 +176,7 @@ class HodographPlot(ToolPlot):
             painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-class HodographPanel(Guarded, QWidget):
+class HodographPanel(FollowsTheme, QWidget):
     """The hodograph with its header.
 
     Signals
@@ -192,32 +192,18 @@ class HodographPanel(Guarded, QWidget):
         self.setObjectName("hodographPanel")
         self.order = 1
         self.plot = HodographPlot(tools)
-        self._value = ElidedLabel()
-        self._value.setObjectName("hodographValue")
-        self._value.setAccessibleName("Derivative at the scrub line")
+        self._value = named(ElidedLabel(), "hodographValue", "Derivative at the scrub line")
         self._value.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         tip = "Show all of the hodograph, and keep it in sight"
         self._fit = tool_button("fitHodograph", "Fit the hodograph", tip, flat=True)
         self._fit.clicked.connect(self.plot.fit)
         self._group = QButtonGroup(self)
-        header = QHBoxLayout()
-        header.setContentsMargins(10, 4, 8, 4)
         self._choices = QWidget()
-        row = QHBoxLayout(self._choices)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        for order in _NAMES:
-            row.addWidget(self._order_button(order))
-        header.addWidget(self._choices)
-        header.addSpacing(6)
-        header.addWidget(self._value, 1)
-        header.addWidget(self._fit)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addLayout(header)
-        layout.addWidget(self.plot, 1)
-        self._render_theme()
+        row_of(*map(self._order_button, _NAMES), margins=0, spacing=4, parent=self._choices)
+        header = row_of(self._choices, (self._value, 1), self._fit, margins=(10, 4, 8, 4))
+        header.insertSpacing(1, 6)
+        column_of(header, (self.plot, 1), margins=0, spacing=0, parent=self)
+        self.follow_theme()
 
     def _order_button(self, order: int) -> QToolButton:
         symbol, name = _NAMES[order]
@@ -253,8 +239,7 @@ class HodographPanel(Guarded, QWidget):
             self._value.setText(f"{name} = ({x}{gap}{y}), {angle}°")
         self.plot.refresh()
 
-    def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
+    def set_theme(self, theme: Theme) -> None:
         self.plot.set_theme(theme)
         self._value.setStyleSheet(f"color: {theme.muted.name()}")
         self._choices.setStyleSheet(choice_style(theme))
@@ -263,8 +248,3 @@ class HodographPanel(Guarded, QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self.changed.emit()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_choices"):
-            self._render_theme()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -111,7 +112,8 @@ class ExchangeCommands:
             data = read(path)
             if is_document(data):
                 return import_file(path, report=report)
-            return _opened_table(data, ending_in(path, form))
+            source = table.source.TableSource(data, ending_in(path, form))
+            return _OpenTable(source, source.preview())
 
         def done(found: Imported | _OpenTable) -> None:
             if self._meant_for != self._documents:
@@ -165,33 +167,23 @@ class ExchangeCommands:
 
     def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
         if isinstance(found, _OpenTable):
-            self._ask_about_table(path, found)
+            table_dialog = import_export.import_table_dialog.ImportTableDialog(
+                path.name, path.stem, found.source, found.preview, self._context.window
+            )
+            table_dialog.chosen.connect(partial(self._take_in, path))
+            self._ask(table_dialog)
         else:
-            self._ask_where(path, found)
+            dialog = import_export.import_drawing_dialog.ImportDrawingDialog(
+                path.name, found, self._context.window
+            )
+            dialog.chosen.connect(partial(self._take_in, path))
+            self._ask(dialog)
 
-    def _ask_where(self, path: Path, found: Imported) -> None:
-        dialog = import_export.import_drawing_dialog.ImportDrawingDialog(
-            path.name, found, self._context.window
-        )
-        dialog.chosen.connect(lambda taken, anew: self._take_in(path, taken.document, taken.deviation, anew))
-        self._ask(dialog)
-
-    def _ask_about_table(self, path: Path, table: _OpenTable) -> None:
-
-        dialog = import_export.import_table_dialog.ImportTableDialog(
-            path.name, path.stem, table.source, table.preview, self._context.window
-        )
-        dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
-        self._ask(dialog)
-
-    def _take_table(self, path: Path, prepared: PreparedTable, anew: bool) -> None:
-        assert prepared.document is not None
-        self._take_in(path, prepared.document, prepared.deviation, anew)
-
-    def _take_in(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
+    def _take_in(self, path: Path, taken: Imported | PreparedTable, anew: bool) -> None:
         """Add the curves, and go on with the next file."""
         try:
-            self._add(path, new, deviation, anew)
+            assert taken.document is not None
+            self._add(path, taken.document, taken.deviation, anew)
         finally:
             # What comes next of the series goes where this one went.
             self._meant_for = self._documents
@@ -208,7 +200,7 @@ class ExchangeCommands:
             return
         if first > 0:
             # What came to others is put in its place as a whole.
-            self._session.select_curves(range(first, first + len(new.curves)))
+            self._session.selected.set_curves(range(first, first + len(new.curves)))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         if first == 0 or not self._context.central.canvas.framing.shows_curves_from(first):
@@ -246,7 +238,6 @@ class ExchangeCommands:
             )
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
-
         self._preferences.export_choice = exchange.choice.text_of(choice)
         start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
         kind = f"{choice.format.title} (*{choice.ending})"
@@ -299,7 +290,6 @@ class ExchangeCommands:
         document, unit = self._session.document, self._preferences.unit_name
 
         def work(report: Report) -> tuple[bytes, bytes]:
-
             options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
             png = exchange.png_file(document, options).data
             return png, exchange.svg_of(document, Options(unit=unit, report=part(report, 0.5, 1.0))).data
@@ -321,7 +311,6 @@ class ExchangeCommands:
         document = self._session.document
 
         def work(report: Report) -> Written:
-
             return exchange.svg_path_data(document, Options(report=report))
 
         def done(written: Written) -> None:
@@ -338,12 +327,6 @@ class _OpenTable:
 
     source: TableSource
     preview: Preview
-
-
-def _opened_table(data: bytes, ending: str) -> _OpenTable:
-
-    source = table.source.TableSource(data, ending)
-    return _OpenTable(source, source.preview())
 
 
 def _filters() -> str:

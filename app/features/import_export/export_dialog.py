@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QWidget
 
 from app.appearance.theme import DARK, LIGHT, mix
 from app.document.expression import ExpressionError
@@ -22,6 +18,7 @@ from app.features.import_export.form_parts import buttons
 from app.features.import_export.work_dialog import WorkDialog
 from app.qt.labels import Label
 from app.tasks.progress import Report
+from app.widgets.boxes import column_of, row_of
 
 _SOON_MS = 120
 _WIDTH, _HEIGHT = 300, 260
@@ -44,20 +41,13 @@ class ExportDialog(WorkDialog):
         self._document: Document | None = None
         self._active, self._unit, self._with_estimates = 0, "", False
         self.form = ExportForm()
-        self.picture = Label()
-        self.picture.setObjectName("exportPreview")
-        self.picture.setAccessibleName("Preview")
+        self.picture = Label(name="exportPreview", label="Preview")
         self.picture.setToolTip("What the picture will look like; squares stand for no paper")
         self.picture.setFixedSize(_WIDTH, _HEIGHT)
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.size_label = Label()
-        self.size_label.setObjectName("exportSize")
-        self.size_label.setWordWrap(True)
+        self.size_label = Label(name="exportSize", wordWrap=True)
         self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        self.told = Label()
-        self.told.setObjectName("exportColoursTold")
-        self.told.setTextFormat(Qt.TextFormat.PlainText)
-        self.told.setWordWrap(True)
+        self.told = Label(name="exportColoursTold", wordWrap=True)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._look)
         self._lay_out()
@@ -70,19 +60,9 @@ class ExportDialog(WorkDialog):
         foot.accepted.connect(self._export)
         foot.rejected.connect(self.reject)
         self.look = QWidget()
-        seen = QVBoxLayout(self.look)
-        seen.setContentsMargins(0, 0, 0, 0)
-        seen.addWidget(self.picture)
-        seen.addWidget(self.size_label)
-        seen.addWidget(self.told)
-        seen.addStretch(1)
-        columns = QHBoxLayout()
-        columns.setSpacing(18)
-        columns.addWidget(self.form, 1)
-        columns.addWidget(self.look)
-        layout = QVBoxLayout(self.body)
-        layout.setContentsMargins(16, 14, 16, 0)
-        layout.addLayout(columns)
+        column_of(self.picture, self.size_label, self.told, 1, margins=0, parent=self.look)
+        columns = row_of((self.form, 1), self.look, spacing=18)
+        column_of(columns, margins=(16, 14, 16, 0), parent=self.body)
         self.hold(self.problem, foot, wished=QSize(690, 400))
 
     def show_document(

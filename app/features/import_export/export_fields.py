@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
 
 from app.document.expression import ExpressionError, parse_number
 from app.exchange.options import Check, OneOf, Option, SomeOf, Tolerance, Value, Whole
-from app.features.import_export.form_parts import choice_box
+from app.widgets.controls import check_box, choice_box
 from app.widgets.field_edit import FieldEdit
 from app.widgets.number_text import decimal_mark, exact_text
 from app.widgets.told_spin import ToldSpinBox
@@ -178,9 +178,7 @@ def _tolerance_of(text: str) -> float | None:
 
 
 def _check(name: str, text: str, tip: str, change: Callable[[], object]) -> QCheckBox:
-    check = QCheckBox(text)
-    check.setObjectName(name)
-    check.setToolTip(tip)
+    check = check_box(name, text, tip)
     check.clicked.connect(change)
     return check
 

@@ -6,7 +6,7 @@ from itertools import groupby
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QWidget
 
 from app.document.expression import ExpressionError
 from app.exchange.choice import ExportChoice, chosen, offered_options
@@ -14,8 +14,9 @@ from app.exchange.formats import FORMATS
 from app.exchange.options import TRUE_SIZE, Option
 from app.exchange.units import known_unit
 from app.features.import_export.export_fields import field_for, in_columns
-from app.features.import_export.form_parts import choice_box
 from app.qt.labels import Label
+from app.widgets.boxes import form_of
+from app.widgets.controls import choice_box
 
 
 class ExportForm(QWidget):
@@ -42,26 +43,20 @@ class ExportForm(QWidget):
         titles = [each.title for each in self._formats]
         self.format_box = choice_box("exportFormat", "Format", "What kind of file to write", titles)
         self.format_box.activated.connect(self._change)
-        self._description = Label()
-        self._description.setObjectName("exportDescription")
-        self._description.setWordWrap(True)
+        self._description = Label(name="exportDescription", wordWrap=True)
         self._options = offered_options()
         self.fields = {each.name: field_for(each, self._change) for each in self._options}
         self._rows: list[tuple[QWidget, tuple[Option[Any], ...]]] = []
         self._lay_out()
 
     def _lay_out(self) -> None:
-        self._form = form = QFormLayout(self)
-        form.setContentsMargins(0, 0, 0, 0)
-        form.setHorizontalSpacing(14)
-        form.setVerticalSpacing(8)
-        form.addRow("Format", self.format_box)
-        form.addRow("", self._description)
+        rows = (("Format", self.format_box), ("", self._description))
+        self._form = form_of(*rows, margins=0, across=14, parent=self)
         for label, group in groupby(self._options, lambda option: option.label):
             options = tuple(group)
             widgets = [self.fields[each.name].widget for each in options]
             row = widgets[0] if len(widgets) == 1 else in_columns(widgets, 2)
-            form.addRow(label, row)
+            self._form.addRow(label, row)
             self._rows.append((row, options))
 
     def show_choice(self, choice: ExportChoice) -> None:

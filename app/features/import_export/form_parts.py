@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
@@ -15,7 +13,7 @@ from PySide6.QtWidgets import (
     QPushButton,
 )
 
-from app.qt.labels import Label
+from app.widgets.controls import choice_box, named
 
 INTO = ("This document", "A new document")
 
@@ -26,28 +24,9 @@ def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
     return is_enter and isinstance(dialog.focusWidget(), QLineEdit | QAbstractSpinBox)
 
 
-def choice_box(name: str, label: str, tip: str, items: Sequence[str]) -> QComboBox:
-    """Return a box with these items."""
-    box = QComboBox()
-    box.setObjectName(name)
-    box.setAccessibleName(label)
-    box.setToolTip(tip)
-    box.addItems(list(items))
-    return box
-
-
 def into_box() -> QComboBox:
     """Return the box that asks where imported curves go."""
     return choice_box("importInto", "Into", "Where the curves go", INTO)
-
-
-def problem_label(name: str) -> Label:
-    """Return a label for what is wrong; hidden while nothing is."""
-    label = Label()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.hide()
-    return label
 
 
 def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonBox, QPushButton]:
@@ -56,12 +35,9 @@ def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonB
     `cancel` is the object name of the other one.
     """
     box = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-    ahead = QPushButton(text)
-    ahead.setObjectName(name)
-    ahead.setToolTip(tip)
+    ahead = named(QPushButton(text), name, tip=tip)
     ahead.setDefault(True)
     box.addButton(ahead, QDialogButtonBox.ButtonRole.AcceptRole)
     other = box.button(QDialogButtonBox.StandardButton.Cancel)
-    other.setObjectName(cancel)
-    other.setToolTip("Close and leave everything as it is (Esc)")
+    named(other, cancel, tip="Close and leave everything as it is (Esc)")
     return box, ahead

@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QWidget
 
 from app.document.words import count_of, number
 from app.exchange.cubics_in import Imported
@@ -15,6 +11,7 @@ from app.features.import_export.form_parts import into_box
 from app.features.import_export.group_tree import GroupTree
 from app.features.import_export.import_foot import ImportFoot
 from app.qt.labels import Label
+from app.widgets.boxes import column_of, row_of
 from app.widgets.fitting import FittedDialog
 
 _MOST_REMARKS = 8
@@ -38,31 +35,21 @@ class ImportDrawingDialog(FittedDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._found = found
         self.groups = GroupTree(found.groups) if len(set(found.groups)) > 1 else None
-        self.summary = Label(_summary(found))
-        self.summary.setObjectName("importSummary")
-        self.remarks = Label(_remarks(found))
-        self.remarks.setObjectName("importRemarks")
-        self.remarks.setWordWrap(True)
+        self.summary = Label(_summary(found), name="importSummary")
+        self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))
         self.into = into_box()
-        into = QHBoxLayout()
-        into.addWidget(Label("Into"))
-        into.addWidget(self.into)
-        into.addStretch(1)
         self.foot = ImportFoot(self, "importDrawing", "Take the curves in")
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
-        layout = QVBoxLayout(self.body)
-        layout.setContentsMargins(16, 14, 16, 0)
-        layout.setSpacing(10)
-        layout.addWidget(self.summary)
-        if self.groups is not None:
-            layout.addWidget(self.groups, 1)
-            self.groups.chosen.connect(self._show_taken)
-        layout.addWidget(self.remarks)
-        layout.addLayout(into)
+        into = row_of("Into", self.into, 1)
+        parts = (self.summary, self.remarks, into)
+        layout = column_of(*parts, margins=(16, 14, 16, 0), spacing=10, parent=self.body)
         if self.groups is None:
             layout.addStretch(1)
+        else:
+            layout.insertWidget(1, self.groups, 1)
+            self.groups.chosen.connect(self._show_taken)
         self.hold(self.foot, wished=QSize(380, 0))
 
     def _taken(self) -> list[bool]:

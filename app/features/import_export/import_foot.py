@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
 
 from app.document.words import count_of
 from app.features.import_export.form_parts import buttons
-from app.features.import_export.turn import Turn
+from app.features.import_export.import_series import Turn
+from app.widgets.boxes import row_of
+from app.widgets.controls import push_button
 
 
 class ImportFoot(QWidget):
@@ -28,15 +30,10 @@ class ImportFoot(QWidget):
         self.box.rejected.connect(dialog.reject)
         self._cancel = self.box.button(QDialogButtonBox.StandardButton.Cancel)
         self._words, self._tip = self._cancel.text(), self._cancel.toolTip()
-        self.rest = QPushButton("Skip the Rest")
-        self.rest.setObjectName("skipRest")
-        self.rest.setAutoDefault(False)
+        self.rest = push_button("skipRest", "Skip the Rest", "")
         self.rest.clicked.connect(self.rest_skipped)
         self.rest.hide()
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.rest)
-        layout.addWidget(self.box, 1)
+        row_of(self.rest, (self.box, 1), margins=0, parent=self)
 
     def show_turn(self, turn: Turn) -> None:
         """Say which file of how many this is, and offer to leave out what waits."""

@@ -5,7 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from app.features.import_export.turn import Turn
+import msgspec
+
+
+class Turn(msgspec.Struct, frozen=True):
+    """Place of a file among several that are asked about, from 1 on, and how many there are."""
+
+    place: int = 1
+    count: int = 1
+
+    @property
+    def waiting(self) -> int:
+        """Number of files that come after it."""
+        return self.count - self.place
 
 
 class ImportSeries:
@@ -43,7 +55,7 @@ class ImportSeries:
 
     @property
     def turn(self) -> Turn:
-        """Which file of how many is on its way now."""
+        """Place of the file that is on its way now."""
         return Turn(self._place, self._place + len(self._waiting))
 
     def add(self, paths: Iterable[Path]) -> None:

@@ -6,13 +6,7 @@ from functools import partial
 from itertools import pairwise
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QHBoxLayout,
-    QProgressBar,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QWidget
 
 from app.appearance.theme import theme_of
 from app.document.expression import ExpressionError, parse_number
@@ -25,11 +19,13 @@ from app.exchange.table.source import TableSource
 from app.exchange.table.table import Preview
 from app.exchange.table.thinning import Thinning
 from app.families import FAMILIES, HERMITE
-from app.features.import_export.form_parts import choice_box, into_box
+from app.features.import_export.form_parts import into_box
 from app.features.import_export.import_foot import ImportFoot
 from app.features.import_export.table_preview import TablePreview
 from app.features.import_export.work_dialog import WorkDialog
 from app.qt.labels import Label, tip_of
+from app.widgets.boxes import column_of, row_of
+from app.widgets.controls import ThinProgress, check_box, choice_box
 from app.widgets.field_edit import FieldEdit
 from app.widgets.number_text import decimal_mark
 
@@ -62,9 +58,12 @@ class ImportTableDialog(WorkDialog):
         self._preview = preview
         self._prepared: PreparedTable | None = None
         self._tolerance: float | None = None
-        self._build()
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._use_typed)
+        self._build_reading()
+        self._build_curves()
+        self._build_foot()
+        self._lay_out()
         self._connect()
         if source.lines > MANY_ROWS:
             self.thinning_box.setCurrentIndex(_THINNINGS.index(Thinning.CURVE))
@@ -73,31 +72,20 @@ class ImportTableDialog(WorkDialog):
 
     # Building
 
-    def _build(self) -> None:
+    def _build_reading(self) -> None:
+        """Make what says how the cells are read."""
         self.separator_box = choice_box(
-            "tableSeparator", "Separator", "What stands between two cells", list(_SEPARATORS.values())
+            "tableSeparator", "Separator", "What stands between two cells", _SEPARATORS.values()
         )
-        self.comma_check = _check("tableComma", "Decimal comma", "Numbers are written 0,5")
-        self.header_check = _check("tableHeader", "First row holds titles", "The first row is no point")
+        self.comma_check = check_box("tableComma", "Decimal comma", "Numbers are written 0,5")
+        self.header_check = check_box("tableHeader", "First row holds titles", "The first row is no point")
         self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
-        self.said = Label(wordWrap=True)
-        self.said.setObjectName("tableSaid")
-        self.missing_box = choice_box(
-            "tableMissing",
-            "Rows without numbers",
-            "What becomes of rows without numbers",
-            [each.label for each in Missing],
-        )
-        label = Label("Rows without numbers")
-        label.setObjectName("tableMissingLabel")
-        label.setBuddy(self.missing_box)
-        self._missing = QWidget()
-        row = _row(label, self.missing_box)
-        row.setContentsMargins(0, 0, 0, 0)
-        self._missing.setLayout(row)
-        self._missing.hide()
+        self.said = Label(name="tableSaid", wordWrap=True)
+
+    def _build_curves(self) -> None:
+        """Make what says which curves the rows become."""
         self.family_box = choice_box(
-            "tableFamily", "Family", "The curve through the rows", [family.label for family in FAMILIES]
+            "tableFamily", "Family", "The curve through the rows", (family.label for family in FAMILIES)
         )
         self.family_box.setCurrentIndex(FAMILIES.index(HERMITE))
         titles = ["Keep every row", *(each.label for each in Thinning)]
@@ -107,40 +95,45 @@ class ImportTableDialog(WorkDialog):
         )
         self.tolerance_edit.setMaximumWidth(110)
         self.into = into_box()
-        self.summary = Label()
-        self.summary.setObjectName("tableSummary")
+
+    def _build_foot(self) -> None:
+        """Make what says what comes of it."""
         # Its room stays, so that nothing jumps when there is something to say, or no longer.
         self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
         self.problem.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self.problem.show()
-        self.bar = QProgressBar()
-        self.bar.setObjectName("tableProgress")
-        self.bar.setAccessibleName("Progress")
-        self.bar.setToolTip("How far the reading has come")
-        self.bar.setRange(0, 1000)
-        self.bar.setTextVisible(False)
-        self.bar.setFixedSize(120, 8)
+        self.missing_box = choice_box(
+            "tableMissing",
+            "Rows without numbers",
+            "What becomes of rows without numbers",
+            (each.label for each in Missing),
+        )
+        label = Label("Rows without numbers", name="tableMissingLabel")
+        label.setBuddy(self.missing_box)
+        self._missing = QWidget()
+        row_of(label, self.missing_box, 1, margins=0, spacing=8, parent=self._missing)
+        self._missing.hide()
+        self.summary = Label(name="tableSummary")
+        self.bar = ThinProgress("tableProgress", "How far the reading has come")
         self.foot = ImportFoot(self, "importTable", "Make curves of the rows")
         self.ok = self.foot.ok
-        self._lay_out()
 
     def _lay_out(self) -> None:
-        layout = QVBoxLayout(self.body)
-        layout.setContentsMargins(16, 14, 16, 0)
-        layout.setSpacing(10)
-        layout.addLayout(_row("Separator", self.separator_box, self.comma_check, self.header_check))
-        layout.addWidget(self.preview, 1)
-        layout.addWidget(self.said)
-        layout.addLayout(
-            _row("Rows", self.thinning_box, self.tolerance_edit, "Family", self.family_box, "Into", self.into)
+        reading = ("Separator", self.separator_box, self.comma_check, self.header_check, 1)
+        curves = ("Rows", self.thinning_box, self.tolerance_edit, "Family", self.family_box)
+        column_of(
+            row_of(*reading, spacing=8),
+            (self.preview, 1),
+            self.said,
+            row_of(*curves, "Into", self.into, 1, spacing=8),
+            self.problem,
+            self._missing,
+            margins=(16, 14, 16, 0),
+            spacing=10,
+            parent=self.body,
         )
-        layout.addWidget(self.problem)
-        layout.addWidget(self._missing)
         foot = QWidget()
-        bottom = _row(self.summary, self.bar)
-        bottom.addWidget(self.foot)
-        bottom.setContentsMargins(0, 0, 0, 0)
-        foot.setLayout(bottom)
+        row_of(self.summary, self.bar, 1, self.foot, margins=0, spacing=8, parent=foot)
         self.hold(foot, wished=QSize(760, 560))
 
     def _connect(self) -> None:
@@ -182,22 +175,22 @@ class ImportTableDialog(WorkDialog):
         self._soon.start()
 
     def _type_tolerance(self, text: str) -> None:
-        try:
-            self._tolerance = _distance(text)
-        except ExpressionError as reason:
+        if not self._take_distance(text):
             self.tolerance_edit.keep()
-            self._show(PreparedTable(problem=str(reason)))
-            return
-        self._prepare()
 
     def _use_typed(self) -> None:
         """Take what is being typed for what is meant; it may still be changed."""
+        self._take_distance(self.tolerance_edit.text())
+
+    def _take_distance(self, text: str) -> bool:
+        """Compute with the distance that was typed, or say why not; return whether it is one."""
         try:
-            self._tolerance = _distance(self.tolerance_edit.text())
+            self._tolerance = _distance(text)
         except ExpressionError as reason:
             self._show(PreparedTable(problem=str(reason)))
-            return
+            return False
         self._prepare()
+        return True
 
     def _mapping(self) -> ColumnMapping | None:
         roles = {role: column for column, role in enumerate(self.preview.head.roles) if role != IGNORE}
@@ -301,7 +294,7 @@ class ImportTableDialog(WorkDialog):
 
     def _show_share(self, share: float, word: str) -> None:
         self.summary.setText(f"{word}…")
-        self.bar.setValue(max(self.bar.value(), round(1000 * share)))
+        self.bar.show_share(share)
 
 
 def _distance(text: str) -> float | None:
@@ -327,19 +320,3 @@ def _summary(prepared: PreparedTable) -> str:
     if prepared.tolerance:
         result += f", at most {number(prepared.deviation, 2)} from the rows"
     return result
-
-
-def _check(name: str, text: str, tip: str) -> QCheckBox:
-    check = QCheckBox(text)
-    check.setObjectName(name)
-    check.setToolTip(tip)
-    return check
-
-
-def _row(*parts: QWidget | str) -> QHBoxLayout:
-    row = QHBoxLayout()
-    row.setSpacing(8)
-    for part in parts:
-        row.addWidget(Label(part) if isinstance(part, str) else part)
-    row.addStretch(1)
-    return row

@@ -9,6 +9,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QComboBox, QHeaderView, QTableView
 
 from app.qt.overrides import Guarded
+from app.widgets.controls import choice_box
 
 _GAP = 4
 
@@ -50,11 +51,9 @@ class RoleHeader(Guarded, QHeaderView):
         return tuple(self._roles[box.currentIndex()] for box in self.boxes)
 
     def _box(self, column: int) -> QComboBox:
-        box = QComboBox(self)
-        box.setObjectName(f"columnRole{column}")
-        box.setAccessibleName(f"What column {column + 1} is")
-        box.setToolTip("What this column is; each but “ignore” at most once")
-        box.addItems(self._roles)
+        tip = "What this column is; each but “ignore” at most once"
+        box = choice_box(f"columnRole{column}", f"What column {column + 1} is", tip, self._roles)
+        box.setParent(self)
         box.activated.connect(lambda _index, box=box: self._choose(box))
         box.show()
         return box

@@ -7,7 +7,8 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from app.appearance.theme import theme_of
-from app.features.import_export.form_parts import enters_number, problem_label
+from app.features.import_export.form_parts import enters_number
+from app.qt.labels import Label
 from app.tasks.single_task import SingleTask
 from app.widgets.fitting import FittedDialog
 
@@ -29,7 +30,8 @@ class WorkDialog(FittedDialog):
         self.setWindowTitle(title)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.jobs = SingleTask(self)
-        self.problem = problem_label(problem)
+        self.problem = Label(name=problem, wordWrap=True)
+        self.problem.hide()
 
     def complain(self, text: str) -> None:
         """Say what is wrong; nothing when empty."""

@@ -70,7 +70,7 @@ class JointCommands:
         x, y = row.place
         half = max(_CLOSE_UP * row.reach, _LEAST)
         self._context.central.canvas.camera.show_box((x - half, x + half), (y - half, y + half))
-        self._context.session.select([row.joint])
+        self._context.session.selected.set_points([row.joint])
         self._context.session.say(f"Joint {row.joint} close up; F shows the whole curve again.")
 
 

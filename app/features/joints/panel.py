@@ -6,21 +6,16 @@ from collections.abc import Collection
 
 from PySide6.QtCore import QEvent, QModelIndex, Qt, Signal
 from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QShowEvent
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHBoxLayout,
-    QHeaderView,
-    QTableView,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from app.appearance.theme import theme_of
+from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.document.words import number
 from app.features.joints.model import JointsModel
 from app.qt.labels import Label
 from app.qt.overrides import Guarded
 from app.view_model.analysis.joints import Certificate, JointKind, JointRow
+from app.widgets.boxes import column_of, row_of
 from app.widgets.number_text import decimal_mark
 from app.widgets.tool_buttons import action_button
 
@@ -95,7 +90,7 @@ class JointsView(Guarded, QTableView):
             super().keyPressEvent(event)
 
 
-class JointsPanel(Guarded, QWidget):
+class JointsPanel(FollowsTheme, QWidget):
     """Summary, table, and the chosen joint in words.
 
     Signals
@@ -114,43 +109,23 @@ class JointsPanel(Guarded, QWidget):
         self.setObjectName("jointsPanel")
         self._model = JointsModel(self)
         self.view = JointsView(self._model)
-        self._summary = Label()
-        self._summary.setObjectName("jointsSummary")
-        self._summary.setAccessibleName("Summary of the joints")
-        self._summary.setWordWrap(True)
+        self._summary = Label(name="jointsSummary", label="Summary of the joints", wordWrap=True)
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._detail = Label()
-        self._detail.setObjectName("jointsDetail")
-        self._detail.setAccessibleName("The chosen joint in words")
-        self._detail.setWordWrap(True)
+        self._detail = Label(name="jointsDetail", label="The chosen joint in words", wordWrap=True)
         self._detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         # It keeps its height, whatever it says.
         self._detail.setMinimumHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES)
         self._copy = action_button(copy, name="copyJoints", icon_size=0, flat=True)
-        self._lay_out()
-        self._render_theme()
+        self._spare = QWidget()
+        self._spare.hide()
+        head = row_of((self._summary, 1), (self._copy, Qt.AlignmentFlag.AlignTop), margins=(12, 8, 8, 6))
+        foot = column_of(self._detail, margins=(12, 6, 12, 8))
+        column_of(head, (self.view, 1), foot, (self._spare, 1), margins=0, spacing=0, parent=self)
+        self.follow_theme()
         self.view.visited.connect(lambda row: self.visited.emit(self._model.rows[row]))
         self.view.copy_requested.connect(copy.trigger)
         self.view.selectionModel().currentChanged.connect(self._show_detail)
         self._show_detail()
-
-    def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.setContentsMargins(12, 8, 8, 6)
-        head.addWidget(self._summary, 1)
-        head.addWidget(self._copy, 0, Qt.AlignmentFlag.AlignTop)
-        foot = QVBoxLayout()
-        foot.setContentsMargins(12, 6, 12, 8)
-        foot.addWidget(self._detail)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addLayout(head)
-        layout.addWidget(self.view, 1)
-        layout.addLayout(foot)
-        self._spare = QWidget()
-        layout.addWidget(self._spare, 1)
-        self._spare.hide()
 
     @property
     def summary(self) -> str:
@@ -199,8 +174,7 @@ class JointsPanel(Guarded, QWidget):
         where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
         self._detail.setText(f"{row.kind.value} {where}: {row.smoothness}\n{row.words}")
 
-    def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
+    def set_theme(self, theme: Theme) -> None:
         self._model.theme = theme
         self._detail.setStyleSheet(f"color: {theme.muted.name()}")
         self.view.viewport().update()
@@ -208,8 +182,3 @@ class JointsPanel(Guarded, QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self.shown.emit()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_spare"):
-            self._render_theme()

@@ -179,7 +179,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._ask_digits()
 
     def _ask_digits(self) -> None:
-        trial, t = self._trial, self._session.scrub
+        trial, t = self._trial, self._session.selected.scrub
         if trial is None or not trial.outcomes or self._panel is None:
             if self._panel is not None:
                 self._panel.render_digits(None)

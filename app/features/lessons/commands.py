@@ -118,7 +118,7 @@ class LessonCommands:
 
     def _begin_again(self) -> None:
         session = self._context.session
-        if self._lesson is not None and (session.undo_stack.count() or session.path is not None):
+        if self._lesson is not None and (session.undo_stack.count() or session.files.path is not None):
             self._context.files.open_example(self._lesson.document, "Begin Again")
         else:
             self._go(0)
@@ -184,7 +184,7 @@ class LessonCommands:
         session = self._context.session
         for index, curve in enumerate(session.document.curves):
             if curve.name == name:
-                session.activate(index)
+                session.selected.activate(index)
 
     def _set_up(self, step: Step) -> None:
         self._set_up_analysis(step.settings)

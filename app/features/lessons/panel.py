@@ -3,30 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeVar
 
 from PySide6.QtCore import Qt, QUrl, Signal
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import (
     QCommandLinkButton,
     QFrame,
-    QHBoxLayout,
     QPushButton,
     QScrollArea,
     QStackedWidget,
     QTextBrowser,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.features.lessons.lesson import Lesson
 from app.qt.labels import Label, html_of
 from app.view_model.goals import GoalResult
+from app.widgets.boxes import column_of, row_of
+from app.widgets.controls import named, push_button
 
 _MARGIN = 10
 _LEAST_WIDTH = 256
 """No title of the gallery is cut off."""
-Named = TypeVar("Named", bound=QWidget)
 
 
 class LessonPanel(QWidget):
@@ -56,7 +54,7 @@ class LessonPanel(QWidget):
         self._step = 0
         self.gallery = self._make_gallery(lessons)
         self.text = self._make_text()
-        self.goal = _named(Label(wordWrap=True, is_html=True), "lessonGoal")
+        self.goal = Label(name="lessonGoal", wordWrap=True, is_html=True)
         self.goal.setFrameShape(QFrame.Shape.StyledPanel)
         self.goal.setMargin(8)
         self.gallery_button = _button("lessonGallery", "All Lessons", "Back to the list of lessons")
@@ -65,14 +63,12 @@ class LessonPanel(QWidget):
         )
         self.back_button = _button("lessonBack", "Back", "The step before")
         self.next_button = _button("lessonNext", "Next", "The next step")
-        self._title = _named(Label(wordWrap=True, is_html=True), "lessonTitle")
-        self._place = _named(Label(), "lessonPlace")
+        self._title = Label(name="lessonTitle", wordWrap=True, is_html=True)
+        self._place = Label(name="lessonPlace")
         self._pages = QStackedWidget()
         self._pages.addWidget(self.gallery)
         self._pages.addWidget(self._make_page())
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._pages)
+        column_of(self._pages, margins=0, parent=self)
         self.gallery_button.clicked.connect(lambda: self.step_chosen.emit(-1))
         self.again_button.clicked.connect(self.again_wanted)
         self.back_button.clicked.connect(lambda: self.step_chosen.emit(self._step - 1))
@@ -80,17 +76,9 @@ class LessonPanel(QWidget):
 
     def _make_gallery(self, lessons: Sequence[Lesson]) -> QScrollArea:
         cards = QWidget()
-        column = QVBoxLayout(cards)
-        column.setContentsMargins(4, 4, 4, 4)
-        column.setSpacing(0)
-        for number, lesson in enumerate(lessons, start=1):
-            card = _card(number, lesson)
-            card.clicked.connect(lambda _checked=False, place=number - 1: self.lesson_chosen.emit(place))
-            column.addWidget(card)
-        column.addStretch(1)
-        gallery = QScrollArea()
-        gallery.setObjectName("lessonList")
-        gallery.setAccessibleName("Lessons")
+        shown = [self._card(number, lesson) for number, lesson in enumerate(lessons, start=1)]
+        column_of(*shown, 1, margins=4, spacing=0, parent=cards)
+        gallery = named(QScrollArea(), "lessonList", "Lessons")
         gallery.setFrameShape(QFrame.Shape.NoFrame)
         gallery.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         gallery.setWidgetResizable(True)
@@ -99,9 +87,16 @@ class LessonPanel(QWidget):
         gallery.setWidget(cards)
         return gallery
 
+    def _card(self, number: int, lesson: Lesson) -> QCommandLinkButton:
+        card = QCommandLinkButton(f"{number}  {lesson.title}", lesson.summary)
+        named(card, f"lesson{number}", f"Lesson {number}: {lesson.title}", "Begin this lesson")
+        # The style's green arrow is a colour with no meaning here.
+        card.setIcon(QIcon())
+        card.clicked.connect(lambda: self.lesson_chosen.emit(number - 1))
+        return card
+
     def _make_text(self) -> QTextBrowser:
-        text = _named(QTextBrowser(), "lessonText")
-        text.setAccessibleName("What to do in this step")
+        text = named(QTextBrowser(), "lessonText", "What to do in this step")
         text.setFrameShape(QFrame.Shape.NoFrame)
         text.document().setDocumentMargin(_MARGIN)
         text.setOpenLinks(False)
@@ -110,20 +105,9 @@ class LessonPanel(QWidget):
 
     def _make_page(self) -> QWidget:
         page = QWidget()
-        top, bottom = QHBoxLayout(), QHBoxLayout()
-        top.addWidget(self.gallery_button)
-        top.addWidget(self.again_button)
-        top.addStretch(1)
-        bottom.addWidget(self.back_button, 1)
-        bottom.addWidget(self._place)
-        bottom.addWidget(self.next_button, 1)
-        layout = QVBoxLayout(page)
-        layout.setContentsMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
-        layout.addLayout(top)
-        layout.addWidget(self._title)
-        layout.addWidget(self.text, 1)
-        layout.addWidget(self.goal)
-        layout.addLayout(bottom)
+        top = row_of(self.gallery_button, self.again_button, 1)
+        bottom = row_of((self.back_button, 1), self._place, (self.next_button, 1))
+        column_of(top, self._title, (self.text, 1), self.goal, bottom, margins=_MARGIN, parent=page)
         return page
 
     def _follow(self, link: QUrl) -> None:
@@ -160,24 +144,5 @@ class LessonPanel(QWidget):
             self.goal.setText(f"<b>{sign}</b><br>{html_of(standing.text)}")
 
 
-def _card(number: int, lesson: Lesson) -> QCommandLinkButton:
-    card = QCommandLinkButton(f"{number}  {lesson.title}", lesson.summary)
-    card.setObjectName(f"lesson{number}")
-    card.setAccessibleName(f"Lesson {number}: {lesson.title}")
-    card.setToolTip("Begin this lesson")
-    # The style's green arrow is a colour with no meaning here.
-    card.setIcon(QIcon())
-    return card
-
-
-def _named(widget: Named, name: str) -> Named:
-    widget.setObjectName(name)
-    return widget
-
-
 def _button(name: str, text: str, tip: str) -> QPushButton:
-    button = QPushButton(text)
-    button.setObjectName(name)
-    button.setToolTip(tip)
-    button.setAccessibleName(tip)
-    return button
+    return push_button(name, text, tip, tip)

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolButton, QWidget
 
 from app.actions.keymap import action_name
 from app.actions.mnemonics import plain
@@ -22,6 +15,8 @@ from app.appearance.theme import Theme
 from app.document.words import with_decimals
 from app.view_model.motion_picture import Dot, Role, short
 from app.view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
+from app.widgets.boxes import column_of, row_of
+from app.widgets.controls import choice_box
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.tool_buttons import ICON, action_button, tool_button
 
@@ -45,8 +40,8 @@ class MotionBar(QWidget):
         self.setObjectName("motionBar")
         self._actions = actions
         self._play = self._play_button()
-        self._speed = _box("motionSpeed", "Speed", "Seconds of the motion in a second (J slower, L faster)")
-        self._speed.addItems([f"{speed:g}×" for speed in SPEEDS])
+        tip = "Seconds of the motion in a second (J slower, L faster)"
+        self._speed = _box("motionSpeed", "Speed", tip, [f"{speed:g}×" for speed in SPEEDS])
         self._speed.activated.connect(lambda index: self.speed_chosen.emit(SPEEDS[index]))
         self._repeat = self._action_box(
             "motionRepeat", "At the end", [action_name("motion", each) for each in Repeat]
@@ -54,10 +49,9 @@ class MotionBar(QWidget):
         self._pace = self._action_box(
             "motionPace", "What grows evenly", [action_name("motionBy", each) for each in Pace]
         )
-        self._readout = ElidedLabel()
+        self._readout, self._words = ElidedLabel(), ElidedLabel()
         self._readout.setObjectName("motionReadout")
         self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._words = ElidedLabel()
         self._words.setObjectName("motionWords")
         self._words.hide()
         self._lay_out()
@@ -72,35 +66,22 @@ class MotionBar(QWidget):
         button.clicked.connect(action.trigger)
         return button
 
-    def _button(self, action_name: str, name: str) -> QToolButton:
-        return action_button(self._actions(action_name), name=name, flat=True)
+    def _button(self, action: str, name: str = "") -> QToolButton:
+        return action_button(self._actions(action), name=name, flat=True)
 
     def _action_box(self, name: str, label: str, actions: Sequence[str]) -> QComboBox:
-        box = _box(name, label, label)
-        for action in actions:
-            box.addItem(plain(self._actions(action).text()))
+        box = _box(name, label, label, [plain(self._actions(action).text()) for action in actions])
         box.activated.connect(lambda index: self._actions(actions[index]).trigger())
         return box
 
     def _lay_out(self) -> None:
-        row = QHBoxLayout()
-        row.setContentsMargins(10, 3, 8, 3)
-        row.setSpacing(6)
-        for widget in (self._play, self._button("stopMotion", "stopMotion")):
-            row.addWidget(widget)
-        for box in (self._speed, self._repeat, self._pace):
-            row.addWidget(box)
-        row.addWidget(self._button("motionCompare", "compareMotion"))
-        row.addWidget(self._readout, 1)
-        row.addWidget(self._button("exportMotion", "exportMotion"))
-        words = QHBoxLayout()
-        words.setContentsMargins(12, 0, 10, 5)
-        words.addWidget(self._words)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addLayout(row)
-        layout.addLayout(words)
+        boxes = (self._speed, self._repeat, self._pace)
+        compare, export = self._button("motionCompare", "compareMotion"), self._button("exportMotion")
+        controls = row_of(
+            self._play, self._button("stopMotion"), *boxes, compare, (self._readout, 1), export,
+            margins=(10, 3, 8, 3), spacing=6,
+        )  # fmt: skip
+        column_of(controls, row_of(self._words, margins=(12, 0, 10, 5)), margins=0, spacing=0, parent=self)
 
     # What is shown
 
@@ -144,12 +125,9 @@ def _numbers(dot: Dot) -> str:
     return f"t {t}   |v| {short(dot.speed)}   |a| {short(dot.pull)}"
 
 
-def _box(name: str, label: str, tip: str) -> QComboBox:
-    box = QComboBox()
+def _box(name: str, label: str, tip: str, items: Iterable[str]) -> QComboBox:
+    box = choice_box(name, label, tip, items)
     # As short as that where there is no room; then the words end in dots.
     box.setMinimumContentsLength(4)
-    box.setObjectName(name)
-    box.setAccessibleName(label)
-    box.setToolTip(tip)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     return box

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QFormLayout,
-    QHBoxLayout,
-    QPushButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QWidget
 
 from app.exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
 from app.qt.labels import Label
+from app.widgets.boxes import form_of, row_of
+from app.widgets.controls import check_box, choice_box, push_button
 from app.widgets.fitting import FittedDialog
 from app.widgets.told_spin import ToldDoubleSpinBox, ToldSpinBox
 
@@ -33,8 +28,8 @@ class MotionDialog(FittedDialog):
         super().__init__(parent)
         self.setObjectName("motionDialog")
         self.setWindowTitle("Export Motion")
-        self.format_box = QComboBox()
-        self.format_box.addItems([each.title for each in FILMS])
+        tip = "GIF and APNG play in every browser; MP4 takes ffmpeg"
+        self.format_box = choice_box("filmFormat", "Format", tip, (each.title for each in FILMS))
         self.width_box = ToldSpinBox(
             "filmWidth", "Width", "Width of the picture; the height follows", (64, LARGEST_WIDTH)
         )
@@ -50,45 +45,33 @@ class MotionDialog(FittedDialog):
         )
         self.seconds_box.setSingleStep(0.5)
         self.seconds_box.setSuffix(" s")
-        self.points_check = QCheckBox("Points")
+        self.points_check = check_box("filmPoints", "Points", "Draw the points too", "Draw the points")
         self.points_check.setChecked(True)
-        self._frames = Label()
-        self._frames.setObjectName("filmFrames")
-        self._export = QPushButton("Export…")
+        self._frames = Label(name="filmFrames")
+        self._export = push_button(
+            "filmExport", "Export…", "Choose a file and write the motion there", "Export"
+        )
         self._export.setDefault(True)
-        self._name_all()
         self._lay_out()
         # The numbers below are told whoever changes them.
         for box in (self.width_box, self.fps_box, self.seconds_box):
             box.valueChanged.connect(self._count)
         self._export.clicked.connect(self._accept)
 
-    def _name_all(self) -> None:
-        names = {
-            self.format_box: ("filmFormat", "Format", "GIF and APNG play in every browser; MP4 takes ffmpeg"),
-            self.points_check: ("filmPoints", "Draw the points", "Draw the points too"),
-            self._export: ("filmExport", "Export", "Choose a file and write the motion there"),
-        }
-        for widget, (name, label, tip) in names.items():
-            widget.setObjectName(name)
-            widget.setAccessibleName(label)
-            widget.setToolTip(tip)
-
     def _lay_out(self) -> None:
-        form = QFormLayout(self.body)
-        form.setContentsMargins(16, 16, 16, 4)
-        form.setVerticalSpacing(10)
-        form.setHorizontalSpacing(16)
-        form.addRow("Format", self.format_box)
-        form.addRow("Width", self.width_box)
-        form.addRow("Frames a second", self.fps_box)
-        form.addRow("Length", self.seconds_box)
-        form.addRow("Draw", self.points_check)
+        form_of(
+            ("Format", self.format_box),
+            ("Width", self.width_box),
+            ("Frames a second", self.fps_box),
+            ("Length", self.seconds_box),
+            ("Draw", self.points_check),
+            margins=(16, 16, 16, 4),
+            across=16,
+            down=10,
+            parent=self.body,
+        )
         foot = QWidget()
-        row = QHBoxLayout(foot)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self._frames, 1)
-        row.addWidget(self._export)
+        row_of((self._frames, 1), self._export, margins=0, parent=foot)
         self.hold(foot, wished=QSize(240, 160))
 
     def open_for(self, seconds: float) -> None:

@@ -62,13 +62,13 @@ class OverlayCommands:
             return
         waits = analysis.picture.settling(view, settings)
         self._settle(view, settings, waits)
-        live = analysis.picture.live_picture(view, settings, self._context.session.scrub)
+        live = analysis.picture.live_picture(view, settings, self._context.session.selected.scrub)
         self._ghosts = self._ghosts_of(view, settings)
         settled = self._settled
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
-        self._context.central.canvas.drawing.annotations.render_figures(figures, ghosts)
+        self._context.central.canvas.drawing.annotations.figure_layer.render(figures, ghosts)
         rows = analysis.legend.legend_rows(
             view, settings, ghosts, figures if settled is not None else (), busy
         )
@@ -90,7 +90,7 @@ class OverlayCommands:
         self._is_drawn = False
         self._ghosts, self._asked, self._settled = {}, None, None
         self._task.give_up()
-        self._context.central.canvas.drawing.annotations.render_figures(())
+        self._context.central.canvas.drawing.annotations.figure_layer.render((), ())
         self._context.central.canvas.drawing.annotations.render_legend(_GROUP, ())
         self._context.analysis.note({})
 
@@ -101,7 +101,7 @@ class OverlayCommands:
             self._task.give_up()
             return
 
-        scrub = self._context.session.scrub
+        scrub = self._context.session.selected.scrub
         asked = (view, analysis.picture.settling_key(view, settings, scrub))
         if asked == self._asked:
             return
@@ -150,9 +150,9 @@ class OverlayCommands:
         analysis, session = self._context.analysis, self._context.session
         shown = overlay not in analysis.settings.overlays
         view = session.active_view
-        if overlay.brings_scrub and shown and session.scrub is None and view.curve is not None:
+        if overlay.brings_scrub and shown and session.selected.scrub is None and view.curve is not None:
             start, end = view.curve.domain
-            session.set_scrub((start + end) / 2)
+            session.selected.set_scrub((start + end) / 2)
         analysis.show(overlay, shown)
 
     @action_for_each(

@@ -11,7 +11,6 @@ from PySide6.QtGui import QPainter, QPen
 
 from app.features.plots.value_scale import ValueScale
 from app.plotting.drawing import Segments, Stroke, cut_segments
-from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, line_in_pixels, with_dashes
 from app.plotting.pixel_map import PixelMap
@@ -65,11 +64,10 @@ class PlotLayer(Layer):
         self.waits = False
         self._strokes: list[list[Stroke | Segments]] = []
         self._strokes_of: tuple[object, object, float] = ((), None, 0.0)
-        self._fonts = Sizes(plot.font())
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw every plot: levels and joints, lines, title."""
-        painter.setFont(self._fonts.less(1.0, self.scale))
+        painter.setFont(self.fonts.less(1.0, self.scale))
         if self.note:
             painter.setPen(self.theme.muted)
             area = QRectF(0, 0, shown.width, shown.height)
@@ -236,7 +234,6 @@ class ScrubLayer(Layer):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         x = shown.point(self.scrub, 0.0)[0]
-        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
         painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
         if self._plots.note:
             return

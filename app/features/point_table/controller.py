@@ -27,7 +27,7 @@ class PointTableController:
 
     def __init__(self, session: Session, panel: PointTable, show_points: Callable[[], None]) -> None:
         self._session, self._panel, self._show_points = session, panel, show_points
-        panel.rows_selected.connect(session.select)
+        panel.rows_selected.connect(session.selected.set_points)
         panel.said.connect(session.say)
         panel.refused.connect(session.refuse)
         panel.model.number_entered.connect(self._set_number)
@@ -85,7 +85,7 @@ class PointTableController:
             return
         session.say(f"Pasted {what}.")
         overwritten = range(top, min(top + height, len(view.source.points)))
-        session.select(range(top, top + height))
+        session.selected.set_points(range(top, top + height))
         self._panel.tell_who_kept(*keepers(view, overwritten, columns))
         self._show_points()
 

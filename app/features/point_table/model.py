@@ -18,12 +18,12 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
+from app.appearance.colours import point_colours
 from app.appearance.theme import LIGHT, Theme
 from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Point
 from app.document.words import number, with_minus
-from app.plotting.colours import colours_of
 from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.point_columns import Column, columns_of
@@ -295,7 +295,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
     def _swatch(self, row: int) -> QPixmap | None:
         if row >= len(self.values):
             return None
-        colour = colours_of(len(self.values), self._theme)[row]
+        colour = point_colours(len(self.values), self._theme)[row]
         return _swatch_of(colour.name(), square=row in self._corners)
 
 

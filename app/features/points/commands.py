@@ -36,7 +36,7 @@ class PointCommands:
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
         """Select all points."""
-        self._session.select(range(len(self._session.active_curve.points)))
+        self._session.selected.set_points(range(len(self._session.active_curve.points)))
 
     @action(
         "deleteSelection",
@@ -52,14 +52,14 @@ class PointCommands:
         """Delete the selected points."""
         session, selected = self._session, self._session.selection
         if not selected:
-            if len(session.selected_curves) > 1:
+            if len(session.selected.curves) > 1:
                 self._context.actions["deleteCurve"].trigger()
             return
         what = f"point {next(iter(selected))}" if len(selected) == 1 else f"{len(selected)} points"
         if session.change(
             f"Delete {what}", lambda document: edits.delete_points(document, session.active_index, selected)
         ):
-            session.select([])
+            session.selected.set_points([])
 
     @action(
         "resetVelocities",

@@ -71,7 +71,7 @@ class Autosave(QObject):
     @property
     def is_needed(self) -> bool:
         """Whether there is something that the file does not hold."""
-        return self._session.is_modified or self._session.is_previewing
+        return self._session.files.is_modified or self._session.is_previewing
 
     def _note_change(self) -> None:
         # Every step of a drag comes by here.
@@ -97,7 +97,9 @@ class Autosave(QObject):
         self._soon.stop()
         self._kept, self._has_written = session.document, True
         file, document, committed = self._file, session.document, session.committed
-        origin = Origin(session.path, session.files.file.stamp if session.files.file is not None else None)
+        origin = Origin(
+            session.files.path, session.files.file.stamp if session.files.file is not None else None
+        )
         return self._do(lambda: _written(file, document, origin, committed), self._report)
 
     def _do(self, work: Callable[[], object], then: Callable[[Task], object] | None = None) -> Task:

@@ -85,7 +85,7 @@ class RecoveryCommands:
     def _restore(self, index: int) -> None:
         session = self._context.session
         # Another window, rather than a question about the work in this one.
-        open_beside = self._open_beside if session.is_modified else None
+        open_beside = self._open_beside if session.files.is_modified else None
         if open_beside is None and not self._context.files.may_discard():
             return
         snapshot = self._take(index)

@@ -13,15 +13,16 @@ from app.actions.needs import Need
 from app.actions.sections import FILE_IMAGE
 from app.actions.strips import IMAGE_BUTTONS
 from app.canvas.image_file import ImageFileError, read_image
-from app.document.image_edits import set_image, set_image_file
+from app.document.image_edits import set_image, set_image_file, set_image_opacity
 from app.document.model import ReferenceImage
-from app.features.reference_image.controller import ImageController
-from app.features.reference_image.panel import ImagePanel
+from app.features.reference_image.panel import STEPS, ImagePanel
 from app.state.window_state import WindowState
 from app.tools.move_image import MOVE_IMAGE
 from app.view_model.curve_view import CurveView
 from app.workbench.context import WindowContext
 from app.workbench.docks import Panel
+from app.workbench.form_edits import FormEdits
+from app.workbench.slider_gesture import SliderGesture
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
 _MISSING = "The reference image is not shown. {}"
@@ -61,9 +62,14 @@ class ImageCommands:
     @Panel("imageDock", "Image")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form of the picture, with its buttons."""
-        self.panel = ImagePanel(parent)
-        self._controller = ImageController(self._session, self.panel)
-        self.panel.add_buttons(self._actions.in_strip(IMAGE_BUTTONS)[1])
+        self.panel = ImagePanel(self._actions.in_strip(IMAGE_BUTTONS)[1], parent)
+        self._edits = FormEdits(self._session, self.panel)
+        self._opacity = SliderGesture(
+            self._session,
+            self.panel.opacity,
+            lambda document, position: set_image_opacity(document, position / STEPS),
+            lambda position: f"Fade image to {position / STEPS:.0%}".replace("%", " %"),
+        )
         return self.panel
 
     def render(self, view: CurveView) -> None:

@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import partial
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QFormLayout,
-    QHBoxLayout,
-    QSizePolicy,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.appearance.theme import theme_of
-from app.document.model import ReferenceImage
+from app.document.image_edits import place_image, set_image_locked
+from app.document.model import ReferenceImage, Vector
 from app.document.words import number
 from app.qt.labels import Label, tip_of
-from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of, form_of, row_of
+from app.widgets.controls import check_box, named
 from app.widgets.field_edit import NumberEdit
+from app.widgets.field_form import FieldForm
 from app.widgets.live_slider import LiveSlider
 from app.widgets.number_text import decimal_mark
 from app.widgets.tool_buttons import action_button
@@ -31,19 +25,8 @@ STEPS = 100
 """Positions of the slider from nothing to all of the image."""
 
 
-class ImagePanel(Guarded, QWidget):
-    """A form that shows the reference image and reports what is typed.
-
-    Signals
-    -------
-    corner_edited
-        Another lower left corner (x, y) was typed. Who cannot use it, or a width, calls `refuse`.
-    width_edited
-        Another width was typed, or a height: the width that belongs to it.
-    locked_switched
-        The image is to be locked, or freed.
-    refused
-        Why a text that was typed is no number.
+class ImagePanel(FieldForm):
+    """A form that shows the reference image, and asks for changes of it.
 
     Attributes
     ----------
@@ -51,83 +34,48 @@ class ImagePanel(Guarded, QWidget):
         The slider, in `STEPS`.
     """
 
-    corner_edited = Signal(float, float)
-    width_edited = Signal(float)
-    locked_switched = Signal(bool)
-    refused = Signal(str)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("imagePanel")
+    def __init__(self, buttons: Sequence[QAction], parent: QWidget | None = None) -> None:
+        super().__init__("imagePanel", "imageProblem", parent)
         self._image: ReferenceImage | None = None
-        # The field that was typed in last.
-        self._entry: NumberEdit | None = None
-        self._refusal = self._problem_text = ""
         self.x_edit = _number_edit("imageX", "x", "x of the lower left corner")
         self.y_edit = _number_edit("imageY", "y", "y of the lower left corner")
         self.width_edit = _number_edit("imageWidth", "Width", "Width in the plane; the height follows")
         self.height_edit = _number_edit("imageHeight", "Height", "Height in the plane; the width follows")
+        self._edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit)
         self.opacity = _opacity_slider()
         self._percent = Label()
         self._percent.setMinimumWidth(self._percent.fontMetrics().horizontalAdvance("100 %"))
-        self.lock = QCheckBox("Locked")
-        self.lock.setObjectName("imageLocked")
-        self.lock.setToolTip("Keep the image safe from being moved and scaled")
-        self._file = Label()
-        self._file.setObjectName("imageFile")
+        self.lock = check_box("imageLocked", "Locked", "Keep the image safe from being moved and scaled")
+        self._file = Label(name="imageFile")
         # A long name is cut, it never widens the window; the tooltip has it whole.
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._problem = Label()
-        self._problem.setObjectName("imageProblem")
-        self._problem.setWordWrap(True)
-        policy = self._problem.sizePolicy()
+        policy = self.problem.sizePolicy()
         policy.setHorizontalPolicy(QSizePolicy.Policy.Ignored)
-        self._problem.setSizePolicy(policy)
-        self._buttons = QHBoxLayout()
-        self._lay_out()
+        self.problem.setSizePolicy(policy)
+        self._lay_out(buttons)
         self._connect()
+        self.follow_theme()
         self.render_image(None)
 
-    def _lay_out(self) -> None:
-        place, size, fade = QHBoxLayout(), QHBoxLayout(), QHBoxLayout()
-        for row, widgets in (
-            (place, (self.x_edit, Label("y"), self.y_edit)),
-            (size, (self.width_edit, Label("×"), self.height_edit)),
-        ):
-            row.setSpacing(6)
-            for widget in widgets:
-                row.addWidget(widget, 0 if isinstance(widget, Label) else 1)
-        fade.addWidget(self.opacity, 1)
-        fade.addWidget(self._percent)
-        form = QFormLayout()
-        form.setHorizontalSpacing(12)
-        form.setVerticalSpacing(8)
-        form.addRow("File", self._file)
-        form.addRow("x", place)
-        form.addRow("Size", size)
-        form.addRow("Opacity", fade)
-        form.addRow("", self.lock)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(12, 12, 12, 12)
-        layout.setSpacing(10)
-        layout.addWidget(self._problem)
-        layout.addLayout(form)
-        layout.addLayout(self._buttons)
-        layout.addStretch(1)
+    def _lay_out(self, buttons: Sequence[QAction]) -> None:
+        fields = form_of(
+            ("File", self._file),
+            ("x", row_of((self.x_edit, 1), "y", (self.y_edit, 1), spacing=6)),
+            ("Size", row_of((self.width_edit, 1), "×", (self.height_edit, 1), spacing=6)),
+            ("Opacity", row_of((self.opacity, 1), self._percent)),
+            ("", self.lock),
+        )
+        below = row_of(*(action_button(action, beside=True) for action in buttons), 1)
+        column_of(self.problem, fields, below, 1, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
-        for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
-            edit.entered.connect(partial(self._report, edit))
-            edit.refused.connect(partial(self._refuse_text, edit))
-            edit.left.connect(self._clear_refusal)
-        self.opacity.drag_ended.connect(lambda: self.render_image(self._image))
-        self.lock.clicked.connect(self.locked_switched)
-
-    def add_buttons(self, actions: Sequence[QAction]) -> None:
-        """Offer these actions, too."""
-        for action in actions:
-            self._buttons.addWidget(action_button(action, beside=True))
-        self._buttons.addStretch(1)
+        self.watch(*self._edits)
+        self.x_edit.entered.connect(lambda x: self._place(lambda image: (x, image.y)))
+        self.y_edit.entered.connect(lambda y: self._place(lambda image: (image.x, y)))
+        self.width_edit.entered.connect(self._scale)
+        self.height_edit.entered.connect(self._scale_by_height)
+        self.opacity.drag_ended.connect(self._render_again)
+        self.lock.clicked.connect(self._set_locked)
 
     # Rendering: nothing here writes back
 
@@ -135,19 +83,13 @@ class ImagePanel(Guarded, QWidget):
         """Show where `image` lies; nothing of one that is there no more."""
         self._image = image
         if image is None:
-            for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
+            for edit in self._edits:
                 edit.show_text("")
             self._file.setText("")
             self._file.setToolTip("")
             return
-        mark = decimal_mark()
-        for edit, value in (
-            (self.x_edit, image.x),
-            (self.y_edit, image.y),
-            (self.width_edit, image.width),
-            (self.height_edit, image.height),
-        ):
-            edit.show_text(number(value, 6, mark))
+        for edit, value in zip(self._edits, (image.x, image.y, image.width, image.height), strict=True):
+            edit.show_text(number(value, 6, decimal_mark()))
             edit.setEnabled(not image.locked)
         self._file.setText(Path(image.path).name)
         self._file.setToolTip(tip_of(image.path))
@@ -156,58 +98,33 @@ class ImagePanel(Guarded, QWidget):
             self.opacity.setValue(round(image.opacity * STEPS))
         self._percent.setText(f"{image.opacity:.0%}".replace("%", " %"))
 
+    def _render_again(self) -> None:
+        self.render_image(self._image)
+
     def show_problem(self, text: str) -> None:
         """Say why the picture cannot be shown; empty where it can."""
-        self._problem_text = text
-        self._render_problem()
-
-    def _render_problem(self) -> None:
-        text = self._refusal or self._problem_text
-        self._problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         # Paths may be broken where folders end: else a long one would widen the window.
-        self._problem.setText(f"⚠ {text}".replace("/", "/\N{ZERO WIDTH SPACE}") if text else "")
-        self._problem.setToolTip(tip_of(text))
-        self._problem.setVisible(bool(text))
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_buttons"):
-            self._render_problem()
+        super().show_problem(text.replace("/", "/\N{ZERO WIDTH SPACE}"))
+        self.problem.setToolTip(tip_of(text))
 
     # What the person did
 
-    def _report(self, edit: NumberEdit, value: float) -> None:
-        image, self._entry = self._image, edit
-        if image is None:
-            return
-        self._clear_refusal()
-        if edit is self.x_edit:
-            self.corner_edited.emit(value, image.y)
-        elif edit is self.y_edit:
-            self.corner_edited.emit(image.x, value)
-        else:
-            aspect = 1.0 if edit is self.width_edit else image.width / image.height
-            self.width_edited.emit(value * aspect)
-        self.render_image(self._image)
+    def _place(self, corner: Callable[[ReferenceImage], Vector]) -> None:
+        if (image := self._image) is not None:
+            self.edited.emit("Move image", lambda document, _curve: place_image(document, corner(image)))
+            self._render_again()
 
-    def _refuse_text(self, edit: NumberEdit, reason: str) -> None:
-        self._entry = edit
-        self.refuse(reason)
-        self.refused.emit(reason)
+    def _scale(self, width: float) -> None:
+        self.edited.emit("Scale image", lambda document, _curve: place_image(document, width=width))
+        self._render_again()
 
-    def refuse(self, reason: str) -> None:
-        """Say why what was typed last cannot be taken; it stays to be mended while the cursor is there."""
-        self._refusal = reason
-        if self._entry is not None:
-            if self._entry.hasFocus():
-                self._entry.keep()
-            else:
-                self._entry.revert()
-        self._render_problem()
+    def _scale_by_height(self, height: float) -> None:
+        if (image := self._image) is not None:
+            self._scale(height * (image.width / image.height))
 
-    def _clear_refusal(self) -> None:
-        self._refusal = ""
-        self._render_problem()
+    def _set_locked(self, locked: bool) -> None:
+        name = "Lock image" if locked else "Unlock image"
+        self.edited.emit(name, lambda document, _curve: set_image_locked(document, locked))
 
 
 def _number_edit(name: str, label: str, what: str) -> NumberEdit:
@@ -215,9 +132,7 @@ def _number_edit(name: str, label: str, what: str) -> NumberEdit:
 
 
 def _opacity_slider() -> LiveSlider:
-    slider = LiveSlider(Qt.Orientation.Horizontal)
-    slider.setObjectName("imageOpacity")
-    slider.setAccessibleName("Opacity of the image")
-    slider.setToolTip("How much of the image is seen; Escape cancels a drag")
+    tip = "How much of the image is seen; Escape cancels a drag"
+    slider = named(LiveSlider(Qt.Orientation.Horizontal), "imageOpacity", "Opacity of the image", tip)
     slider.setRange(0, STEPS)
     return slider

@@ -23,7 +23,7 @@ class SnapCommands:
         snapping = Snapping(state.snap_on, state.snap_kinds)
         canvas.change_tool_settings(snapping=snapping, unit=state.unit_name)
         canvas.drawing.grid.set_spacing(state.grid_spacing)
-        canvas.drawing.units.unit = state.unit_name
+        canvas.drawing.units.render(state.unit_name)
         self._context.status_line.unit = state.unit_name
 
     @action("toggleSnap", "Snap", VIEW_DRAWING, "Shift+S", "magnet", checked=lambda now: now.state.snap_on)

@@ -69,12 +69,12 @@ class ViewCommands:
             self._context.actions["stopMotion"].trigger()
         elif state.presentation:
             self._store.change(presentation=False)
-        elif session.scrub is not None:
-            session.set_scrub(None)
+        elif session.selected.scrub is not None:
+            session.selected.set_scrub(None)
         elif session.selection:
-            session.select([])
+            session.selected.set_points([])
         else:
-            session.select_curves((session.active_index,))
+            session.selected.set_curves((session.active_index,))
 
     @action_for_each(
         TOOLS,
@@ -143,17 +143,17 @@ class ViewCommands:
         "T",
         "spline",
         needs=CURVE_DRAWN,
-        checked=lambda now: now.session.scrub is not None,
+        checked=lambda now: now.session.selected.scrub is not None,
     )
     @also(TOOLBAR(63), CANVAS_MENU(33))
     def _toggle_scrub(self) -> None:
         """Show a point running along the curve and the weight of every point."""
         session = self._session
-        if session.scrub is not None or session.active_view.curve is None:
-            session.set_scrub(None)
+        if session.selected.scrub is not None or session.active_view.curve is None:
+            session.selected.set_scrub(None)
             return
         start, end = session.active_view.curve.domain
-        session.set_scrub(start + 0.4 * (end - start))
+        session.selected.set_scrub(start + 0.4 * (end - start))
         session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
 
     @action(

@@ -78,7 +78,7 @@ class WiggleCommands(QObject):
         self._context.central.canvas.choose_tool(EXPLAIN)
         self._context.store.change(tool=EXPLAIN, moves_image=False)
         self._context.status_line.show_hint(EXPLAIN.hint)
-        if self._session.scrub is None:
+        if self._session.selected.scrub is None:
             self._explain_widest()
         self._open()
 
@@ -98,12 +98,12 @@ class WiggleCommands(QObject):
 
         view = self._session.active_view
         if view.is_current:
-            self._session.set_scrub(analysis.wiggle.widest(view))
+            self._session.selected.set_scrub(analysis.wiggle.widest(view))
 
     @PlaceAction("explainHere", "Explain This Wiggle", like="explainWiggle")
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
-        self._session.set_scrub(t)
+        self._session.selected.set_scrub(t)
         self._open()
 
     def _open(self) -> None:
@@ -127,7 +127,7 @@ class WiggleCommands(QObject):
         if panel is None or not self._is_seen:
             return
 
-        t = self._session.scrub
+        t = self._session.selected.scrub
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.points), view.problem)
         if explanation is None:
@@ -177,7 +177,7 @@ class WiggleCommands(QObject):
         """Go on explaining the same segment, now that its parameters are other ones."""
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
-            self._session.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
+            self._session.selected.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
 
 
 def _try(document: Document, curve: int, view: CurveView, knot: int, report: Report) -> Cures | None:

@@ -8,8 +8,8 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from app.appearance.colours import point_colours
 from app.appearance.theme import theme_of
-from app.plotting.colours import colours_of
 from app.qt.overrides import Guarded
 from app.view_model.analysis.wiggle import MOST_PULLS, Pull
 from app.view_model.analysis.wording import short
@@ -63,7 +63,7 @@ class WeightBars(Guarded, QWidget):
         high = max(0.0, *(pull.weight for pull in self.pulls)) / largest
         unit = (right - left) / max(high - low, 1e-9)
         zero = left - low * unit
-        colours = colours_of(max(self._count, 1), theme)
+        colours = point_colours(max(self._count, 1), theme)
         for place, pull in enumerate(self.pulls):
             top = place * _ROW
             middle = Qt.AlignmentFlag.AlignVCenter

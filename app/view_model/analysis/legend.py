@@ -51,7 +51,8 @@ def legend_rows(
     rows = [LegendRow(style, text) for each in shown for style, text in each.legend(settings)]
     # What is known later stands last, so that nothing moves when it comes.
     for each in shown:
-        rows += [LegendRow(style, text) for style, text in each.finds if _is_drawn(style, settled)]
+        drawn = (entry for entry in each.finds if any(figure.style is entry[0] for figure in settled))
+        rows += [LegendRow(style, text) for style, text in drawn]
         if each.finds and each in busy:
             rows.append(LegendRow(each.finds[0][0], f"{each.name.capitalize()} …", is_muted=True))
     # A ghost that is the curve itself needs no line of its own.
@@ -65,10 +66,6 @@ def line_rows(
     """Return a row for each of some lines, with its style and its name, below a heading if there is one."""
     rows = [LegendRow(style, name, is_muted=muted) for style, name in lines]
     return [LegendRow(None, heading, is_muted=True), *rows] if rows and heading else rows
-
-
-def _is_drawn(style: LineStyle, figures: Iterable[Figure]) -> bool:
-    return any(figure.style is style for figure in figures)
 
 
 def _ghost_row(view: GhostView) -> LegendRow:

@@ -45,11 +45,10 @@ class PlotLine(msgspec.Struct, frozen=True, eq=False):
         if not len(self.t) or not self.t[0] <= t <= self.t[-1]:
             return float("nan")
         after = int(np.searchsorted(self.t, t))
-        near = range(max(after - 2, 0), min(after + 2, len(self.t)))
-        known = [index for index in near if not np.isnan(self.values[index])]
-        if not known:
-            return float("nan")
-        return float(self.values[min(known, key=lambda index: abs(float(self.t[index]) - t))])
+        near = slice(max(after - 2, 0), after + 2)
+        known = ~np.isnan(self.values[near])
+        nearest = np.argmin(np.where(known, np.abs(self.t[near] - t), np.inf))
+        return float(self.values[near][nearest])
 
 
 class Level(msgspec.Struct, frozen=True):

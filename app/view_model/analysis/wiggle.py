@@ -10,8 +10,9 @@ from app.view_model.analysis.wording import short
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_at
-from app.view_model.sampling import within_segments
+from app.view_model.sampling import segment_at, within_segments
 from curvecore.arrays import FloatArray
+from curvecore.bezier.polylines import segment_distance
 
 MOST_PULLS = 6
 _COARSE, _FINE = 17, 65
@@ -99,22 +100,17 @@ def overshoot(view: CurveView, knot: int) -> tuple[float, float]:
 
 def _distances(places: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     """Return the distances of places (…, 2) from segments whose ends are given."""
-    along = end - start
-    # Far out on a wild curve squares overflow; beyond this nobody compares distances.
-    off = np.clip(np.nan_to_num(places, nan=1e150), -1e150, 1e150) - start
-    squared = (along**2).sum(axis=-1)
-    share = (off * along).sum(axis=-1) / np.where(squared > 0, squared, 1.0)
-    gap = off - np.clip(share, 0.0, 1.0)[..., None] * along
-    return np.asarray(np.hypot(gap[..., 0], gap[..., 1]))
+    # Far out on a wild curve nobody compares distances.
+    return segment_distance(np.clip(np.nan_to_num(places, nan=1e150), -1e150, 1e150), start, end)
 
 
 def explain(view: CurveView, t: float) -> Explanation | None:
     """Return who pulls at `t`; None where there is no curve."""
-    if not view.is_current or view.curve is None or view.basis_curve is None:
+    if not view.is_current:
         return None
     knots = view.parameters
     t = min(max(t, float(knots[0])), float(knots[-1]))
-    knot = min(int(np.searchsorted(knots, t, side="right")) - 1, len(knots) - 2)
+    knot = segment_at(knots, t)
     segment = (knot, view.owner(knot), view.owner(knot + 1))
     chord = float(np.hypot(*(view.points[segment[2]] - view.points[segment[1]])))
     pulls = _pulls(view, t, knot, chord)
@@ -138,10 +134,10 @@ def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ..
         basis = view.basis_curve.basis(np.array([t]))[0]
         for order in range(1, basis.shape[1]):
             # Velocity and acceleration ahead of the first point, and before the second.
-            for at, jets, ahead in ((knot, view.sides.after, True), (knot + 1, view.sides.before, False)):
+            for at, ahead in ((knot, True), (knot + 1, False)):
                 if not view.is_explicit(view.owner(at), order, ahead=ahead):
                     continue
-                x, y = (basis[at, order] * jets[at, order]).tolist()
+                x, y = (basis[at, order] * view.sides[ahead][at, order]).tolist()
                 size = float(np.hypot(x, y)) / chord if chord > 0 else 0.0
                 found.append(Pull(view.owner(at), order, size))
     return tuple(sorted(found, key=lambda pull: -abs(pull.weight)))

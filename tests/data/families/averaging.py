@@ -2,7 +2,8 @@
 
 import numpy as np
 
-name = "averaging"
+name = "tests_averaging"
+title = "averaging"
 interpolates = False
 
 

@@ -5,7 +5,7 @@ No polynomials either; only the two points beside t count, and c'' jumps at ever
 
 import numpy as np
 
-name = "cosine_steps"
+name = "tests_cosine_steps"
 title = "cosine steps"
 can_close = True
 

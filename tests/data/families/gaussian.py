@@ -5,7 +5,7 @@ They do not sum to one: moving all points by the same way moves the curve by les
 
 import numpy as np
 
-name = "gaussian"
+name = "tests_gaussian"
 title = "Gaussian"
 
 

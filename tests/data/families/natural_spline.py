@@ -30,7 +30,7 @@ class NaturalSplineCurve(Curve):
     __slots__ = ("_bends",)
     _caches = ("_bends",)
 
-    name = "natural_spline"
+    name = "tests_natural_spline"
     title = "natural spline"
 
     _bends: FloatArray | None

@@ -1,0 +1,78 @@
+"""Base class of the drags, and the little geometry that they share."""
+
+from __future__ import annotations
+
+import msgspec
+
+from app.document.model import Document, Vector
+from app.tools.pointer import Pointer
+from app.view_model.curve_view import CurveView
+
+
+class Drag(msgspec.Struct, frozen=True):
+    """A drag: the document at a place of the pointer.
+
+    Attributes
+    ----------
+    document
+        The document at the press, which every place of the pointer changes anew.
+    """
+
+    document: Document
+
+    @property
+    def name(self) -> str:
+        """The name of the step in the history."""
+        raise NotImplementedError
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys, for the status line."""
+        return ""
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document for this position, computed from the press, never from the last move."""
+        raise NotImplementedError
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return the amount, such as "Rotate 30°"; empty where none is told."""
+        return ""
+
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return where the point is that is held, None where none is."""
+        return None
+
+
+class CurveDrag(Drag, frozen=True):
+    """A drag that changes one curve.
+
+    Attributes
+    ----------
+    curve
+        Its place in the document.
+    view
+        Its view at the press.
+    """
+
+    curve: int
+    view: CurveView
+
+
+def minus(a: Vector, b: Vector) -> Vector:
+    """Return the way from `b` to `a`."""
+    return (a[0] - b[0], a[1] - b[1])
+
+
+def plus(a: Vector, b: Vector) -> Vector:
+    """Return where a way `b` from `a` leads."""
+    return (a[0] + b[0], a[1] + b[1])
+
+
+def longer_axis(way: Vector) -> int:
+    """Return the axis, 0 or 1, that a way goes along further."""
+    return 0 if abs(way[0]) >= abs(way[1]) else 1
+
+
+def along_axis(way: Vector, axis: int | None) -> Vector:
+    """Return the part of a way along one axis, all of it for None."""
+    return way if axis is None else (way[0], 0.0) if axis == 0 else (0.0, way[1])

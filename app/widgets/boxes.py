@@ -1,0 +1,84 @@
+"""Layouts written as one expression: rows, columns and forms of widgets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TypeVar
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QBoxLayout, QFormLayout, QHBoxLayout, QLayout, QVBoxLayout, QWidget
+
+from app.qt.labels import Label
+
+Part = QWidget | QLayout | str | int | tuple[QWidget | QLayout, int | Qt.AlignmentFlag]
+"""A widget, a layout, a text for a label, or a stretch; a widget or layout with its stretch or its side."""
+
+Margins = int | tuple[int, int, int, int] | None
+"""Left, top, right and bottom, or all of them; None leaves those of the style."""
+
+_Box = TypeVar("_Box", bound=QBoxLayout)
+
+
+def row_of(
+    *parts: Part, margins: Margins = None, spacing: int | None = None, parent: QWidget | None = None
+) -> QHBoxLayout:
+    """Return a layout with these parts side by side; that of `parent` where one is given."""
+    return _filled(QHBoxLayout(), parts, margins, spacing, parent)
+
+
+def column_of(
+    *parts: Part, margins: Margins = None, spacing: int | None = None, parent: QWidget | None = None
+) -> QVBoxLayout:
+    """Return a layout with these parts below each other; that of `parent` where one is given."""
+    return _filled(QVBoxLayout(), parts, margins, spacing, parent)
+
+
+def form_of(
+    *rows: tuple[str, QWidget | QLayout],
+    margins: Margins = None,
+    across: int = 12,
+    down: int = 8,
+    parent: QWidget | None = None,
+) -> QFormLayout:
+    """Return a layout with a label at the left of each part."""
+    layout = QFormLayout(parent)
+    _set_margins(layout, margins)
+    layout.setHorizontalSpacing(across)
+    layout.setVerticalSpacing(down)
+    for label, part in rows:
+        layout.addRow(label, part)
+    return layout
+
+
+def _filled(
+    box: _Box, parts: Iterable[Part], margins: Margins, spacing: int | None, parent: QWidget | None
+) -> _Box:
+    if parent is not None:
+        parent.setLayout(box)
+    _set_margins(box, margins)
+    if spacing is not None:
+        box.setSpacing(spacing)
+    for part in parts:
+        if isinstance(part, int):
+            box.addStretch(part)
+        elif isinstance(part, tuple):
+            _add(box, *part)
+        else:
+            _add(box, Label(part) if isinstance(part, str) else part, 0)
+    return box
+
+
+def _add(box: QBoxLayout, part: QWidget | QLayout, place: int | Qt.AlignmentFlag) -> None:
+    if isinstance(part, QLayout):
+        box.addLayout(part, place if isinstance(place, int) else 0)
+    elif isinstance(place, Qt.AlignmentFlag):
+        box.addWidget(part, 0, place)
+    else:
+        box.addWidget(part, place)
+
+
+def _set_margins(layout: QLayout, margins: Margins) -> None:
+    if isinstance(margins, int):
+        layout.setContentsMargins(margins, margins, margins, margins)
+    elif margins is not None:
+        layout.setContentsMargins(*margins)

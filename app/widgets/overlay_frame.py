@@ -1,0 +1,52 @@
+"""Frames that lie over another widget and take no room from it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QFrame, QWidget
+
+from app.appearance.theme import mix
+from app.appearance.themed import FollowsTheme
+
+_MOVES = (QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show, QEvent.Type.Hide)
+
+
+class OverlayFrame(FollowsTheme, QFrame):
+    """A frame on top of its parent: what lies below does not move when it appears.
+
+    It places itself anew, by `place`, when the parent has another size, or when `beside`, which it keeps
+    clear of, comes, goes or moves.
+    """
+
+    def __init__(self, name: str, below: QWidget, beside: QWidget | None = None) -> None:
+        super().__init__(below)
+        self.setObjectName(name)
+        for watched in filter(None, (below, beside)):
+            watched.installEventFilter(self)
+
+    @property
+    def below(self) -> QWidget:
+        """Parent widget, asked for anew: for PySide6 a viewport that was kept was once gone."""
+        below = self.parentWidget()
+        assert below is not None
+        return below
+
+    def place(self) -> None:
+        """Take size and place on the parent."""
+        raise NotImplementedError
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in _MOVES and not self.isHidden():
+            self.place()
+        return super().eventFilter(watched, event)
+
+    def set_sheet(self, rules: str = "", *, line: float = 0.14) -> None:
+        """Draw it as a sheet of paper with a border of this much ink; `rules` are those of what is on it."""
+        theme = self.theme
+        border = mix(theme.ink, theme.paper, line).name()
+        sheet = (
+            f"#{self.objectName()} {{ background: {theme.surface.name()}; border: 1px solid {border};"
+            f" border-radius: 8px }} {rules}"
+        )
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)

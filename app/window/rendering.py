@@ -1,0 +1,105 @@
+"""Rendering of a session in the parts of a window: from values to widgets, never back."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, QTimer
+
+from app.session import Message, MessageKind
+from app.view_model.curve_view import CurveView
+from app.window.connect import Commands
+from app.workbench.context import WindowContext
+from app.workbench.document_files import title_of
+
+_PANELS_MS = 100
+"""How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
+
+
+class Rendering(QObject):
+    """Shows what a session has, now and whenever it tells of a change."""
+
+    def __init__(self, context: WindowContext, commands: Commands) -> None:
+        super().__init__(context.window)
+        self._context, self._commands, self._session = context, commands, context.session
+        self._canvas = context.central.canvas
+        # What the panels show; behind the session while it tells that what was selected is there no more.
+        self._rendered: CurveView | None = None
+        self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
+        self._panels_due.timeout.connect(self._render_panels)
+        self._connect()
+        self._render_document()
+        self._render_file()
+        if self._session.files.path is None and not self._session.files.beginning.title:
+            # Who opens a document came to work on it.
+            commands.messages.greet()
+        if context.preferences.complaint:
+            context.status_line.refuse(context.preferences.complaint)
+
+    def _connect(self) -> None:
+        session = self._session
+        session.document_changed.connect(self._render_document)
+        session.active_changed.connect(self._render_document)
+        session.selection_changed.connect(self._render_selection)
+        session.selected_curves_changed.connect(self._render_selected_curves)
+        session.hovered_changed.connect(self._canvas.drawing.set_hovered)
+        session.scrub_changed.connect(self._render_scrub)
+        session.file_changed.connect(self._render_file)
+        session.history_changed.connect(self._render_file)
+        session.message.connect(self._tell)
+
+    def _render_document(self) -> None:
+        session = self._session
+        view = self._rendered = session.active_view
+        self._canvas.drawing.render_view(view)
+        self._canvas.drawing.render_others(session.views, session.active_index, session.selected.curves)
+        self._commands.follow(view)
+        if not session.is_previewing:
+            self._render_panels()
+        elif not self._panels_due.isActive():
+            self._panels_due.start()
+
+    def _render_panels(self) -> None:
+        """Render what need not follow a drag frame by frame."""
+        self._panels_due.stop()
+        self._commands.render(self._session.active_view)
+
+    def _render_selection(self, selection: frozenset[int]) -> None:
+        self._canvas.drawing.set_selection(selection)
+        self._render_commands()
+
+    def _render_selected_curves(self, selected: frozenset[int]) -> None:
+        self._canvas.drawing.render_others(self._session.views, self._session.active_index, selected)
+        self._canvas.hover_again()
+        self._render_commands()
+
+    def _render_commands(self) -> None:
+        """Check and enable actions; those of a document that the panels do not show yet, together with it."""
+        view = self._session.active_view
+        if view is self._rendered:
+            self._commands.render(view)
+
+    def _render_scrub(self, t: float | None) -> None:
+        self._canvas.drawing.set_scrub(t)
+        self._context.status_line.show_scrub(t)
+        self._commands.follow_scrub(t)
+
+    def _render_file(self) -> None:
+        session, window = self._session, self._context.window
+        name = title_of(session).replace("[*]", "[*][*]")
+        window.setWindowFilePath(str(session.files.path) if session.files.path is not None else "")
+        read_only = " (read-only)" if session.files.is_read_only else ""
+        window.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
+        if window.isWindowModified() != session.files.is_modified:
+            # Qt writes the title anew, whatever is there.
+            window.setWindowModified(session.files.is_modified)
+
+    def _tell(self, message: Message) -> None:
+        line = self._context.status_line
+        match message.kind:
+            case MessageKind.INFORMATION:
+                line.say(message.text)
+            case MessageKind.REFUSAL:
+                line.refuse(message.text)
+            case MessageKind.OFFER:
+                self._render_commands()
+                line.clear_message()
+                self._commands.messages.offer(message.text, self._context.actions[message.action])
