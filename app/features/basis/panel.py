@@ -62,7 +62,7 @@ class BasisPanel(ToolPlot):
 
     def _pressed(self, pointer: Pointer) -> None:
         super()._pressed(pointer)
-        if self.tools.is_pressed and self.tools.tool.gesture is None:
+        if self.tools.is_dragging:
             self.drag_changed.emit(True)
 
     def abandon_gesture(self) -> None:
