@@ -13,7 +13,6 @@ from app.actions.keymap import action_name
 from app.actions.needs import TWO_POINTS, Need
 from app.actions.sections import CURVE_PARAMETERS, CURVE_STARTS
 from app.actions.strips import RAIL_MENU
-from app.appearance.theme import Theme
 from app.document import edits
 from app.document.model import ParametrizationKind
 from app.features.basis.pane import BasisPane
@@ -94,10 +93,6 @@ class BasisCommands:
             self._context.status_line.wait_for_lebesgue()
         else:
             self._context.status_line.show_lebesgue(growth_of_points(view, self._panel.drawing.basis))
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._pane.set_theme(theme)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:
