@@ -73,7 +73,7 @@ class BasisCommands:
         session.hovered_changed.connect(panel.drawing.set_hovered)
         session.selection_changed.connect(panel.drawing.set_selection)
         session.scrub_changed.connect(panel.drawing.set_scrub)
-        panel.pointed_at.connect(context.status_line.show_t)
+        panel.pointed_at.connect(context.status_line.readouts.show_t)
         panel.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         panel.tick_edit.typed.connect(self._set_parameter)
         panel.tick_pointed.connect(self._select)
@@ -89,10 +89,10 @@ class BasisCommands:
 
     def render(self, view: CurveView) -> None:
         """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
-        if self._session.is_previewing and view.source.family.derivatives and len(view.points) > _MOST_LIVE:
-            self._context.status_line.wait_for_lebesgue()
-        else:
-            self._context.status_line.show_lebesgue(growth_of_points(view, self._panel.drawing.basis))
+        is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
+        waits = self._session.is_previewing and is_dear
+        growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
+        self._context.status_line.readouts.show_lebesgue(growth)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:

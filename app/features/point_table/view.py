@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, Q
 from app.features.point_table.delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
 from app.features.point_table.model import PointTableModel
 from app.qt.keys import ClaimsKeys
+from app.widgets.controls import named
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
@@ -45,8 +46,7 @@ class PointTableView(ClaimsKeys, QTableView):
 
     def __init__(self, model: PointTableModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("pointTable")
-        self.setAccessibleName("Points")
+        named(self, "pointTable", "Points")
         self.numbers = model
         self.cell_delegate = PointTableDelegate(model, self)
         self.setModel(model)
@@ -83,9 +83,7 @@ class PointTableView(ClaimsKeys, QTableView):
         down.setStyleSheet("QHeaderView::section { padding: 0 6px 0 2px; border: none }")
         corner = self.findChild(QAbstractButton)
         if corner is not None:
-            corner.setObjectName("selectAllPoints")
-            corner.setAccessibleName("Select all points")
-            corner.setToolTip("Select all points")
+            named(corner, "selectAllPoints", "Select all points", "Select all points")
 
     # How the numbers are laid out
 
