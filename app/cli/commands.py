@@ -30,6 +30,7 @@ from app.cli.options import (
     positive_number,
 )
 from app.cli.refusals import RefusalError, one_line, say
+from app.document.words import enumerated
 from app.exchange.drawing.animation import FILMS, Film, first_round, write_film
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, can_import, endings_of
@@ -125,8 +126,7 @@ def _render(options: argparse.Namespace) -> int:
     if not name.endswith(pictures):
         if Path(options.output).is_dir():
             raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
-        endings = _picture_endings()
-        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        known = enumerated(_picture_endings(), "or")
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _document_of(options)
     with _told_on_terminals() as report:

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from app.document.edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
 from app.document.model import Curve, Document, Parametrization, Point, Vector, empty_document
+from app.document.words import enumerated
 
 
 def add_curve(document: Document, index: int, curve: Curve) -> Document:
@@ -120,10 +121,10 @@ def refuse_locked(before: Document, after: Document) -> None:
 
 def locked_sentence(names: Sequence[str]) -> str:
     """Say that the curves with these names are locked, and what to do."""
-    *first, last = (f"“{name}”" for name in names)
-    if not first:
-        return f"{last} is locked; unlock it in the list of curves to change it."
-    return f"{', '.join(first)} and {last} are locked; unlock them in the list of curves to change them."
+    locked = enumerated([f"“{name}”" for name in names])
+    if len(names) == 1:
+        return f"{locked} is locked; unlock it in the list of curves to change it."
+    return f"{locked} are locked; unlock them in the list of curves to change them."
 
 
 def _without_looks(curve: Curve) -> Curve:

@@ -102,7 +102,13 @@ def names_of(names: Sequence[str]) -> str:
     shown = list(names[:3])
     if len(names) > len(shown):
         shown.append(f"{len(names) - len(shown)} more")
-    return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"
+    return enumerated(shown)
+
+
+def enumerated(words: Sequence[str], conjunction: str = "and") -> str:
+    """Return "a", "a and b", "a, b and c"."""
+    *first, last = words
+    return f"{', '.join(first)} {conjunction} {last}" if first else last
 
 
 def listed(names: Sequence[str]) -> str:

@@ -13,10 +13,10 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Curve, Document
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, sort_out
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, drawable
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import Names
-from app.tasks.progress import Report, silent, told
+from app.tasks.progress import Report, silent
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
 from curvecore import (
@@ -63,25 +63,22 @@ class Source:
     curve
         The document's value.
     core
-        The same as a curve of the core.
-    pieces
-        What `core` is a chain of: between two corners one, in order.
+        The same as a curve of the core, a chain of pieces where it has corners.
     """
 
     curve: Curve
     core: CoreCurve
-    pieces: tuple[CoreCurve, ...]
 
     @cached_property
     def polynomials(self) -> Polynomials:
         """The curve as formulas and code write it."""
         tolerance = RELATIVE_TOLERANCE * max(self.size, 1e-300)
-        exact = _known_curves(self.pieces)
+        exact = _known_curves(self.core.pieces)
         if exact:
-            worst = max(_deviation(*both) for both in zip(exact, self.pieces, strict=True))
+            worst = max(_deviation(*both) for both in zip(exact, self.core.pieces, strict=True))
             if worst <= tolerance:
                 return Polynomials(exact, worst)
-        paths = [cubics_of(piece, tolerance) for piece in self.pieces]
+        paths = [cubics_of(piece, tolerance) for piece in self.core.pieces]
         return Polynomials(tuple(map(_spline_of, paths)), max(path.deviation for path in paths))
 
     @property
@@ -128,13 +125,11 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
         If there is none.
     """
     hidden = [f"“{curve.name}” is hidden." for curve in document.curves if not curve.visible]
-    visible = [curve for curve in document.curves if curve.visible]
-    views, unusable = sort_out(told(visible, report, "Computing curves"))
+    curves, unusable = drawable(document, report)
     remarks = hidden + unusable
-    sources = [Source(view.source, view.curve, view.pieces) for view in views if view.curve is not None]
-    if not sources:
+    if not curves:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
-    return sources, tuple(remarks)
+    return [Source(*each) for each in curves], tuple(remarks)
 
 
 def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:

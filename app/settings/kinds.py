@@ -22,6 +22,7 @@ from typing import Final, Generic, Protocol, TypeVar, overload
 
 from PySide6.QtCore import QByteArray
 
+from app.document.words import enumerated
 from app.settings.file import SettingsFile
 
 Value = TypeVar("Value")
@@ -98,8 +99,8 @@ class Choice(TextSetting[Member]):
         try:
             return kind(text)
         except ValueError:
-            *words, last = (member.value for member in kind)
-            raise _UnusableError(f"“{text}” is none of {', '.join(words)} and {last}") from None
+            known = enumerated([member.value for member in kind])
+            raise _UnusableError(f"“{text}” is none of {known}") from None
 
     def _stored(self, value: Member) -> object:
         return value.value

@@ -35,7 +35,7 @@ def distance(document, text):
     worst = 0.0
     for name, source in zip(names_of(sources), sources, strict=True):
         function = namespace[name]
-        t = np.concatenate([samples_of(piece) for piece in source.pieces])
+        t = np.concatenate([samples_of(piece) for piece in source.core.pieces])
         points = function(t)
         assert points.shape == (len(t), 2)
         terms = np.einsum("mir,ird->md", np.abs(source.core.basis(t)), np.abs(source.core.jets))

@@ -104,7 +104,7 @@ def test_the_desmos_list_gives_the_curve(kind):
     written = desmos_expressions(kind, Options(tolerance=1e-4))
     lines = written.text.splitlines()
     (source,), _ = sources_of(kind)
-    parts = [beziers_of(piece, 1e-4) for piece in source.pieces]
+    parts = [beziers_of(piece, 1e-4) for piece in source.core.pieces]
     assert len(lines) == sum(len(part.control_points) for part in parts)
     parameters = np.concatenate([parts[0].parameters, *(part.parameters[1:] for part in parts[1:])])
     worst = 0.0

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from app.document.model import Curve, Document
 from app.exchange.errors import ExchangeError
 from app.tasks.progress import Report, part, silent, told
-from app.view_model.curve_view import CoreCurve, CurveView, view_of
+from app.view_model.curve_view import CoreCurve, view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
@@ -191,16 +191,13 @@ def drawing_of(document: Document, tolerance: float | None = None, report: Repor
     """
     if tolerance is not None and not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
-    visible = [curve for curve in document.curves if curve.visible]
-    views, remarks = sort_out(told(visible, part(report, 0.0, 0.3), "Computing curves"))
-    drawable = [(view.source, view.curve) for view in views if view.curve is not None]
-    if not drawable and not remarks:
-        raise ExchangeError("There is nothing to draw: all curves are hidden.")
-    if not drawable:
-        raise ExchangeError(f"There is nothing to draw. {' '.join(remarks)}")
-    samples = [_samples(*each) for each in told(drawable, part(report, 0.3, 0.5), "Computing curves")]
+    curves, remarks = drawable(document, part(report, 0.0, 0.3))
+    if not curves:
+        why = f". {' '.join(remarks)}" if remarks else ": all curves are hidden."
+        raise ExchangeError(f"There is nothing to draw{why}")
+    samples = [_samples(*each) for each in told(curves, part(report, 0.3, 0.5), "Computing curves")]
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
-    drawn = told(drawable, part(report, 0.5, 1.0), "Drawing curves")
+    drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
 
@@ -224,19 +221,17 @@ def too_much(curve: Curve) -> str:
     return ""
 
 
-def sort_out(curves: Iterable[Curve]) -> tuple[list[CurveView], list[str]]:
-    """Return views of the curves that can be computed, and a sentence for each of the others."""
-    drawable, remarks = [], []
-    for curve in curves:
-        if reason := too_much(curve):
-            remarks.append(f"“{curve.name}”: {reason}")
-            continue
-        view = view_of(curve)
-        if view.curve is None:
-            remarks.append(f"“{curve.name}”: {view.problem}")
+def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, CoreCurve]], list[str]]:
+    """Return the visible curves that can be computed, as they are, and a sentence for each of the others."""
+    found, remarks = [], []
+    for curve in told([each for each in document.curves if each.visible], report, "Computing curves"):
+        reason = too_much(curve)
+        view = view_of(curve) if not reason else None
+        if view is not None and view.curve is not None:
+            found.append((curve, view.curve))
         else:
-            drawable.append(view)
-    return drawable, remarks
+            remarks.append(f"“{curve.name}”: {reason if view is None else view.problem}")
+    return found, remarks
 
 
 def _samples(curve: Curve, core: CoreCurve) -> FloatArray:

@@ -101,29 +101,25 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
 def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what an SVG looks like; see `png_preview`."""
     drawing = _drawing(document, options, options.vector_style)
-    size = _true_size_text(drawing, options)
-    if not size:
-        frame, across = drawing.frame, nominal_width(drawing, options.width)
-        size = f"{size_in_words(across, across * frame.height / frame.width, 'px')}, not to scale"
+    frame, across = drawing.frame, nominal_width(drawing, options.width)
+    size = _size_text(frame, options, (across, across * frame.height / frame.width), "px")
     return _preview(drawing, options, options.vector_style, size, room)
 
 
 def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what a PDF looks like; see `png_preview`."""
     drawing, points = _on_page(_drawing(document, options, options.vector_style), options)
-    size = _true_size_text(drawing, options)
-    if not size:
-        wide, high = (side / POINTS_PER_MILLIMETRE for side in (points.width(), points.height()))
-        size = f"{size_in_words(wide, high, 'mm')}, not to scale"
+    page = (points / POINTS_PER_MILLIMETRE).toTuple()
+    size = _size_text(drawing.frame, options, page, "mm")
     return _preview(drawing, options, options.vector_style, f"Page of {size}", room)
 
 
-def _true_size_text(drawing: Drawing, options: Options) -> str:
-    """Return the size and the scale of a drawing at true size; empty where it has none."""
-    frame, unit = drawing.frame, known_unit(options.unit)
-    if not unit or options.width is not None:
-        return ""
-    return f"{size_in_words(frame.width, frame.height, unit)}, 1 : 1 (1 is 1 {unit})"
+def _size_text(frame: Frame, options: Options, size: tuple[float, float], unit: str) -> str:
+    """Return what a file says of its size: the true one, or this one in a unit of its own."""
+    true = known_unit(options.unit)
+    if not true or options.width is not None:
+        return f"{size_in_words(*size, unit)}, not to scale"
+    return f"{size_in_words(frame.width, frame.height, true)}, 1 : 1 (1 is 1 {true})"
 
 
 def _preview(

@@ -18,6 +18,7 @@ from pathlib import Path
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from app.document.words import enumerated
 from app.exchange.errors import ExchangeError
 
 if TYPE_CHECKING:
@@ -198,8 +199,8 @@ def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
         return next(each for each in formats if ending in each.endings)
     if Path(path).is_dir():
         raise ExchangeError(f"“{os.fspath(path)}” is a folder. Choose a file.")
-    known = ", ".join(endings[:-1])
-    raise ExchangeError(f"The name “{name}” does not end in a known format; use {known} or {endings[-1]}.")
+    known = enumerated(endings, "or")
+    raise ExchangeError(f"The name “{name}” does not end in a known format; use {known}.")
 
 
 def _longest(name: str, endings: Sequence[str]) -> str:

@@ -98,7 +98,7 @@ class _ToldStream(io.StringIO):
 def _pieces(source: Source, tolerance: float, cubic: bool) -> list[Beziers]:
     return [
         cubics_of(piece, tolerance) if cubic and _is_high(piece) else beziers_of(piece, tolerance)
-        for piece in source.pieces
+        for piece in source.core.pieces
     ]
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from decimal import Decimal
 from fractions import Fraction
-from itertools import pairwise
 from math import comb
 from typing import Any
 
@@ -42,7 +41,7 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Writte
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     allowed = checked_tolerance(sources, options.tolerance)
     written = told(sources, part(options.report, 0.3, 0.6), "Writing")
-    pieces = [beziers_of(piece, allowed) for source in written for piece in source.pieces]
+    pieces = [beziers_of(piece, allowed) for source in written for piece in source.core.pieces]
     lines = [
         _desmos_line(controls)
         for each in told(pieces, part(options.report, 0.6, 1.0), "Writing")
@@ -143,19 +142,12 @@ def _coefficients(piece: CoreCurve) -> FloatArray:
 
 def _from_bernstein(controls: FloatArray) -> FloatArray:
     """Return the coefficients of Bézier pieces: binomials times the forward differences at s = 0."""
-    degree = controls.shape[1] - 1
-    rows = []
-    for control in controls:
-        columns = []
-        for column in control.T.tolist():
-            exact = [Fraction(value) for value in column]
-            row = []
-            for k in range(degree + 1):
-                row.append(float(comb(degree, k) * exact[0]))
-                exact = [after - before for before, after in pairwise(exact)]
-            columns.append(row)
-        rows.append(columns)
-    return np.array(rows).swapaxes(1, 2)
+    degree, found = controls.shape[1] - 1, []
+    exact = np.vectorize(Fraction, otypes=[object])(controls)
+    for k in range(degree + 1):
+        found.append((comb(degree, k) * exact[:, 0]).astype(float))
+        exact = np.diff(exact, axis=1)
+    return np.stack(found, axis=1)
 
 
 def _horner(coefficients: FloatArray, ends: FloatArray, t: FloatArray) -> FloatArray:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 
+from app.document.words import enumerated
 from app.exchange.drawing.styles import DARK, INK
 
 _COLOURS = {
@@ -64,11 +65,7 @@ def lost_from(element: ET.Element) -> set[str]:
 
 def remark_on(lost: set[str]) -> str:
     """Return one sentence about all that was lost; empty without."""
-    words = sorted(lost)
-    if not words:
-        return ""
-    all_of_them = words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
-    return f"Of the style, this is not taken over: {all_of_them}."
+    return f"Of the style, this is not taken over: {enumerated(sorted(lost))}." if lost else ""
 
 
 def _declared(element: ET.Element) -> dict[str, str]:

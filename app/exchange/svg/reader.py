@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from math import cos, radians, sin, tan, tau
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from app.exchange.arcs import arc
 from app.exchange.cubics_in import Imported, ImportedPath, imported, lines
@@ -34,14 +35,6 @@ _LENGTH = re.compile(
 )
 _REST = re.compile(r"[ \t\r\n,]*\Z")
 _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
-_ARGUMENTS = {
-    "matrix": (6,),
-    "translate": (1, 2),
-    "scale": (1, 2),
-    "rotate": (1, 3),
-    "skewX": (1,),
-    "skewY": (1,),
-}
 _NO_CURVES = ("paper", "points", "grid", "handles", "basis")
 _OUR_MARK = "Largest deviation from the true curves"
 
@@ -164,8 +157,8 @@ class _Reader:
             values = [float(each) for each in re.split(r"[\s,]+", arguments.strip()) if each]
             if not np.isfinite(values).all():
                 raise ValueError
-            return _matrix(name, values)
-        except (ValueError, KeyError):
+            return np.array(_MATRICES[name](*values), dtype=float)
+        except (KeyError, TypeError, ValueError):
             shown = f"{name}({arguments})"[:40]
             raise self._broken(element, f"its transform “{shown}” is broken.") from None
 
@@ -306,27 +299,24 @@ def _has_area(subpath: Subpath) -> bool:
 # Matrices and names
 
 
-def _matrix(name: str, values: list[float]) -> FloatArray:
-    """Return a transform as a matrix (2, 3); KeyError or ValueError if it is none."""
-    if len(values) not in _ARGUMENTS[name]:
-        raise ValueError(name)
-    first = values[0]
-    if name == "matrix":
-        return np.array(values).reshape(3, 2).T
-    if name == "translate":
-        return np.array([[1.0, 0.0, first], [0.0, 1.0, values[1] if len(values) == 2 else 0.0]])
-    if name == "scale":
-        return np.array([[first, 0.0, 0.0], [0.0, values[-1], 0.0]])
-    angle = radians(first)
-    if name == "rotate":
-        turn = np.array([[cos(angle), -sin(angle), 0.0], [sin(angle), cos(angle), 0.0]])
-        if len(values) == 3:
-            centre = np.array(values[1:])
-            turn[:, 2] = centre - turn[:, :2] @ centre
-        return turn
-    shear = np.eye(2, 3)
-    shear[(0, 1) if name == "skewX" else (1, 0)] = tan(angle)
-    return shear
+def _rotation(degrees: float, *centre: float) -> FloatArray:
+    """Return the rotation about the origin, or about another centre."""
+    angle = radians(degrees)
+    x, y = centre or (0.0, 0.0)
+    turn = np.array([[cos(angle), -sin(angle), 0.0], [sin(angle), cos(angle), 0.0]])
+    turn[:, 2] = (x, y) - turn[:, :2] @ (x, y)
+    return turn
+
+
+_MATRICES: dict[str, Callable[..., ArrayLike]] = {
+    "matrix": lambda a, b, c, d, e, f: ((a, c, e), (b, d, f)),
+    "translate": lambda x, y=0.0: ((1, 0, x), (0, 1, y)),
+    "scale": lambda x, y=None: ((x, 0, 0), (0, x if y is None else y, 0)),
+    "rotate": _rotation,
+    "skewX": lambda degrees: ((1, tan(radians(degrees)), 0), (0, 1, 0)),
+    "skewY": lambda degrees: ((1, 0, 0), (tan(radians(degrees)), 1, 0)),
+}
+"""The matrix (2, 3) of each transform, by its name and arguments."""
 
 
 def _combined(outer: FloatArray, inner: FloatArray) -> FloatArray:

@@ -85,8 +85,6 @@ class Table:
 
     Attributes
     ----------
-    layout
-        How the text was read.
     titles
         Of the columns.
     values
@@ -103,7 +101,6 @@ class Table:
         What of the file is in no row, in words; empty for nothing.
     """
 
-    layout: TextLayout
     titles: tuple[str, ...]
     values: FloatArray
     first_row: int
@@ -152,7 +149,7 @@ def table_of(
     if beyond.any():
         row, column = np.argwhere(beyond)[0].tolist()
         raise RowProblem(" must lie between −1e12 and 1e12.", row + 1, column + 1)
-    return Table(NO_TEXT, titles, values, 1, words=words or {}, blocks=blocks, said=said)
+    return Table(titles, values, 1, words=words or {}, blocks=blocks, said=said)
 
 
 def preview_of(table: Table) -> Preview:

@@ -176,9 +176,9 @@ class _Collector:
         gaps = tuple(self._gaps)
         plain = not self._layout.header and not self._wanted.words
         if plain and (upper := _lednicer(values)):
-            return Table(self._layout, titles, values[1:], self._first_row + 1, gaps, blocks=(upper,))
+            return Table(titles, values[1:], self._first_row + 1, gaps, blocks=(upper,))
         blocks = _blocks(self._breaks, self._count)
-        return Table(self._layout, titles, values, self._first_row, gaps, self._words, blocks)
+        return Table(titles, values, self._first_row, gaps, self._words, blocks)
 
     def add(self, lines: list[str], first: int) -> None:
         """Take in lines, of which the first has the number `first`."""
