@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QLineEdit, QTabWidget, QWidget
 
 from app.actions.keymap import Keymap
 from app.appearance.theme import ThemeMode, theme_of
 from app.document.expression import ExpressionError
+from app.qt.keys import ENTER
 from app.qt.labels import Label
 from app.settings.preferences import LONGEST_UNIT, Preferences
 from app.tools.snapping import SnapKind
@@ -145,7 +146,7 @@ class PreferencesDialog(FittedDialog):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # Enter confirms what was typed; it does not close.
-        if event.key() not in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        if event.key() not in ENTER:
             super().keyPressEvent(event)
 
 
