@@ -711,7 +711,7 @@ def test_closing_the_window_drops_the_work(editor, busy):
 
 
 def test_closing_the_dialog_of_a_table_drops_the_work(editor, tmp_path):
-    editor.window.commands[ExchangeCommands].import_file(spiral(tmp_path / "spiral.csv", 200_000))
+    editor.window.commands[ExchangeCommands].import_files([spiral(tmp_path / "spiral.csv", 200_000)])
     editor.wait_for_work()
     dialog = dialog_of(editor, "importTableDialog")
     assert dialog.jobs.is_busy

@@ -13,7 +13,6 @@ from app.actions.keymap import action_name
 from app.actions.needs import TWO_POINTS, Need
 from app.actions.sections import CURVE_PARAMETERS, CURVE_STARTS
 from app.actions.strips import RAIL_MENU
-from app.appearance.theme import Theme
 from app.document import edits
 from app.document.model import ParametrizationKind
 from app.features.basis.pane import BasisPane
@@ -67,7 +66,7 @@ class BasisCommands:
         context, session = self._context, self._session
         panel = self._panel = BasisPanel(Toolbox(session, RAIL))
         pane = self._pane = BasisPane(panel, context.actions["toggleEstimates"], parent)
-        pane.set_with_estimates(context.store.state.with_estimates)
+        panel.drawing.set_with_estimates(context.store.state.with_estimates)
         context.store.changed.connect(self._show_state)
         context.connect_plot(panel)
         context.central.t_camera = panel.camera
@@ -95,15 +94,11 @@ class BasisCommands:
         growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
         self._context.status_line.readouts.show_lebesgue(growth)
 
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._pane.set_theme(theme)
-
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:
             self._pane.setVisible(after.basis)
         if after.with_estimates != before.with_estimates:
-            self._pane.set_with_estimates(after.with_estimates)
+            self._panel.drawing.set_with_estimates(after.with_estimates)
             self.follow(self._session.active_view)
 
     # At the t-rail

@@ -33,7 +33,7 @@ class PointTableView(ClaimsKeys, QTableView):
     Signals
     -------
     reset_requested
-        Delete was pressed while nothing but velocities and accelerations was selected.
+        Delete was pressed while nothing was selected that says where a point is.
     copy_requested, paste_requested
         The keys for it were pressed.
     """
@@ -165,10 +165,10 @@ class PointTableView(ClaimsKeys, QTableView):
             self.selectionModel().setCurrentIndex(current, flags.NoUpdate)
             self.scrollTo(current)
 
-    def only_derivatives_selected(self) -> bool:
-        """Whether the selected cells are velocities and accelerations and nothing else."""
+    def no_places_selected(self) -> bool:
+        """Whether the selected cells are velocities and whatever else does not say where a point is."""
         columns = self.selected_columns()
-        return bool(columns) and all(self.numbers.columns[column].is_derivative for column in columns)
+        return bool(columns) and not any(self.numbers.columns[column].is_of_the_place for column in columns)
 
     # Keys
 
@@ -183,7 +183,7 @@ class PointTableView(ClaimsKeys, QTableView):
         return self.paste_requested if event.matches(QKeySequence.StandardKey.Paste) else None
 
     def _is_reset(self, event: QKeyEvent) -> bool:
-        return event.key() in DELETE and self.only_derivatives_selected()
+        return event.key() in DELETE and self.no_places_selected()
 
     def _is_typing(self, event: QKeyEvent) -> bool:
         text = event.text()
