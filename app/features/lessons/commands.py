@@ -138,7 +138,7 @@ class LessonCommands:
         if self._context.session.document == self._given:
             self._activate(lesson.steps[step].curve)
         self._show(step)
-        self._context.central.fit_panes()
+        self._context.central.fit_panes(whole=True)
 
     def _go(self, step: int) -> None:
         """Go to a step of the lesson that is open; beyond its end, to the next lesson."""
@@ -155,7 +155,7 @@ class LessonCommands:
             return
         self._show(step)
         self._activate(self._lesson.steps[step].curve)
-        self._context.central.fit_panes()
+        self._context.central.fit_panes(whole=True)
 
     def _show(self, step: int) -> None:
         assert self._panel is not None
