@@ -64,7 +64,7 @@ class FunctionLines:
     def __init__(self, basis: BasisView, shown: PixelMap, before: FunctionLines | None = None) -> None:
         self._basis, self._shown = basis, shown
         self._x = np.clip(shown.x(basis.t), -_LIMIT, _LIMIT)
-        self._y = np.clip(shown.y(basis.values), -_LIMIT, _LIMIT) if _needs_all(basis) else np.empty(0)
+        self._y = _rows(shown, basis.values) if _needs_all(basis) else np.empty(0)
         self._polygons: dict[tuple[int, int], QPolygonF] = {}
         self._made: dict[tuple[int, int], tuple[QPolygonF, FloatArray]] = (
             before._made if before is not None else {}
@@ -92,7 +92,7 @@ class FunctionLines:
             return {}
         t, values = basis.fine_segments(wide, min(chords, _MOST_CHORDS))
         x = np.clip(shown.x(t), -_LIMIT, _LIMIT)
-        y = np.clip(shown.y(values), -_LIMIT, _LIMIT)
+        y = _rows(shown, values)
         return {int(segment): (x[place], y[place]) for place, segment in enumerate(wide)}
 
     def are_of(self, basis: BasisView, shown: PixelMap) -> bool:
@@ -153,12 +153,11 @@ class FunctionLines:
 
     def _make_fine(self, index: int, kind: int) -> QPolygonF:
         if self._basis.first is None and not self._basis.is_coarse:
-            x, y = self._x, self._shown.y(self._basis.values[:, index, kind])
-            return polygon(x, np.clip(y, -_LIMIT, _LIMIT))
+            return polygon(self._x, _rows(self._shown, self._basis.values[:, index, kind]))
         if index not in self._fine:
             t, values = self._basis.fine_functions(index)
             x = np.clip(self._shown.x(t), -_LIMIT, _LIMIT)
-            self._fine[index] = (x, np.clip(self._shown.y(values), -_LIMIT, _LIMIT))
+            self._fine[index] = (x, _rows(self._shown, values))
         x, all_kinds = self._fine[index]
         return polygon(x, all_kinds[:, kind])
 
@@ -212,11 +211,18 @@ class FunctionLines:
             x = self._shown.x(t)
             columns = np.arange(max(x[0], 0.0), min(x[-1], self._shown.width), 1.0)
             edges = [
-                np.clip(self._shown.y(_at_columns(x, values, columns, reduce)), -_LIMIT, _LIMIT)
+                _rows(self._shown, _at_columns(x, values, columns, reduce))
                 for values, reduce in ((low, np.minimum), (high, np.maximum))
             ]
             self._envelopes[kind] = (columns, edges[0], edges[1])
         return self._envelopes[kind]
+
+
+def _rows(shown: PixelMap, values: FloatArray) -> FloatArray:
+    """Return the pixels of values, those far outside of what is shown moved to where Qt still draws."""
+    # Functions of a polynomial through 2000 points reach 1e306.
+    with np.errstate(over="ignore"):
+        return np.clip(shown.y(values), -_LIMIT, _LIMIT)
 
 
 def _chords(x: FloatArray, y: FloatArray) -> FloatArray:

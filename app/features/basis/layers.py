@@ -21,6 +21,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.view_model.basis_view import BasisView
+from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import KIND_DASHES
 from curvecore.arrays import FloatArray, IntArray
 
@@ -174,17 +175,19 @@ class RailLayer(Layer):
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
-        self._parameters: FloatArray = np.empty(0)
+        self.parameters: FloatArray = np.empty(0)
         self._stamps = Stamps(_tick)
-        self._owners: Sequence[int] = ()
         self._count = 0
 
-    def render(self, basis: BasisView | None) -> None:
+    def render(self, view: CurveView) -> None:
         """Draw a tick at every knot from the next paint on."""
-        self._parameters = basis.curve.parameters if basis is not None else np.empty(0)
-        self._owners = basis.owners if basis is not None else ()
-        self._count = basis.point_count if basis is not None else 0
+        self.parameters = view.ticks
+        self._count = len(view.source.points)
         self.update()
+
+    def owner(self, knot: int) -> int:
+        """Return the point that a knot belongs to: of a closed curve, to the last one the first."""
+        return knot % self._count
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw rail, ticks and scrub line."""
@@ -198,17 +201,17 @@ class RailLayer(Layer):
 
     def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
         count = self._count
-        x = shown.x(self._parameters)
+        x = shown.x(self.parameters)
         visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
         if len(visible) > _MARKED_ONE_BY_ONE:
             visible = self._stamp_ticks(painter, x, visible, count, top)
         colours = point_colours(count, self.theme)
         last = self.selection | {self.hovered}
-        order = sorted(visible.tolist(), key=lambda knot: self._owners[knot] in last)
+        order = sorted(visible.tolist(), key=lambda knot: self.owner(knot) in last)
         numbers_right_of = -np.inf
         painter.setFont(self.fonts.less(1.5, self.scale))
         for index in order:
-            place, owner = float(x[index]), self._owners[index]
+            place, owner = float(x[index]), self.owner(index)
             self._paint_tick(painter, place, top, owner, colours[owner])
             chosen = owner in last
             if chosen or (len(x) <= _NUMBERED_UP_TO and place > numbers_right_of):
