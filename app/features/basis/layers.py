@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -52,7 +53,6 @@ class FunctionLayer(Layer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self._pens: dict[tuple[int, float, int], QPen] = {}
         self.kinds: frozenset[int] = frozenset((0, 1, 2))
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
@@ -77,6 +77,7 @@ class FunctionLayer(Layer):
         if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.shown_of(self.kinds)
+            painter.setFont(self.fonts.less(1.5, self.scale))
             self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
         else:
             self._paint_together(painter, self._basis)
@@ -148,21 +149,12 @@ class FunctionLayer(Layer):
             # Mixed with the paper beforehand: Qt draws opaque lines a third faster than translucent ones.
             colour = mix(colours[owner], self.theme.paper, opacity)
             for kind in kinds:
-                painter.setPen(self._pen(colour.rgb(), width * self.scale, kind))
+                painter.setPen(_pen(colour.rgb(), width * self.scale, kind))
                 if kind == 0 and width * self.scale > 1:
                     # Qt takes many times as long for one long line that is wide.
                     self._lines.stroke(knot, kind).draw(painter)
                 else:
                     painter.drawPolyline(self._lines.function(knot, kind))
-
-    def _pen(self, colour: int, width: float, kind: int) -> QPen:
-        """Return the pen of a function; pens are kept, for a drag needs sixty of them every frame."""
-        key = (colour, width, kind)
-        if key not in self._pens:
-            if len(self._pens) > _MOST_PENS:
-                self._pens.clear()
-            self._pens[key] = with_dashes(QPen(QColor.fromRgb(colour), width), KIND_DASHES[kind])
-        return self._pens[key]
 
 
 class RailLayer(Layer):
@@ -190,7 +182,6 @@ class RailLayer(Layer):
         return knot % self._count
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw rail, ticks and scrub line."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         top = shown.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
@@ -266,6 +257,12 @@ class RailLayer(Layer):
         box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
+
+
+@lru_cache(maxsize=_MOST_PENS)
+def _pen(colour: int, width: float, kind: int) -> QPen:
+    """Return the pen of a function; pens are kept, for a drag needs sixty of them every frame."""
+    return with_dashes(QPen(QColor.fromRgb(colour), width), KIND_DASHES[kind])
 
 
 def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:
