@@ -21,8 +21,10 @@ from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.joints import as_text, certificate_of
 from app.view_model.analysis.laboratory import calculations, digits_at, try_methods
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
+from app.view_model.analysis.legend import legend_rows
 from app.view_model.analysis.overlay import OVERLAYS
 from app.view_model.analysis.overlays import marks
+from app.view_model.analysis.overlays.bezier import BEZIER
 from app.view_model.analysis.picture import live_picture, settled_picture, settling
 from app.view_model.analysis.plot import PLOTS
 from app.view_model.analysis.plots.curvature import CURVATURE
@@ -328,6 +330,18 @@ def test_the_nearest_point_and_the_length_are_those_of_the_curve(name):
     steps = np.hypot(*np.diff(stations, axis=0).T)
     # Chords of equal arcs; only at sharp bends they are shorter.
     assert np.median(steps) == pytest.approx(steps.max(), rel=2e-2)
+
+
+def test_the_legend_mutes_what_is_not_drawn(name):
+    """The Bézier polygon of a family without one used to have a line like any other."""
+    view = view_of(curve_of(name))
+    settings = AnalysisSettings(overlays=frozenset([BEZIER]))
+    pictures = live_picture(view, settings), settled_picture(view, settings)
+    (row,) = legend_rows(view, settings, (), [figure for each in pictures for figure in each.figures], ())
+    is_drawn = view.curve.bezier_pieces() is not None or FAMILIES.named(name).is_one_polynomial
+    assert is_drawn or name not in ("lagrange", "hermite", "quintic_hermite")
+    assert row.is_muted is not is_drawn
+    assert any("Not drawn" in each.notes.get(BEZIER, "") for each in pictures) is not is_drawn
 
 
 def test_the_joints_are_told(name):

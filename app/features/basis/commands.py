@@ -106,11 +106,11 @@ class BasisCommands:
     def _set_parameter(self, knot: int, t: float) -> None:
         """Set the t that was typed at a tick; where it is refused, say why there."""
         session, view = self._session, self._session.active_view
-        if knot < len(view.parameters):
+        if knot < len(view.ticks):
             change = session.change(
                 f"Change t of point {view.owner(knot)}",
                 lambda document: edits.set_parameter(
-                    document, session.active_index, knot, t, session.active_view.parameters.tolist()
+                    document, session.active_index, knot, t, view.ticks.tolist()
                 ),
             )
             if change.refusal:

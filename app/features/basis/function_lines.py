@@ -74,7 +74,9 @@ class FunctionLines:
 
     def _pixels(self, t: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return t and values in pixels, no farther away than Qt can draw."""
-        x, y = self._shown.x(t), self._shown.y(values)
+        # Functions of a polynomial through 2000 points reach 1e306.
+        with np.errstate(over="ignore"):
+            x, y = self._shown.x(t), self._shown.y(values)
         return np.clip(x, -_LIMIT, _LIMIT), np.clip(y, -_LIMIT, _LIMIT)
 
     def _refine(self) -> dict[int, tuple[FloatArray, FloatArray]]:
@@ -189,7 +191,7 @@ class FunctionLines:
             x = self._shown.x(t)
             columns = np.arange(max(x[0], 0.0), min(x[-1], self._shown.width), 1.0)
             edges = [
-                np.clip(self._shown.y(_at_columns(x, values, columns, reduce)), -_LIMIT, _LIMIT)
+                self._pixels(t, _at_columns(x, values, columns, reduce))[1]
                 for values, reduce in ((low, np.minimum), (high, np.maximum))
             ]
             self._envelopes[kind] = (columns, edges[0], edges[1])

@@ -22,6 +22,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.view_model.basis_view import BasisView
+from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import KIND_DASHES
 from curvecore.arrays import FloatArray, IntArray
 
@@ -166,37 +167,42 @@ class RailLayer(Layer):
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
+        self.parameters: FloatArray = np.empty(0)
         self._stamps = Stamps(_tick)
-        self._basis: BasisView | None = None
+        self._count = 0
 
-    def render(self, basis: BasisView | None) -> None:
+    def render(self, view: CurveView) -> None:
         """Draw a tick at every knot from the next paint on."""
-        self._basis = basis
+        self.parameters = view.ticks
+        self._count = len(view.source.points)
         self.update()
+
+    def owner(self, knot: int) -> int:
+        """Return the point that a knot belongs to: of a closed curve, to the last one the first."""
+        return knot % self._count
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         top = shown.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(shown.width, round(top) + 0.5))
-        if self._basis is not None:
-            self._paint_ticks(painter, shown, top, self._basis)
+        self._paint_ticks(painter, shown, top)
         if self.scrub is not None:
             self._paint_scrub(painter, shown, self.scrub)
 
-    def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float, basis: BasisView) -> None:
-        count, owners = basis.point_count, basis.owners
-        x = shown.x(basis.curve.parameters)
+    def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
+        count = self._count
+        x = shown.x(self.parameters)
         visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
         if len(visible) > _MARKED_ONE_BY_ONE:
             visible = self._stamp_ticks(painter, x, visible, count, top)
         colours = point_colours(count, self.theme)
         last = self.selection | {self.hovered}
-        order = sorted(visible.tolist(), key=lambda knot: owners[knot] in last)
+        order = sorted(visible.tolist(), key=lambda knot: self.owner(knot) in last)
         numbers_right_of = -np.inf
         painter.setFont(self.fonts.less(1.5, self.scale))
         for index in order:
-            place, owner = float(x[index]), owners[index]
+            place, owner = float(x[index]), self.owner(index)
             self._paint_tick(painter, place, top, owner, colours[owner])
             chosen = owner in last
             if chosen or (len(x) <= _NUMBERED_UP_TO and place > numbers_right_of):

@@ -13,7 +13,7 @@ from app.features.basis.function_lines import note_on_drawing
 from app.features.basis.panel import BasisPanel
 from app.plotting.pens import SIGN, sign_pixmap
 from app.qt.labels import Label
-from app.view_model.basis_view import basis_formulas
+from app.view_model.basis_view import BasisView, basis_formulas
 from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import KIND_DASHES, LineStyle
 from app.widgets.action_switch import mirror
@@ -25,7 +25,8 @@ from app.widgets.fitting import Scrolled
 from app.widgets.tool_buttons import tool_button
 from app.workbench.central_pane import CentralPane
 
-_NOTHING = "none while the rule gives no parameters"
+_NO_PARAMETERS = "none while the rule gives no parameters"
+_NO_CURVE = "none while there is no curve with these parameters"
 _NAMES = ("position", "velocity", "acceleration")
 
 _TITLES = (("Basis functions", "Basis functions"), ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)"))
@@ -114,7 +115,7 @@ class BasisPane(FollowsTheme, CentralPane):
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-        drawing = note_on_drawing(basis) if basis is not None else _NOTHING if len(view.points) > 1 else ""
+        drawing = _note(basis, view)
         # Laying the header out costs more than drawing the curve: only when it says something else.
         if (formulas, drawing) != (self._formulas, self._drawing.text()):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
@@ -210,3 +211,12 @@ def _row_that_scrolls(parent: QWidget) -> Scrolled[QWidget]:
     area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
     return area
+
+
+def _note(basis: BasisView | None, view: CurveView) -> str:
+    """Return what is said of the functions drawn, or why there are none."""
+    if basis is not None:
+        return note_on_drawing(basis)
+    if len(view.ticks):
+        return _NO_CURVE
+    return _NO_PARAMETERS if len(view.points) > 1 else ""

@@ -56,11 +56,12 @@ class BasisScene(QObject):
         shows_cardinals = self.with_estimates and view.source.family.derivatives > 0
         if _is_of(self.basis, view, shows_cardinals):
             return
-        old = self.basis
-        self.basis = cardinal_view(view) if shows_cardinals else basis_view(view, old)
+        before = self._domain_of_ticks()
+        self.basis = cardinal_view(view) if shows_cardinals else basis_view(view, self.basis)
         self.functions.render(self.basis)
-        self.rail.render(self.basis)
-        moved = self.basis is not None and (old is None or old.curve.domain != self.basis.curve.domain)
+        self.rail.render(view)
+        domain = self._domain_of_ticks()
+        moved = domain is not None and domain != before
         was_held = self._held_domain is not None and self._domain() == self._held_domain
         if (moved or not view.source.points) and not self._plot.is_dragging and not was_held:
             self.fit_domain()
@@ -123,12 +124,15 @@ class BasisScene(QObject):
 
     def _domain(self) -> tuple[float, float] | None:
         """Return the interval of t; without points that which the rule is going to span, else None."""
-        if self.basis is not None:
-            return self.basis.curve.domain
-        if self._view is None or self._view.source.points:
-            return None
+        domain = self._domain_of_ticks()
+        if domain is not None or self._view is None or self._view.source.points:
+            return domain
         rule = self._view.source.parametrization
         return rule.start, rule.end
+
+    def _domain_of_ticks(self) -> tuple[float, float] | None:
+        ticks = self.rail.parameters
+        return (float(ticks[0]), float(ticks[-1])) if len(ticks) else None
 
     def fit_values(self) -> None:
         """Show the functions from their least to their greatest value, as far as an axis reaches."""
