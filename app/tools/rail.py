@@ -181,7 +181,7 @@ class RailTool(ScrubTool):
     def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
         """Move the selected ticks by a pixel; return whether there are any."""
         host = context.host
-        if not direction[0] or not host.selected.points or not host.active_view.is_current:
+        if not direction[0] or not host.selected.points or not len(host.active_view.ticks):
             return False
         first = min(host.selected.points)
         drag = _drag(host, -direction[0] * pixel * factor, first, first)
@@ -212,7 +212,7 @@ def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:
 
 
 def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
-    parameters = host.active_view.parameters.tolist()
+    parameters = host.active_view.ticks.tolist()
     knots = {other for other in host.selected.points if other != point} | {knot}
     # Frozen once: in every step of the drag only the points whose ticks move are other values.
     frozen = freeze_parameters(host.document, host.active_index, parameters)
