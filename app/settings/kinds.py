@@ -12,10 +12,10 @@ the default counts.
 from __future__ import annotations
 
 import json
-import math
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
+from contextlib import suppress
 from enum import Enum
 from pathlib import Path
 from typing import Final, Generic, Protocol, TypeVar, overload
@@ -27,9 +27,9 @@ from app.settings.file import SettingsFile
 
 Value = TypeVar("Value")
 Member = TypeVar("Member", bound=Enum)
+Number = TypeVar("Number", bound=float)
 
 _SWITCHES: Final = ("off", "on")
-_LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
 
 
 class Remembering(Protocol):
@@ -121,38 +121,24 @@ class Switch(TextSetting[bool]):
         return _SWITCHES[value]
 
 
-class Height(TextSetting[int]):
-    """Pixels; 0 when nothing is remembered."""
+class Amount(TextSetting[Number]):
+    """A number of one kind within limits; 0 for none. `word` is what it is called where it is none."""
 
-    def __init__(self, key: str) -> None:
-        super().__init__(key, 0)
+    def __init__(
+        self, key: str, kind: Callable[[str], Number], limits: tuple[float, float], word: str
+    ) -> None:
+        super().__init__(key, kind("0"))
+        self.kind, self.limits, self.word = kind, limits, word
 
-    def _parse(self, text: str) -> int:
-        if not (text.isdecimal() and len(text) < 6):
-            raise _UnusableError(f"“{text}” is no height")
-        return int(text)
+    def _parse(self, text: str) -> Number:
+        with suppress(ValueError):
+            amount = self.kind(text)
+            if amount == 0 or self.limits[0] <= amount <= self.limits[1]:
+                return amount
+        raise _UnusableError(f"“{text}” is no {self.word}")
 
-    def _stored(self, value: int) -> object:
-        return str(value)
-
-
-class Distance(TextSetting[float]):
-    """Units of the plane; 0 for none."""
-
-    def __init__(self, key: str) -> None:
-        super().__init__(key, 0.0)
-
-    def _parse(self, text: str) -> float:
-        try:
-            distance = float(text)
-        except ValueError:
-            distance = math.nan
-        if distance == 0 or _LEAST_SPACING <= distance <= _GREATEST_SPACING:
-            return distance
-        raise _UnusableError(f"“{text}” is no distance")
-
-    def _stored(self, value: float) -> object:
-        return repr(float(value))
+    def _stored(self, value: Number) -> object:
+        return repr(self.kind(str(value)))
 
 
 class Text(TextSetting[str]):

@@ -10,7 +10,7 @@ from PySide6.QtCore import QSettings
 
 from app.appearance.theme import ThemeMode
 from app.settings.file import SettingsFile
-from app.settings.kinds import Choice, Distance, Folder, Height, Keys, SavedLayout, Several, Switch, Text
+from app.settings.kinds import Amount, Choice, Folder, Keys, SavedLayout, Several, Switch, Text
 from app.tools.snapping import SnapKind
 
 _MAX_RECENT: Final = 10
@@ -50,8 +50,8 @@ class Preferences:
     splitter_state = SavedLayout("window/splitter")
     """The result of ``QSplitter.saveState``."""
 
-    plot_height = Height("window/plots")
-    """Height of the plots below the basis functions."""
+    plot_height = Amount("window/plots", int, (0, 99_999), "height")
+    """Height of the plots below the basis functions, in pixels; 0 when nothing is remembered."""
 
     snap_on = Switch("snap/on", default=False)
     """Whether dragged and added points snap."""
@@ -59,7 +59,7 @@ class Preferences:
     snap_kinds = Several("snap/kinds", SnapKind)
     """Targets that they snap to."""
 
-    grid_spacing = Distance("grid/spacing")
+    grid_spacing = Amount("grid/spacing", float, (1e-9, 1e9), "distance")
     """Distance of the grid's lines; 0 where it adapts to the zoom."""
 
     unit_name = Text("grid/unit", longest=LONGEST_UNIT)
