@@ -27,11 +27,11 @@ bezier.bernstein     Bernstein form: fast evaluation from control points
                      samples (flatten_samples); polylines: their geometry
   arcs               Bezier arcs that searches halve
 
-drag                 updates while one datum moves:
+drag                 updates while points or parameters move:
   frozen_samples     polylines while points move and parameters stay
   frozen_segments    the same for curves of Bezier pieces, whatever moves
   moved_parameters   Lagrange functions after a few parameters moved
-  left_out           the curve then: some points left out and put back
+  left_out           Lagrange curves after a few points moved
 
 analysis.geometry    curvature, box, inflections, extrema of curvature
   lengths            lengths within a bound, and the way back

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 
 class CurveError(ValueError):
-    """Input that describes no curve.
+    """Exception for input that describes no curve.
 
     The message names the argument, the index (counted from 0, as in p_i and
     t_i) and the requirement, in words that can be shown to a person.

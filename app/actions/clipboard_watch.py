@@ -1,4 +1,4 @@
-"""What is on the clipboard, as far as actions depend on it."""
+"""Content of the clipboard, as far as actions depend on it."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ _Fields = ParamSpec("_Fields")
 
 
 class Action(msgspec.Struct, frozen=True):
-    """What an action is called, how it is reached, where it stands and what it needs.
+    """Description of an action: its name, how it is reached, where it stands and what it needs.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ class Declared(msgspec.Struct, frozen=True):
 
     @property
     def places(self) -> tuple[Place, ...]:
-        """Where the action stands besides its menu."""
+        """Places of the action besides its menu."""
         places = getattr(self.handler, _ALSO, ())
         return tuple(places(*self.record)) if callable(places) else places
 

@@ -1,4 +1,4 @@
-"""Which keys do what: the defaults, what the person changed, and who has a key already."""
+"""Keys of actions: the defaults, what the person changed, and the owner of a key."""
 
 from __future__ import annotations
 

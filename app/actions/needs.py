@@ -1,4 +1,4 @@
-"""What must be there before an action can be used: the words for the person, and the predicate."""
+"""Conditions of actions: the words for the person, and the predicate."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from app.actions.situation import Situation
 
 
 class Need(msgspec.Struct, frozen=True):
-    """What an action needs.
+    """Condition under which an action can be used.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What actions are enabled, checked and named by."""
+"""Situation by which actions are enabled, checked and named."""
 
 from __future__ import annotations
 

@@ -90,18 +90,8 @@ def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
     )
 
 
-LIGHT: Final = _theme(
-    "light",
-    surface="#f0f1f3",
-    muted="#5b636d",
-    warning="#b25000",
-)
-DARK: Final = _theme(
-    "dark",
-    surface="#22272d",
-    muted="#9aa3ad",
-    warning="#ffab52",
-)
+LIGHT: Final = _theme("light", surface="#f0f1f3", muted="#5b636d", warning="#b25000")
+DARK: Final = _theme("dark", surface="#22272d", muted="#9aa3ad", warning="#ffab52")
 
 
 def theme_of(palette: QPalette) -> Theme:

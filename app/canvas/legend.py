@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
 from app.appearance.icons import icon
 from app.appearance.theme import mix
 from app.plotting.layers import LayerStack
 from app.plotting.pens import sign_pixmap
 from app.qt.labels import Label, tip_of
-from app.qt.overrides import Guarded
 from app.view_model.analysis.ghost import Ghost
 from app.view_model.analysis.legend import LegendRow
+from app.widgets.overlay_frame import OverlayFrame
+from app.widgets.tool_buttons import tool_button
 
 _MARGIN = 10
 
@@ -23,7 +24,7 @@ FIRST = "overlays"
 """The group of the curve itself, with what is drawn over it and its ghosts."""
 
 
-class Legend(Guarded, QFrame):
+class Legend(OverlayFrame):
     """Lies in the lower right corner; what is pressed beside its buttons is meant for the drawing below.
 
     Signals
@@ -38,8 +39,7 @@ class Legend(Guarded, QFrame):
     hidden = Signal(object)
 
     def __init__(self, below: QWidget, style: LayerStack) -> None:
-        super().__init__(below)
-        self.setObjectName("legend")
+        super().__init__("legend", below)
         self.setAccessibleName("Legend")
         self._groups: dict[str, Sequence[LegendRow]] = {}
         self._style = style
@@ -49,15 +49,7 @@ class Legend(Guarded, QFrame):
         self._grid.setVerticalSpacing(1)
         self._grid.setColumnStretch(1, 1)
         self.render_style()
-        below.installEventFilter(self)
         self.hide()
-
-    @property
-    def _below(self) -> QWidget:
-        """The viewport below, asked for anew: for PySide6 a viewport that was kept was once gone."""
-        below = self.parentWidget()
-        assert below is not None
-        return below
 
     @property
     def rows(self) -> Sequence[LegendRow]:
@@ -87,7 +79,7 @@ class Legend(Guarded, QFrame):
         for widget in self._children():
             widget.show()
         self._grid.activate()
-        self._place()
+        self.place()
 
     def _children(self) -> list[QWidget]:
         items = [self._grid.itemAt(place) for place in range(self._grid.count())]
@@ -117,30 +109,25 @@ class Legend(Guarded, QFrame):
         self._grid.addWidget(text, place, first, 1, 3 - first)
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
-        choose, hide = QToolButton(), QToolButton()
-        choose.setText(row.text)
+        choosing, hiding = row.tip or f"Make this the curve: {row.text}", f"Hide the ghost: {row.text}"
+        choose = tool_button(
+            f"legendChoose_{ghost.name}", choosing, tip_of(choosing), text=row.text, flat=True
+        )
+        hide = tool_button(f"legendHide_{ghost.name}", hiding, tip_of(hiding), icon_size=11, flat=True)
         choose.setEnabled(not row.is_muted)
         hide.setIcon(icon("close", self._style.theme))
-        hide.setIconSize(QSize(11, 11))
         choose.clicked.connect(lambda: self.chosen.emit(ghost))
         hide.clicked.connect(lambda: self.hidden.emit(ghost))
-        for button, name, words in (
-            (choose, f"legendChoose_{ghost.name}", row.tip or f"Make this the curve: {row.text}"),
-            (hide, f"legendHide_{ghost.name}", f"Hide the ghost: {row.text}"),
-        ):
-            button.setObjectName(name)
-            button.setToolTip(tip_of(words))
-            button.setAccessibleName(words)
-            button.setAutoRaise(True)
+        for button in (choose, hide):
             button.setCursor(Qt.CursorShape.ArrowCursor)
             # The keyboard stays with the canvas; the Analysis dock offers the same.
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         return choose, hide
 
-    def _place(self) -> None:
+    def place(self) -> None:
         """Lie in the lower right corner, as small as can be."""
         size = self.sizeHint()
-        room = self._below.rect()
+        room = self.below.rect()
         self.setGeometry(
             max(room.width() - size.width() - _MARGIN, 0),
             # Above the numbers of the axis.
@@ -152,13 +139,8 @@ class Legend(Guarded, QFrame):
     def event(self, event: QEvent) -> bool:
         # The frame of a style sheet counts later than the rows.
         if event.type() == QEvent.Type.LayoutRequest:
-            self._place()
+            self.place()
         return super().event(event)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize and not self.isHidden():
-            self._place()
-        return super().eventFilter(watched, event)
 
     def render_style(self) -> None:
         """Take the theme and the scale of the drawing."""

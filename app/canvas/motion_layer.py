@@ -16,9 +16,8 @@ from app.plotting.pens import draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, size_of, write_on_plate
 from app.plotting.plot_widget import PlotWidget
-from app.view_model.arrow import arrow_segments
 from app.view_model.line_styles import DASHED
-from app.view_model.motion_picture import TRAIL, Dot, Role, colour_of
+from app.view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of
 from curvecore.arrays import FloatArray
 
 _TRAIL_DOT = 3.0

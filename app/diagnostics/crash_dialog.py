@@ -35,9 +35,7 @@ class CrashDialog(FittedDialog):
     quit_asked = Signal()
 
     def __init__(self, parent: QWidget | None, report: str, *, is_safe: bool) -> None:
-        super().__init__(parent)
-        self.setObjectName("crashDialog")
-        self.setWindowTitle("Curvebench")
+        super().__init__("crashDialog", "Curvebench", parent)
         # Also above a dialog that waits for an answer already.
         self.setWindowModality(Qt.WindowModality.ApplicationModal)
         self._report = QPlainTextEdit(report)

@@ -24,7 +24,7 @@ class Family:
     Parameters
     ----------
     name
-        What documents store.
+        The name that documents store.
     curve_class
         Makes its curves; None for a family that is not there.
     """

@@ -24,7 +24,7 @@ class Families(Sequence[Family]):
     Attributes
     ----------
     problems
-        What is wrong with families of installed packages, each a sentence; they are left out.
+        A sentence on each family of an installed package that is left out.
     """
 
     def __init__(self, built_in: Sequence[Family]) -> None:

@@ -1,5 +1,6 @@
-"""What is owed to Qt itself, below everything that uses it.
+"""Remedies for Qt itself, below everything that uses it.
 
 - ``overrides``: guarded overrides: an exception ends in the method that Qt called.
+- ``keys``: keys that a widget takes before its window does.
 - ``labels``: words of others as they are written, not as HTML.
 """

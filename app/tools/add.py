@@ -14,9 +14,8 @@ from app.tools.parts import press_on_part
 from app.tools.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
 from app.tools.pointer import Hint, Hit
 from app.tools.tool import Tool, ToolContext, ToolRecord
-from app.view_model.appending import closed_by_pen
+from app.view_model.appending import closed_by_pen, view_with_point
 from app.view_model.curve_view import CurveView, view_of
-from app.view_model.pen_preview import view_with_point
 
 
 class AddTool(Tool):

@@ -76,6 +76,11 @@ class Toolbox:
         return self._drags.is_pressed or self.tool.gesture is not None
 
     @property
+    def is_dragging(self) -> bool:
+        """Whether the document is being dragged."""
+        return self._drags.is_pressed
+
+    @property
     def is_transforming(self) -> bool:
         """Whether a transform follows the pointer with no button down."""
         return self._above is not None and self._above.lasts_one_gesture

@@ -19,7 +19,7 @@ A curve:
 A curve changed:
 
 - ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
-- ``appending``: points appended, curves closed.  ``pen_preview``: the curve with a point more.
+- ``appending``: points appended, curves closed, and the curve as it would be with a point more.
 - ``reshape``, ``split_join``: other points for the same curve, two curves of one.
   ``smoothness``, ``straight``: corners, straight segments.  ``measure``: the change of shape.
 - ``pasting``: points carried from one curve to another.
@@ -27,7 +27,7 @@ A curve changed:
 
 Beside the curve:
 
-- ``motion``, ``motion_settings``: a dot that runs along it.  ``motion_picture``, ``arrow``: its picture.
+- ``motion``, ``motion_settings``: a dot that runs along it.  ``motion_picture``: its picture.
 - ``analysis``: overlays, plots, joints, the laboratory, cures.
 - ``goals``: the goals of lessons.
 - ``line_styles``, ``palette``: the look of lines and marks; the colours of points.

@@ -12,12 +12,18 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.edits import append_point, insert_points, set_closed, stretched
+from app.document.edits import EditError, append_point, insert_points, set_closed, stretched
 from app.document.model import Curve, Document, Point, Vector
-from app.view_model.curve_view import CurveView, parameters_of
-from app.view_model.plane import at_knots
+from app.view_model.curve_view import CurveView, parameters_of, view_of
+from app.view_model.plane import at_knots, polygon_length
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
+
+_MOST_LOCAL, _MOST_GLOBAL = 200, 24
+"""Points up to which it takes a millisecond at each move of the pointer.
+
+Beyond some 40 points a Lagrange curve by the distances swings so wildly that flattening it takes 5 to 80 ms.
+"""
 
 
 def with_point_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
@@ -54,6 +60,24 @@ def with_points_appended(
     if view.source.is_closed:
         return document
     return _kept_short(document, curve, view, [count - 1])
+
+
+def view_with_point(
+    document: Document, curve: int, view: CurveView, position: Vector, previous: CurveView | None = None
+) -> CurveView | None:
+    """Return the view of curve `curve` of the document, which `view` shows, with a last point at `position`.
+
+    None where there is no such curve, or where it would take too long. `previous` is the view that this
+    returned last; it lends what did not change.
+    """
+    if not 0 < len(view.source.points) <= (_MOST_LOCAL if view.source.family.is_local else _MOST_GLOBAL):
+        return None
+    try:
+        longer = with_point_appended(document, curve, view, position).curves[curve]
+    except EditError:
+        return None
+    ahead = view_of(longer, previous)
+    return ahead if ahead.is_current else None
 
 
 def with_closed(document: Document, index: int, view: CurveView, closed: bool) -> Document:
@@ -149,7 +173,7 @@ def appended_parameter(before: CurveView, point: Point) -> float:
         back = math.dist(point.position, before.points[0])
         share = new / (new + back) if new + back > 0 else 0.5
         return float(t[last] + np.clip(share, 0.01, 0.99) * (t[last + 1] - t[last]))
-    total = float(np.hypot(*np.diff(before.points, axis=0).T).sum())
+    total = polygon_length(before.points)
     span = float(t[-1] - t[0])
     mean = span / last
     step = span * new / total if total > 0 else mean

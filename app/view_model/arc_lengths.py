@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from app.view_model.plane import polygon_length
 from app.view_model.sampling import all_along
 from curvecore import Curve as CoreCurve
 from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
@@ -63,5 +64,5 @@ def _least_length(core: CoreCurve) -> float:
     """Return the length of a polyline through the curve, which is never longer than the curve."""
     with np.errstate(all="ignore"):
         points = core.evaluate(all_along(core.parameters, _PARTS))
-        length = float(np.hypot(*np.diff(points, axis=0).T).sum())
+        length = polygon_length(points)
     return length if np.isfinite(length) else float(np.finfo(float).max)

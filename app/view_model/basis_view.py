@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from functools import cached_property, reduce
-from itertools import pairwise
 
 import msgspec
 import numpy as np
 
 from app.families import Family
 from app.view_model.curve_view import CoreCurve, CurveView
-from app.view_model.sampling import OneSided, one_sided
+from app.view_model.sampling import OneSided, crowded_at_ends, one_sided
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
@@ -20,9 +19,6 @@ SAMPLES = 400
 
 _MANY = 100
 """Functions of a Lagrange curve from which on those before a parameter moved are made use of."""
-
-_AT_ENDS = 0.5
-"""Share of the samples that crowd at the ends of a Lagrange curve's domain, where it swings most."""
 
 _MOST_FINE = 400
 """Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
@@ -58,9 +54,9 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     first
         For the piecewise families the index of the first sample of each segment and the end, (n,).
     scales
-        What B_ir was multiplied with, (k, R).
+        The factors of the B_ir, (k, R).
     known
-        What makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
+        Makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
     """
 
     curve: CoreCurve
@@ -107,15 +103,10 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def fine_functions(self, index: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
-        assert self.curve.is_local
-        knots = self.curve.parameters[max(index - 1, 0) : index + 2]
-        t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
-        local = self.curve.local_basis(t)
-        behind = (local.segment < index)[:, None]
-        values: FloatArray = np.where(behind, local.values[:, 1], local.values[:, 0]) * self.scales[index]
-        # The right end of the support counts to the segment after it, where the function is zero.
-        values[local.segment > index] = 0.0
-        return t, values
+        segments = np.arange(max(index - 1, 0), min(index + 1, self.count - 1))
+        t, values = self.fine_segments(segments, _FINE - 1)
+        own = [values[place, :, index - segment] for place, segment in enumerate(segments.tolist())]
+        return t.ravel(), np.concatenate(own)
 
     @cached_property
     def most_bent(self) -> float:
@@ -226,10 +217,7 @@ def _many_functions(
 
 def _samples_over(curve: CoreCurve) -> FloatArray:
     start, end = curve.domain
-    u = np.linspace(0.0, 1.0, SAMPLES)
-    s = (1 - _AT_ENDS) * u + _AT_ENDS * np.sin(0.5 * np.pi * u) ** 2
-    t: FloatArray = start + (end - start) * s
-    t[-1] = end
+    t = crowded_at_ends(start, end, SAMPLES)
     # A hair on both sides of a break, where functions may turn or jump.
     inner = curve.breaks[1:-1]
     return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t

@@ -42,7 +42,7 @@ class Bend:
     t
         The grabbed place, inside the domain.
     using
-        Which data may change.
+        The data that may change.
 
     Raises
     ------
@@ -65,7 +65,7 @@ class Bend:
         Parameters
         ----------
         target
-            Where that point is to lie.
+            The place for that point.
         tolerance
             Largest distance to `target`, in the plane, where a rule makes the answer inexact.
         """

@@ -74,9 +74,9 @@ def divided(
     Parameters
     ----------
     answer
-        How far a bend (2,) moves the grabbed point, (2,); None where there is no curve.
+        The move (2,) of the grabbed point by a bend (2,); None where there is no curve.
     pull
-        How far it is to move, (2,).
+        The move that is wanted, (2,).
     cost
         The norm of a change.
     size

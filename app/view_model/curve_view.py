@@ -12,7 +12,7 @@ import numpy as np
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.view_model.cardinals import Cardinal, Cardinals
 from app.view_model.flattener import Box, Flattener, FlatteningKey, Polyline
-from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
+from app.view_model.jets import Sides, corner_knots, sides_of
 from app.view_model.plane import at_knots, size_of
 from app.view_model.point_arrays import PointArrays, arrays_of
 from app.view_model.refusals import refusal_of
@@ -36,6 +36,7 @@ __all__ = [
     "CoreCurve",
     "CurveView",
     "Polyline",
+    "curve_through",
     "parameters_of",
     "view_of",
 ]
@@ -135,10 +136,6 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         assert self.basis_curve is not None
         return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays)
 
-    def with_knots(self, points: FloatArray, parameters: FloatArray) -> CoreCurve:
-        """Return the core curve through other points (k, 2), at parameters (k,), under the same rules."""
-        return _core_curve(self.source, points, parameters, self.arrays)[0]
-
     @property
     def at_knots(self) -> FloatArray:
         """The points' positions, of a closed curve the first one once more at the end, (k, 2)."""
@@ -197,10 +194,6 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
             return None
         x, y = self.sides[ahead][index, order]
         return (float(x), float(y))
-
-    def is_explicit(self, index: int, order: int, *, ahead: bool = True) -> bool:
-        """Whether the person set the velocity (order 1) or acceleration (2) of point `index`."""
-        return explicit_sides(self.source.points[index], order)[ahead] is not None
 
     def spacing(self, index: int, *, ahead: bool) -> float | None:
         """Return the length in t of the segment ahead of or behind point `index`, None beyond the ends."""
@@ -276,6 +269,11 @@ def _core_curve(
         for start, end in pairwise([0, *corners, last])
     ]
     return pieces[0] if len(pieces) == 1 else Chain(pieces), sides
+
+
+def curve_through(view: CurveView, points: FloatArray, parameters: FloatArray) -> CoreCurve:
+    """Return the core curve through other points (k, 2), at parameters (k,), under the rules of a view."""
+    return _core_curve(view.source, points, parameters, view.arrays)[0]
 
 
 def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:

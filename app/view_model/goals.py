@@ -51,7 +51,7 @@ class Goal:
     curve
         Name of the curve that it is about; empty for any.
     kept
-        What has to stay as it was given, by names in `KEPT`.
+        Names in `KEPT` of the properties that have to stay as given.
     """
 
     measure: str
@@ -165,7 +165,7 @@ class Kept:
     is_kept
         Whether the curve still has it, of its view and of the curve as it was given.
     words
-        What is said where it has not.
+        The words where it has not.
     """
 
     is_kept: Callable[[CurveView, Curve], bool]

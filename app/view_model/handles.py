@@ -14,7 +14,7 @@ import msgspec
 from app.document.edits import EditError, set_velocity
 from app.document.model import Curve, Document, Vector
 from app.view_model.curve_view import CurveView
-from app.view_model.jets import explicit_sides
+from app.view_model.jets import explicit_sides, is_explicit
 
 
 class Handle(msgspec.Struct, frozen=True):
@@ -27,9 +27,9 @@ class Handle(msgspec.Struct, frozen=True):
     ahead
         Whether it belongs to the segment after the point.
     position
-        Where it lies in the plane.
+        Its place in the plane.
     anchor
-        Where the line to it begins: the point, or the velocity handle.
+        The beginning of the line to it: the point, or the velocity handle.
     explicit
         Whether the person set the value; otherwise a rule estimates it.
     """
@@ -69,13 +69,14 @@ def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Ha
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
     if velocity is None:
         return []
-    p = view.source.points[index].position
+    point = view.source.points[index]
+    p = point.position
     tip = _along(p, velocity, h / _degree(view))
-    handles = [Handle(1, ahead, tip, p, view.is_explicit(index, 1, ahead=ahead))]
+    handles = [Handle(1, ahead, tip, p, is_explicit(point, 1, ahead=ahead))]
     acceleration = view.acceleration_of(index, ahead=ahead)
     if acceleration is not None:
         second = _along(_along(p, velocity, 2 * h / 5), acceleration, h * h / 20)
-        handles.append(Handle(2, ahead, second, tip, view.is_explicit(index, 2, ahead=ahead)))
+        handles.append(Handle(2, ahead, second, tip, is_explicit(point, 2, ahead=ahead)))
     return handles
 
 

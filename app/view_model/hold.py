@@ -129,23 +129,21 @@ def _least_change(
     kinds, first = len(weights), int(price is None)
     # The data of unit h, so that nothing depends on the unit of time.
     scales = h ** np.arange(kinds)
-    rows = [(price or 0.0) * np.eye(kinds)[0], *_control_rows(kinds, 1.0)]
+    rows = [(price or 0.0) * np.eye(kinds)[:1], _control_rows(kinds, 1.0)]
     index = view.owner(knot)
     beyond = None if index in view.corners else view.spacing(index, ahead=h < 0)
     if beyond:
-        rows += _control_rows(kinds, -beyond / abs(h))
-    norm = np.array(rows)[:, first:]
+        rows.append(_control_rows(kinds, -beyond / abs(h)))
+    norm = np.vstack(rows)[:, first:]
     force = (weights / scales)[first:]
     return np.linalg.solve(norm.T @ norm, force) / scales[first:], weights[first:]
 
 
-def _control_rows(kinds: int, h: float) -> list[FloatArray]:
+def _control_rows(kinds: int, h: float) -> FloatArray:
     """Return the control points behind the first as combinations of the data at the start of a segment."""
-    degree = 2 * kinds - 1
-    return [
-        np.array([math.comb(j, order) * h**order / math.perm(degree, order) for order in range(kinds)])
-        for j in range(1, kinds)
-    ]
+    orders, degree = range(kinds), 2 * kinds - 1
+    terms = [[math.comb(j, order) / math.perm(degree, order) for order in orders] for j in orders[1:]]
+    return np.asarray(terms * h ** np.arange(kinds))
 
 
 def _change(

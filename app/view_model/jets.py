@@ -158,6 +158,11 @@ def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntAr
     return np.append(rows, count - 1) if len(rows) and rows[0] == 0 and count > len(arrays.given) else rows
 
 
+def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
+    """Whether the person set the velocity (order 1) or acceleration (2) on a side of a point."""
+    return explicit_sides(point, order)[ahead] is not None
+
+
 def explicit_sides(point: Point, order: int) -> tuple[Vector | None, Vector | None]:
     """Return the velocity (order 1) or acceleration (2) that the person set before and after a point."""
     first = point.velocity if order == 1 else point.acceleration

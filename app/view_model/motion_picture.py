@@ -164,11 +164,24 @@ def _arrow(now: Samples, place: tuple[float, float], scales: Scales, kind: Arrow
     is_velocity = kind is ArrowKind.VELOCITY
     x, y = (now.velocities if is_velocity else now.accelerations)[0].tolist()
     scale = scales.velocity if is_velocity else scales.acceleration
-    length = float(np.hypot(x, y))
-    return Arrow(kind, (place[0] + scale * x, place[1] + scale * y), f"|{kind.letter}| {short(length)}")
+    tip = (place[0] + scale * x, place[1] + scale * y)
+    return Arrow(kind, tip, f"|{kind.letter}| {in_three_digits(math.hypot(x, y))}")
 
 
-def short(value: float) -> str:
+def arrow_segments(start: tuple[float, float], tip: tuple[float, float], head: float) -> FloatArray:
+    """Return shaft and barbs as segments (3, 4) = x1, y1, x2, y2.
+
+    A short arrow has a small head, so that its shaft is seen.
+    """
+    along = np.subtract(tip, start)
+    length = float(np.hypot(*along))
+    barb = along * (min(head, length / 2) / length if length else 0.0)
+    side = np.array([-barb[1], barb[0]]) * 0.45
+    ends = [start, tip - barb + side, tip - barb - side]
+    return np.array([[*tip, *end] for end in ends])
+
+
+def in_three_digits(value: float) -> str:
     """Return a number in three digits, as it stands beside an arrow."""
     return f"{value:#.3g}".rstrip(".").replace("e+", "e")
 
@@ -207,4 +220,4 @@ def _jump_in_words(name: str, view: CurveView) -> str:
     worst = int(np.argmax(sizes))
     where = f"at {len(jumping)} of {len(joints)} joints, most" if len(joints) > 1 else "at its joint,"
     point = view.owner(jumping[worst].joint)
-    return f"{name}: acceleration jumps {where} at point {point} by {short(sizes[worst])}."
+    return f"{name}: acceleration jumps {where} at point {point} by {in_three_digits(sizes[worst])}."

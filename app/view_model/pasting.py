@@ -116,13 +116,8 @@ def points_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Point, ...]:
         return tuple(Point(x, y) for x, y in rows)
     if width == 3:
         return tuple(Point(x, y, t=t) for t, x, y in rows)
-    raise EditError(
-        f"Points are two columns, x y, or three, t x y; {_columns(width)}. The point table takes them all."
-    )
-
-
-def _columns(width: int) -> str:
-    return "this is one column" if width == 1 else f"these are {width} columns"
+    found = "this is one column" if width == 1 else f"these are {width} columns"
+    raise EditError(f"Points are two columns, x y, or three, t x y; {found}. The point table takes them all.")
 
 
 def as_new_curve(like: Curve, pasted: Sequence[Point], name: str) -> Curve:

@@ -13,6 +13,11 @@ def size_of(points: FloatArray) -> float:
     return float(np.ptp(points, axis=0).max())
 
 
+def polygon_length(points: FloatArray) -> float:
+    """Return the length of the polygon through points (n, 2)."""
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
 def at_knots(points: FloatArray, *, closed: bool) -> FloatArray:
     """Return what points (n, …) have at the knots of their curve: where it is closed, the first once more."""
     return np.vstack([points, points[:1]]) if closed else points

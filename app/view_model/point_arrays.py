@@ -28,7 +28,7 @@ class PointArrays(msgspec.Struct, frozen=True, eq=False):
     times
         Manual parameters, (n,).
     corners
-        Which points are corners, (n,).
+        Whether each point is a corner, (n,).
     given
         Derivatives that the person set: ``[i, side, order - 1]``, side 0 before and 1 after the point,
         order 1 the velocity and 2 the acceleration; (n, 2, 2, 2).

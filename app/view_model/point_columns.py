@@ -17,13 +17,15 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.limits import not_after
-from app.document.model import Curve, Document, Vector
+from app.document.model import AccelerationRule, Curve, Document, Vector, VelocityRule
 from app.view_model.curve_view import CurveView
 from app.view_model.jets import explicit_sides
 from curvecore.arrays import BoolArray, FloatArray
 
 PARAMETER, POSITION = -1, 0
 """Orders of what is no derivative."""
+
+_Rule = VelocityRule | AccelerationRule
 
 
 def _nothing_estimated(view: CurveView) -> BoolArray:
@@ -38,7 +40,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     name
         Its name on the screen.
     tip
-        What it holds, in words.
+        Its content, in words.
     get
         Returns its numbers (n,), one for each point; NaN where there is none.
     set
@@ -56,10 +58,10 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Returns the number after a point that is a corner, where `get` returns the one before it; None if a
         corner has one number.
     order, component
-        Which datum of a point it is: -1 its parameter, 0 its position, 1 its velocity, 2 its acceleration,
+        The datum of a point: -1 its parameter, 0 its position, 1 its velocity, 2 its acceleration,
         and 0 for x, 1 for y; order None for anything else.
     derivatives
-        How many derivatives a family has at least that shows the column.
+        The least number of derivatives of a family that shows the column.
     """
 
     name: str
@@ -120,9 +122,9 @@ def known_titles() -> set[str]:
 
 def _parameters_shown(view: CurveView) -> FloatArray:
     count = len(view.source.points)
-    if view.is_current and view.curve is not None:
+    if view.is_current:
         return np.array(view.parameters[:count])
-    if view.source.is_manual and not view.is_current:
+    if view.source.is_manual:
         return np.array(view.arrays.times)
     return np.full(count, np.nan)
 
@@ -220,15 +222,11 @@ def _derivatives(order: int, component: int, view: CurveView) -> FloatArray:
     if not view.is_current:
         return _given(order, component, view)
     count = len(view.source.points)
-    if view.curve is None or view.sides is None:
+    if view.sides is None:
         return np.full(count, np.nan)
     shown = np.array(view.sides.before[:count, order, component])
     shown[0] = view.sides[shows_ahead(view, 0)][0, order, component]
     return shown
-
-
-def _is_missing(order: int, view: CurveView) -> BoolArray:
-    return np.isnan(_given(order, 0, view))
 
 
 def _derivative_after(order: int, component: int, view: CurveView, index: int) -> float:
@@ -251,12 +249,6 @@ def _set_derivatives(
     return edits.set_points(document, curve, points)
 
 
-def _set_derivative(
-    order: int, component: int, document: Document, curve: int, view: CurveView, index: int, value: float
-) -> Document:
-    return _set_derivatives(order, component, document, curve, view, {index: value})
-
-
 # The records
 
 
@@ -274,36 +266,27 @@ def _position_column(component: int) -> Column:
 
 
 def _derivative_column(
-    order: int, component: int, letter: str, tip: str, estimate: Callable[[Curve], str]
+    order: int,
+    component: int,
+    letter: str,
+    tip: str,
+    rule: Callable[[Curve], VelocityRule | AccelerationRule],
 ) -> Column:
-    axis = "xy"[component]
+    axis, set_many = "xy"[component], partial(_set_derivatives, order, component)
     return Column(
         name=f"{letter}{axis}",
         tip=f"{tip}, {axis}",
         get=partial(_derivatives, order, component),
-        set=partial(_set_derivative, order, component),
-        set_many=partial(_set_derivatives, order, component),
-        is_estimated=partial(_is_missing, order),
-        estimate=estimate,
+        set=lambda document, curve, view, index, value: set_many(document, curve, view, {index: value}),
+        set_many=set_many,
+        is_estimated=lambda view: np.isnan(_given(order, 0, view)),
+        estimate=lambda curve: rule(curve).estimate,
         after=partial(_derivative_after, order, component),
         order=order,
         component=component,
         derivatives=order,
     )
 
-
-def _velocity_estimate(curve: Curve) -> str:
-    return curve.velocity_rule.estimate
-
-
-def _acceleration_estimate(curve: Curve) -> str:
-    return curve.acceleration_rule.estimate
-
-
-_DERIVATIVES = (
-    ("v", "Velocity per unit of t", _velocity_estimate),
-    ("a", "Acceleration per unit of t squared", _acceleration_estimate),
-)
 
 COLUMNS: Sequence[Column] = (
     Column(
@@ -316,8 +299,13 @@ COLUMNS: Sequence[Column] = (
     ),
     *(_position_column(component) for component in (0, 1)),
     *(
-        _derivative_column(order, component, *words)
-        for order, words in enumerate(_DERIVATIVES, start=1)
+        _derivative_column(1, component, "v", "Velocity per unit of t", lambda curve: curve.velocity_rule)
+        for component in (0, 1)
+    ),
+    *(
+        _derivative_column(
+            2, component, "a", "Acceleration per unit of t squared", lambda curve: curve.acceleration_rule
+        )
         for component in (0, 1)
     ),
 )

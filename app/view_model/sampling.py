@@ -21,6 +21,14 @@ def all_along(knots: FloatArray, per_segment: int) -> FloatArray:
     return np.append(within_segments(knots, shares).ravel(), knots[-1])
 
 
+def crowded_at_ends(start: float, end: float, count: int) -> FloatArray:
+    """Return parameters from `start` to `end`, closer at both ends, where a polynomial swings most."""
+    u = np.linspace(0.0, 1.0, count)
+    t: FloatArray = start + (end - start) * (0.5 * u + 0.5 * np.sin(0.5 * np.pi * u) ** 2)
+    t[-1] = end
+    return t
+
+
 class Samples(NamedTuple):
     """A curve at some parameters (m,): its points and its first and second derivatives there, (m, 2) each."""
 

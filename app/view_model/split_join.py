@@ -16,7 +16,7 @@ from app.document.words import number
 from app.families import HERMITE, titles_with_derivatives
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.measure import dense, is_kept, largest_distance, outcome
-from app.view_model.plane import size_of
+from app.view_model.plane import polygon_length, size_of
 from app.view_model.reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
 from curvecore import chebyshev
 
@@ -223,7 +223,7 @@ def _speed_at_seam(first: CurveView, second: CurveView) -> float:
     mean = float(speeds.mean())
     if mean > 0:
         return mean
-    chord = float(np.hypot(*np.diff(first.points, axis=0).T).sum())
+    chord = polygon_length(first.points)
     return max(chord, 1e-300) / float(first.parameters[-1] - first.parameters[0])
 
 

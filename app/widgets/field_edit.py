@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from app.document.expression import ExpressionError, parse_number
 from app.document.words import number
-from app.qt.overrides import Guarded
+from app.qt.keys import ClaimsKeys
+from app.widgets.controls import named
 from app.widgets.number_text import decimal_mark, typed_text
 
 # Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
 _PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
 
 
-class FieldEdit(Guarded, QLineEdit):
+class FieldEdit(ClaimsKeys, QLineEdit):
     """Shows a text of the document; what is typed is reported with Enter or Tab, and only if it differs.
 
     Who hears `committed` and cannot use the text calls `keep`: it stays to be mended, the cursor with it, and
@@ -37,9 +38,7 @@ class FieldEdit(Guarded, QLineEdit):
 
     def __init__(self, name: str, label: str, tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName(name)
-        self.setAccessibleName(label)
-        self.setToolTip(tip)
+        named(self, name, label, tip)
         self.setTextMargins(3, 0, 3, 0)
         self._whole = self._short = self._entered = ""
         self.returnPressed.connect(self._commit)
@@ -97,20 +96,12 @@ class FieldEdit(Guarded, QLineEdit):
         # A text that was refused is mended first.
         return self.isModified() or super().focusNextPrevChild(forward)
 
-    def event(self, event: QEvent) -> bool:
+    def claims(self, event: QKeyEvent) -> bool:
         # Escape is the window's key, too; while somebody types here it takes back what was typed.
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.ShortcutOverride
-            and event.key() == Qt.Key.Key_Escape
-            and self.isModified()
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return event.key() == Qt.Key.Key_Escape and self.isModified()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self.isModified():
+        if self.claims(event):
             self.revert()
             self.left.emit()
         else:

@@ -7,9 +7,10 @@ from typing import Generic, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QScreen, QShowEvent
-from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QWidget
 
 from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of
 
 FRAME = QSize(16, 48)
 """Room for title bar and borders, which nobody knows before a window is shown."""
@@ -78,9 +79,11 @@ class FittedDialog(Guarded, QDialog):
         What scrolls where there is not room for it.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
         # A tool window would let the keys of the window behind it through.
         super().__init__(parent, Qt.WindowType.Dialog)
+        self.setObjectName(name)
+        self.setWindowTitle(title)
         self._area = Scrolled(QWidget, _IN_DIALOG, self)
         self.body = self._area.content
         self._wished = QSize()
@@ -88,16 +91,15 @@ class FittedDialog(Guarded, QDialog):
     def hold(self, *feet: QWidget, wished: QSize | None = None) -> None:
         """Show the body and below it what always stays in sight; `wished` is the least size where it fits."""
         self._wished = wished or QSize()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self._area, 1)
+        layout = column_of((self._area, 1), margins=0, spacing=0, parent=self)
         if feet:
-            below = QVBoxLayout()
-            below.setContentsMargins(16, 10, 16, 14)
-            for foot in feet:
-                below.addWidget(foot)
-            layout.addLayout(below)
+            layout.addLayout(column_of(*feet, margins=(16, 10, 16, 14)))
+
+    def bring_up(self) -> None:
+        """Show it in front of the other windows."""
+        self.show()
+        self.raise_()
+        self.activateWindow()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

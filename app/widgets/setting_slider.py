@@ -6,10 +6,12 @@ from collections.abc import Callable
 from math import log10
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.qt.labels import Label
 from app.view_model.analysis.settings import Count, Factor
+from app.widgets.boxes import row_of
+from app.widgets.controls import named
 from app.widgets.live_slider import LiveSlider
 
 _PER_DECADE = 20
@@ -49,21 +51,14 @@ class SettingSlider(QWidget):
         super().__init__()
         self._value_at, self._place_of, self._text_of = value_at, place_of, text_of
         self._value = self._at_press = value_at(steps[0])
-        self.slider = LiveSlider(Qt.Orientation.Horizontal)
-        self.slider.setObjectName(name)
-        self.slider.setAccessibleName(label)
-        self.slider.setToolTip(f"{label}; Escape cancels a drag")
+        slider = LiveSlider(Qt.Orientation.Horizontal)
+        self.slider = named(slider, name, label, f"{label}; Escape cancels a drag")
         self.slider.setRange(*steps)
         self.slider.setMinimumWidth(_NARROWEST)
-        self._label = Label()
-        self._label.setObjectName(f"{name}Value")
+        self._label = Label(name=f"{name}Value")
         widest = max(self.fontMetrics().horizontalAdvance(text_of(value_at(step))) for step in steps)
         self._label.setMinimumWidth(widest + 4)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addWidget(self.slider, 1)
-        layout.addWidget(self._label)
+        row_of((self.slider, 1), self._label, margins=0, spacing=6, parent=self)
         # Emitted for whatever the person does with a slider, and for nothing else.
         self.slider.actionTriggered.connect(
             lambda _action: self.moved.emit(value_at(self.slider.sliderPosition()))

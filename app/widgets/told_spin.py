@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox
 
 from app.document.words import number
 from app.qt.overrides import Guarded
+from app.widgets.controls import named
 
 _FAR = 999_999_999
 
@@ -29,9 +30,7 @@ def _problem_of(box: ToldSpinBox | ToldDoubleSpinBox) -> str:
 
 def _dress(box: ToldSpinBox | ToldDoubleSpinBox, name: str, label: str, tip: str) -> None:
     box.setRange(-_FAR, _FAR)
-    box.setObjectName(name)
-    box.setAccessibleName(label)
-    box.setToolTip(tip)
+    named(box, name, label, tip)
 
 
 class ToldSpinBox(Guarded, QSpinBox):

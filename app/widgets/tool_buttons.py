@@ -6,6 +6,8 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QToolButton, QWidget
 
+from app.widgets.controls import named
+
 ICON = 16
 """Pixels along the sides of an icon in a panel."""
 
@@ -24,10 +26,7 @@ def tool_button(
     flat
         Whether it has no frame until the pointer is over it.
     """
-    button = QToolButton()
-    button.setObjectName(name)
-    button.setAccessibleName(label)
-    button.setToolTip(tip)
+    button = named(QToolButton(), name, label, tip)
     button.setText(text)
     _dress(button, icon_size=icon_size, beside=bool(text and icon_size), flat=flat)
     return button
@@ -45,8 +44,7 @@ def action_button(
     """Return a button for `action`, called as it is or by `name`; its text may stand `beside` the icon."""
     button = QToolButton(parent)
     button.setDefaultAction(action)
-    button.setObjectName(f"{name or action.objectName()}Button")
-    button.setAccessibleName(action.text())
+    named(button, f"{name or action.objectName()}Button", action.text())
     _dress(button, icon_size=icon_size, beside=beside, flat=flat)
     return button
 

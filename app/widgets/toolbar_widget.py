@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 
 class ToolbarWidget(QWidget):
-    """What stands in the toolbar and is no button."""
+    """Part of the toolbar that is no button."""
 
     def set_compact(self, compact: bool) -> None:
         """Take less room in a narrow window."""

@@ -16,14 +16,7 @@ from PySide6.QtCore import (
     QSize,
     Qt,
 )
-from PySide6.QtGui import (
-    QAction,
-    QFocusEvent,
-    QFont,
-    QIcon,
-    QKeyEvent,
-    QPainter,
-)
+from PySide6.QtGui import QAction, QFocusEvent, QFont, QIcon, QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -234,12 +227,7 @@ class _SearchField(Guarded, QLineEdit):
         self.setPlaceholderText("What do you want to do?")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        steps = {
-            Qt.Key.Key_Up: -1,
-            Qt.Key.Key_Down: 1,
-            Qt.Key.Key_PageUp: -_ROWS,
-            Qt.Key.Key_PageDown: _ROWS,
-        }
+        steps = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1, Qt.Key.Key_PageUp: -_ROWS, Qt.Key.Key_PageDown: _ROWS}
         key = Qt.Key(event.key())
         if key in steps:
             self._owner.step(steps[key])

@@ -4,16 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QDialogButtonBox,
-    QFormLayout,
-    QLineEdit,
-    QTabWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QLineEdit, QTabWidget, QWidget
 
 from app.actions.keymap import Keymap
 from app.appearance.theme import ThemeMode, theme_of
@@ -21,9 +12,11 @@ from app.document.expression import ExpressionError
 from app.qt.labels import Label
 from app.settings.preferences import LONGEST_UNIT, Preferences
 from app.tools.snapping import SnapKind
+from app.widgets.boxes import column_of, form_of
+from app.widgets.controls import check_box, choice_box, named
 from app.widgets.field_edit import NumberEdit, read_number
 from app.widgets.fitting import FittedDialog
-from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.number_text import typed_text
 from app.window.shortcut_editor import ShortcutEditor
 
 UNITS = ("none", "mm", "cm", "m", "in", "px", "s")
@@ -45,14 +38,11 @@ class PreferencesDialog(FittedDialog):
     changed = Signal()
 
     def __init__(self, preferences: Preferences, keymap: Keymap, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("preferencesDialog")
-        self.setWindowTitle("Preferences")
+        super().__init__("preferencesDialog", "Preferences", parent)
         self._preferences = preferences
-        self.theme_box = _box(
-            "themeBox", "Theme", "Light or dark colours", [each.label for each in ThemeMode]
-        )
-        self.unit_box = _box("unitBox", "Unit", "What a length of one is called; type any name", list(UNITS))
+        modes = (each.label for each in ThemeMode)
+        self.theme_box = choice_box("themeBox", "Theme", "Light or dark colours", modes)
+        self.unit_box = choice_box("unitBox", "Unit", "What a length of one is called; type any name", UNITS)
         self._unit_edit = QLineEdit()
         self._unit_edit.setMaxLength(LONGEST_UNIT)
         self.unit_box.setEditable(True)
@@ -63,18 +53,14 @@ class PreferencesDialog(FittedDialog):
             "“adaptive”, or a distance in the plane (Enter to set)",
             _spacing_of,
         )
-        self.snap_checks = {kind: _check(kind, kind.label) for kind in SnapKind}
-        self._problem = Label()
-        self._problem.setObjectName("preferencesProblem")
-        self._problem.setWordWrap(True)
+        self.snap_checks = {kind: _snap_check(kind) for kind in SnapKind}
+        self._problem = Label(name="preferencesProblem", wordWrap=True)
         self.shortcuts = ShortcutEditor(keymap)
         self.tabs = QTabWidget()
         self.tabs.setObjectName("preferencesTabs")
         self.tabs.addTab(self._general(), "General")
         self.tabs.addTab(self.shortcuts, "Shortcuts")
-        layout = QVBoxLayout(self.body)
-        layout.setContentsMargins(0, 4, 0, 0)
-        layout.addWidget(self.tabs)
+        column_of(self.tabs, margins=(0, 4, 0, 0), parent=self.body)
         self.hold(self._buttons(), wished=QSize(540, 560))
         self._connect()
         self.show_values()
@@ -82,9 +68,8 @@ class PreferencesDialog(FittedDialog):
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setObjectName("closePreferences")
-        close.setAccessibleName("Close the preferences")
-        close.setToolTip("Close; what you changed is in force already (Esc)")
+        tip = "Close; what you changed is in force already (Esc)"
+        named(close, "closePreferences", "Close the preferences", tip)
         # Enter confirms what is typed in a field; it must not press this.
         close.setAutoDefault(False)
         buttons.rejected.connect(self.reject)
@@ -92,16 +77,19 @@ class PreferencesDialog(FittedDialog):
 
     def _general(self) -> QWidget:
         page = QWidget()
-        form = QFormLayout(page)
-        form.setContentsMargins(16, 16, 16, 16)
-        form.setVerticalSpacing(10)
-        form.setHorizontalSpacing(16)
-        form.addRow("Theme", self.theme_box)
-        form.addRow("Unit", self.unit_box)
-        form.addRow("Grid spacing", self.grid_edit)
-        form.addRow("", self._problem)
-        for place, check in enumerate(self.snap_checks.values()):
-            form.addRow("Snap to" if place == 0 else "", check)
+        first, *others = self.snap_checks.values()
+        form_of(
+            ("Theme", self.theme_box),
+            ("Unit", self.unit_box),
+            ("Grid spacing", self.grid_edit),
+            ("", self._problem),
+            ("Snap to", first),
+            *(("", check) for check in others),
+            margins=16,
+            across=16,
+            down=10,
+            parent=page,
+        )
         return page
 
     def _connect(self) -> None:
@@ -122,9 +110,7 @@ class PreferencesDialog(FittedDialog):
         self.theme_box.setCurrentIndex(list(ThemeMode).index(preferences.theme_mode))
         self.unit_box.setCurrentText(preferences.unit_name or UNITS[0])
         spacing = preferences.grid_spacing
-        mark = decimal_mark()
-        text = exact_text(spacing, mark).removesuffix(f"{mark}0") if spacing else _ADAPTIVE
-        self.grid_edit.show_text(text)
+        self.grid_edit.show_text(typed_text(spacing) if spacing else _ADAPTIVE)
         for kind, check in self.snap_checks.items():
             check.setChecked(kind in preferences.snap_kinds)
 
@@ -173,17 +159,7 @@ def _spacing_of(text: str) -> float:
     return spacing
 
 
-def _box(name: str, label: str, tip: str, items: list[str]) -> QComboBox:
-    box = QComboBox()
-    box.setObjectName(name)
-    box.setAccessibleName(label)
-    box.setToolTip(tip)
-    box.addItems(items)
-    return box
-
-
-def _check(kind: str, text: str) -> QCheckBox:
-    check = QCheckBox(text)
-    check.setObjectName(f"snap_{kind}")
-    check.setToolTip(f"Points that are dragged snap to this: {text[0].lower()}{text[1:]}")
-    return check
+def _snap_check(kind: SnapKind) -> QCheckBox:
+    text = kind.label
+    tip = f"Points that are dragged snap to this: {text[0].lower()}{text[1:]}"
+    return check_box(f"snap_{kind}", text, tip)

@@ -82,9 +82,7 @@ class ProgramCommands:
             self._dialog.theme_chosen.connect(lambda mode: context.store.change(theme_mode=mode))
             self._dialog.changed.connect(context.store.read_preferences)
         self._dialog.show_values()
-        self._dialog.show()
-        self._dialog.raise_()
-        self._dialog.activateWindow()
+        self._dialog.bring_up()
         return self._dialog
 
     def _remember_keys(self) -> None:

@@ -6,14 +6,11 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QKeySequenceEdit,
     QLineEdit,
-    QPushButton,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,6 +18,8 @@ from app.actions.keymap import Keymap, keys_text, native, refusal
 from app.appearance.theme import theme_of
 from app.qt.labels import Label
 from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of, row_of
+from app.widgets.controls import named, push_button
 from app.window.fuzzy import SearchEntry, ranked
 
 _NAME = Qt.ItemDataRole.UserRole
@@ -41,33 +40,22 @@ class ShortcutEditor(Guarded, QWidget):
         self.search = _search_field()
         self.table = _table()
         self.recorder = _recorder()
-        self.note = Label()
-        self.note.setObjectName("shortcutNote")
-        self.note.setWordWrap(True)
+        self.note = Label(name="shortcutNote", wordWrap=True)
         self._caption = Label()
-        self.take = _button("takeKeys", "Take Them Over", "Give these keys to this action instead")
-        self.keep = _button("keepKeys", "Leave Them", "Leave these keys where they are")
-        self.clear = _button("clearKeys", "No Keys", "Take the keys of this action away")
-        self.reset = _button("resetKeys", "Reset", "Give this action the keys it came with")
-        self.reset_all = _button("resetAllKeys", "Reset All", "Give every action the keys it came with")
+        self.take = push_button("takeKeys", "Take Them Over", "Give these keys to this action instead")
+        self.keep = push_button("keepKeys", "Leave Them", "Leave these keys where they are")
+        self.clear = push_button("clearKeys", "No Keys", "Take the keys of this action away")
+        self.reset = push_button("resetKeys", "Reset", "Give this action the keys it came with")
+        self.reset_all = push_button("resetAllKeys", "Reset All", "Give every action the keys it came with")
         self._lay_out()
         self._connect()
         self._fill()
         self._select_first()
 
     def _lay_out(self) -> None:
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(12, 12, 12, 12)
-        layout.setSpacing(8)
-        record, answer = QHBoxLayout(), QHBoxLayout()
-        for widget, share in ((self._caption, 1), (self.recorder, 1), (self.clear, 0), (self.reset, 0)):
-            record.addWidget(widget, share)
-        for widget, share in ((self.note, 1), (self.take, 0), (self.keep, 0), (self.reset_all, 0)):
-            answer.addWidget(widget, share)
-        layout.addWidget(self.search)
-        layout.addWidget(self.table, 1)
-        layout.addLayout(record)
-        layout.addLayout(answer)
+        record = row_of((self._caption, 1), (self.recorder, 1), self.clear, self.reset)
+        answer = row_of((self.note, 1), self.take, self.keep, self.reset_all)
+        column_of(self.search, (self.table, 1), record, answer, margins=12, spacing=8, parent=self)
         # Two lines of note fit without anything moving.
         self.note.setMinimumHeight(2 * self.note.fontMetrics().lineSpacing())
         self._clear_wish()
@@ -82,7 +70,7 @@ class ShortcutEditor(Guarded, QWidget):
         self.keep.clicked.connect(self._show_current)
         self.clear.clicked.connect(lambda: self._assign([]))
         self.reset.clicked.connect(self._reset)
-        self.reset_all.clicked.connect(self._reset_all)
+        self.reset_all.clicked.connect(self._keymap.reset_all)
         self._keymap.changed.connect(self._render)
 
     # The table
@@ -209,9 +197,6 @@ class ShortcutEditor(Guarded, QWidget):
         if names:
             self._warn(f"{names} had to give keys back.")
 
-    def _reset_all(self) -> None:
-        self._keymap.reset_all()
-
     def _clear_wish(self) -> None:
         self._wanted = None
         self.note.setText("")
@@ -231,20 +216,16 @@ class ShortcutEditor(Guarded, QWidget):
 
 
 def _search_field() -> QLineEdit:
-    field = QLineEdit()
-    field.setObjectName("shortcutSearch")
-    field.setAccessibleName("Search for an action or a key")
-    field.setToolTip("Letters of an action, or a key such as Ctrl+S")
-    field.setPlaceholderText("Search for an action or a key")
+    label = "Search for an action or a key"
+    field = named(QLineEdit(), "shortcutSearch", label, "Letters of an action, or a key such as Ctrl+S")
+    field.setPlaceholderText(label)
     field.setClearButtonEnabled(True)
     return field
 
 
 def _table() -> QTableWidget:
     table = QTableWidget(0, len(_HEADERS))
-    table.setObjectName("shortcutTable")
-    table.setAccessibleName("Actions and their keys")
-    table.setToolTip("Click an action to record other keys for it")
+    named(table, "shortcutTable", "Actions and their keys", "Click an action to record other keys for it")
     table.setHorizontalHeaderLabels(list(_HEADERS))
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -262,18 +243,7 @@ def _table() -> QTableWidget:
 
 
 def _recorder() -> QKeySequenceEdit:
-    recorder = QKeySequenceEdit()
-    recorder.setObjectName("keyRecorder")
-    recorder.setAccessibleName("New keys")
-    recorder.setToolTip("Click and press the new keys")
+    recorder = named(QKeySequenceEdit(), "keyRecorder", "New keys", "Click and press the new keys")
     # One combination; two in a row would keep the first from working at once.
     recorder.setMaximumSequenceLength(1)
     return recorder
-
-
-def _button(name: str, text: str, tip: str) -> QPushButton:
-    button = QPushButton(text)
-    button.setObjectName(name)
-    button.setToolTip(tip)
-    button.setAutoDefault(False)
-    return button

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
@@ -13,11 +14,28 @@ from app.actions.strips import TOOLBAR, Place
 from app.qt.overrides import Guarded
 from app.widgets.toolbar_widget import ToolbarWidget
 
-_BESIDE = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+_Style = Qt.ToolButtonStyle
+
+
+class _Step(NamedTuple):
+    """What the families' buttons say."""
+
+    short: bool
+    others: _Style
+    in_use: _Style
+
+
+_STEPS = (
+    _Step(short=False, others=_Style.ToolButtonTextBesideIcon, in_use=_Style.ToolButtonTextBesideIcon),
+    _Step(short=True, others=_Style.ToolButtonTextBesideIcon, in_use=_Style.ToolButtonTextBesideIcon),
+    _Step(short=True, others=_Style.ToolButtonTextOnly, in_use=_Style.ToolButtonTextOnly),
+    _Step(short=True, others=_Style.ToolButtonIconOnly, in_use=_Style.ToolButtonTextBesideIcon),
+)
+"""From the widest to the narrowest."""
 
 
 class Toolbar(Guarded, QToolBar):
-    """Shortens its words in a narrow window, so that nothing is cut off at 1024 pixels."""
+    """Says less in a narrow window, so that as much as can be is not behind its arrow."""
 
     def __init__(self, actions: Actions, parent: QWidget) -> None:
         super().__init__("Toolbar", parent)
@@ -27,7 +45,8 @@ class Toolbar(Guarded, QToolBar):
         self._actions = actions
         self._in_words: list[QToolButton] = []
         self._widgets: list[ToolbarWidget] = []
-        self._full_width: int | None = None
+        self._has_style = False
+        self._widths: list[int] = []
 
     def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
         """Add the actions of the strip, and `widgets` at their places."""
@@ -41,9 +60,10 @@ class Toolbar(Guarded, QToolBar):
                 self.addAction(action)
                 if self._actions.words_of(action, short=True):
                     self._in_words.append(self._button(action))
+                    action.toggled.connect(self._fit)
             if ten in at:
                 self.addWidget(at[ten])
-        self._fit_words()
+        self._show_step(_STEPS[0])
 
     def _button(self, action: QAction) -> QToolButton:
         button = self.widgetForAction(action)
@@ -52,20 +72,30 @@ class Toolbar(Guarded, QToolBar):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._full_width is None:
-            # Not before: until the style has come, everything is thought to be wider.
-            self._full_width = self.sizeHint().width()
-            self._fit_words()
+        # Not before: until the style has come, everything is thought to be wider.
+        self._has_style = True
+        self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit_words()
+        self._fit()
 
-    def _fit_words(self) -> None:
-        compact = self._full_width is not None and self.width() < self._full_width
+    def _fit(self) -> None:
+        """Take the first step that has room, or the narrowest."""
+        if self._has_style:
+            self._show_step(next((step for step in _STEPS[:-1] if self._has_room(step)), _STEPS[-1]))
+
+    def _has_room(self, step: _Step) -> bool:
+        at = _STEPS.index(step)
+        if at == len(self._widths):
+            self._show_step(step)
+            self._widths.append(self.sizeHint().width())
+        return self._widths[at] <= self.width()
+
+    def _show_step(self, step: _Step) -> None:
         for widget in self._widgets:
-            widget.set_compact(compact)
+            widget.set_compact(step.short)
         for button in self._in_words:
             action = button.defaultAction()
-            action.setIconText(self._actions.words_of(action, short=compact))
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly if compact else _BESIDE)
+            action.setIconText(self._actions.words_of(action, short=step.short))
+            button.setToolButtonStyle(step.in_use if action.isChecked() else step.others)

@@ -3,7 +3,7 @@
 - ``context``: the parts, and the protocols of command sets.
 - ``central_area``: the plots and what lies over them.  ``central_pane``: one below the canvas.
   ``message_bar``: the line on the canvas.
-- ``docks``: panels at the sides.  ``late_dock``: one that is built when it is first shown.
+- ``docks``: panels at the sides.  ``dock``: one of them; many are built when they are first shown.
   ``dock_room``: room for one that needs more than its share.
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
 - ``status_line``: hints, messages and places.  ``clipboard``: what is put there.

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import TypeVar
+from typing import ClassVar, TypeVar
 
 import msgspec
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from app.actions.declaration import marked
-from app.widgets.fitting import Scrolled
-from app.workbench.late_dock import IN_DOCK, LateDock
+from app.workbench.dock import Dock, LateDock
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
 _WIDTH = 360
@@ -54,6 +53,8 @@ class Panel(msgspec.Struct, frozen=True):
         Whether its dock stays away until it is asked for: too many tabs are none.
     """
 
+    dock_class: ClassVar[type[Dock]] = Dock
+
     name: str
     title: str
     stack: Stack = LOWER
@@ -64,24 +65,11 @@ class Panel(msgspec.Struct, frozen=True):
         setattr(build, _DECLARED, self)
         return build
 
-    def new_dock(self, build: Callable[..., QWidget], window: QMainWindow) -> QDockWidget:
-        """Return its dock, empty so far; `build` is called by who fills it."""
-        return QDockWidget(self.title, window)
-
-    def fill(self, dock: QDockWidget, build: Callable[..., QWidget]) -> None:
-        """Put what `build` returns into its dock."""
-        dock.setWidget(Scrolled(build, IN_DOCK, dock))
-
 
 class LatePanel(Panel, frozen=True):
     """A panel that is built when its dock is first shown: nobody waits for it at the start."""
 
-    def new_dock(self, build: Callable[..., QWidget], window: QMainWindow) -> QDockWidget:
-        """Return its dock, which calls `build` itself."""
-        return LateDock(self.title, build, window)
-
-    def fill(self, dock: QDockWidget, build: Callable[..., QWidget]) -> None:
-        """Leave that to the dock."""
+    dock_class = LateDock
 
 
 def declared_panels(commands: type) -> Iterator[tuple[Panel, Callable[..., QWidget]]]:
@@ -98,7 +86,7 @@ class Docks:
     panels
         What stands in them, in the order of the tabs.
     build
-        Returns what stands in a dock: called with its name, and the parent of what is not late.
+        Returns what stands in a dock: called with its name and the parent.
 
     Attributes
     ----------
@@ -108,21 +96,21 @@ class Docks:
 
     def __init__(self, window: QMainWindow, panels: Sequence[Panel], build: Callable[..., QWidget]) -> None:
         self._window = window
-        self._panels = [
-            (each, partial(build, each.name)) for stack in _STACKS for each in panels if each.stack is stack
-        ]
-        self._docks = {panel.name: panel.new_dock(built, window) for panel, built in self._panels}
+        panels = [each for stack in _STACKS for each in panels if each.stack is stack]
+        self._docks = {
+            each.name: each.dock_class(each.title, partial(build, each.name), window) for each in panels
+        }
         fronts: dict[Stack, QDockWidget] = {}
-        for panel, _build in self._panels:
-            self._place(self[panel.name], panel, fronts)
+        for each in panels:
+            self._place(self[each.name], each, fronts)
         for front in fronts.values():
             front.raise_()
-        for panel, _build in self._panels:
-            if panel.on_demand:
-                self[panel.name].hide()
+        for each in panels:
+            if each.on_demand:
+                self[each.name].hide()
         self._fronts = [(fronts[stack], stack.height) for stack in (UPPER, LOWER)]
         self.all = tuple(self._docks.values())
-        self.side = tuple(self[panel.name] for panel, _build in self._panels if panel.stack is not LEFT)
+        self.side = tuple(self[each.name] for each in panels if each.stack is not LEFT)
 
     def _place(self, dock: QDockWidget, panel: Panel, fronts: dict[Stack, QDockWidget]) -> None:
         """Put a dock behind the one in `fronts`; the first of a stack becomes that."""
@@ -133,13 +121,14 @@ class Docks:
         if front is not dock:
             self._window.tabifyDockWidget(front, dock)
 
-    def __getitem__(self, name: str) -> QDockWidget:
+    def __getitem__(self, name: str) -> Dock:
         return self._docks[name]
 
     def fill(self) -> None:
         """Build the panels that are not late, and give each stack its share of the side."""
-        for panel, build in self._panels:
-            panel.fill(self[panel.name], build)
+        for dock in self.all:
+            if not isinstance(dock, LateDock):
+                dock.fill()
         docks, heights = zip(*self._fronts, strict=True)
         self._window.resizeDocks(docks[:1], [_WIDTH], Qt.Orientation.Horizontal)
         self._window.resizeDocks(docks, heights, Qt.Orientation.Vertical)

@@ -42,7 +42,7 @@ _DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
 
 
 class DocumentFiles:
-    """What the File menu does.
+    """Opening and saving of documents, with the questions to the person.
 
     Parameters
     ----------
@@ -86,39 +86,27 @@ class DocumentFiles:
         """Read a document, and compute its curves, beside the window, which shows how far that is."""
         begun = self._session.files.beginning
 
-        def work(report: Report) -> tuple[Reading, list[CurveView]]:
-            report(0.0, "Reading")
-            reading = Reading.of(path)
-            told = part(report, _READ, 1.0)
-            return reading, views_ahead(
-                reading.document.curves, lambda share: told(share, "Computing curves")
-            )
-
-        def end(problem: str = "") -> None:
-            waiting, self._after_opening = self._after_opening or [], None
-            if problem:
-                self._warn(problem)
-            for then in waiting:
-                then(problem)
-
         def done(found: tuple[Reading, list[CurveView]]) -> None:
+            reading, views = found
+            opener = partial(self._session.open, reading=reading, views=views)
             try:
-                take(*found)
+                if self._session.files.beginning is begun:
+                    self._open(path, opener, remember=True, is_read=True)
+                else:
+                    why = "for another document was opened meanwhile"
+                    self._session.refuse(f"{path.name} was not opened, {why}.")
             finally:
-                end()
+                self._end_opening()
 
-        def take(reading: Reading, views: list[CurveView]) -> None:
-            if self._session.files.beginning is not begun:
-                self._session.refuse(
-                    f"{path.name} was not opened, for another document was opened meanwhile."
-                )
-                return
-            self._open(
-                path, partial(self._session.open, reading=reading, views=views), remember=True, looks=False
-            )
-
-        if beside(f"Opening {path.name}", work, done, path, "opened", end):
+        if beside(f"Opening {path.name}", partial(_read, path), done, path, "opened", self._end_opening):
             self._after_opening = []
+
+    def _end_opening(self, problem: str = "") -> None:
+        waiting, self._after_opening = self._after_opening or [], None
+        if problem:
+            self._warn(problem)
+        for then in waiting:
+            then(problem)
 
     def after_opening(self, then: Callable[[str], object]) -> None:
         """Do what is meant for the document that is on its way in when it is there; at once where none is.
@@ -159,10 +147,10 @@ class DocumentFiles:
         *,
         remember: bool,
         asks: bool = True,
-        looks: bool = True,
+        is_read: bool = False,
     ) -> bool:
         try:
-            if looks:
+            if not is_read:
                 load(path)  # nobody is asked to part with a drawing for a file that cannot be opened
             if asks and not self.may_discard():
                 return False
@@ -258,6 +246,14 @@ class DocumentFiles:
         # Else every question ever asked would stay a part of the window.
         question.setParent(None)
         return answer
+
+
+def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
+    """Return a document and the views of its curves."""
+    report(0.0, "Reading")
+    reading = Reading.of(path)
+    told = part(report, _READ, 1.0)
+    return reading, views_ahead(reading.document.curves, lambda share: told(share, "Computing curves"))
 
 
 def _question_about(session: Session) -> tuple[str, str]:

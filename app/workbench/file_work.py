@@ -1,4 +1,4 @@
-"""What is read from files and written to them beside the window."""
+"""Reading and writing of files beside the window."""
 
 from __future__ import annotations
 

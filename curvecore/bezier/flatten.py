@@ -43,12 +43,8 @@ def flatten(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> Flo
 
     Parameters
     ----------
-    curve : Curve
-        Of dim 2.
-    tolerance : float
-        Largest allowed distance from the curve to the polyline, above 0.
-    box : (xmin, ymin, xmax, ymax), optional
-        Where the tolerance matters; without it, everywhere.
+    curve, tolerance, box
+        As for `flatten_parameters`.
 
     Returns
     -------

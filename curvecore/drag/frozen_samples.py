@@ -1,7 +1,7 @@
 """Polylines of a curve without Bezier pieces that changes, as under a hand that drags it.
 
 The curve is linear in its points. While the parameters stay, samples follow
-a moved point by B_i(t) times the way it went: no basis function is evaluated
+a moved point by B_i(t) times its displacement: no basis function is evaluated
 again. When parameters move, the curve is evaluated once at the same samples,
 not sampled and refined anew; for a few of them from the curve through the
 other points. Whether the samples still lie close enough is read off the
@@ -111,8 +111,8 @@ class FrozenFlattening:
         if not len(moved):
             return self._points
         columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
-        way = curve.points[moved] - self._curve.points[moved]
-        return np.clip(self._points + columns @ way, -LIMIT, LIMIT)
+        displacement = curve.points[moved] - self._curve.points[moved]
+        return np.clip(self._points + columns @ displacement, -LIMIT, LIMIT)
 
     def _at_moved_parameters(self, curve: Curve) -> FloatArray:
         if self._left_out is None or not self._left_out.serves(curve):
@@ -153,7 +153,7 @@ class FrozenFlattening:
             return np.inf
         step = _steps(points)
         turn = step[1:] * step[:-1].conj()
-        if not turn.real.min() > _LEAST_SQUARE or any(_passed_at_ends(step, self._quotient)):
+        if not turn.real.min() > _LEAST_SQUARE or any(_overshoot_at_ends(step, self._quotient)):
             return np.inf
         off = np.abs(turn.imag) / np.abs(step[1:] + step[:-1])
         return float((off * self._leverage).max())
@@ -171,38 +171,40 @@ class FrozenFlattening:
         deviation[:-1] = off / quotient
         deviation[1:] = np.maximum(deviation[1:], off * quotient)
         deviation *= 0.25 * _MARGIN
-        passed = _passed(points, quotient)
-        if passed is not None:
-            deviation += _MARGIN * passed
+        overshoot = _overshoot(points, quotient)
+        if overshoot is not None:
+            deviation += _MARGIN * overshoot
         if self._edges is not None:
             reach = np.maximum(np.append(off, 0.0), np.insert(off, 0, 0.0))[:, None]
-            if passed is not None:
-                reach += _MARGIN * passed[:, None]
+            if overshoot is not None:
+                reach += _MARGIN * overshoot[:, None]
             low = np.minimum(points[:-1], points[1:]) - reach
             high = np.maximum(points[:-1], points[1:]) + reach
             deviation[~may_enter(np.stack([low, high], axis=1), self._edges)] = np.inf
         return deviation
 
 
-def _passed(points: FloatArray, quotient: FloatArray) -> FloatArray | None:
-    """Estimate how far each piece passes an end of its chord and comes back; None where none does.
+def _overshoot(points: FloatArray, quotient: FloatArray) -> FloatArray | None:
+    """Estimate by how much each piece overshoots an end of its chord and comes back; None where none does.
 
     Samples along the chord show nothing of it. `quotient` says how much longer in t each piece but the first
     is than the one before it.
     """
     step = _steps(points)
     onward = (step[1:] * step[:-1].conj()).real > 0.0
-    first, last = _passed_at_ends(step, quotient)
+    first, last = _overshoot_at_ends(step, quotient)
     if not (first or last) and onward.all():
         return None
     after = step[1:] / quotient
     bend = (after - step[:-1]) * (2.0 / (1.0 + quotient))
-    way = np.where(onward, 0.0, _way_on((step[:-1] * quotient + after) / (1.0 + quotient), bend))
-    passed = np.zeros(len(step))
-    passed[:-1] = way
-    passed[1:] = np.maximum(passed[1:], way)
-    passed[0], passed[-1] = max(passed[0], first), max(passed[-1], last)
-    return passed
+    beyond = np.where(
+        onward, 0.0, _parabola_overshoot((step[:-1] * quotient + after) / (1.0 + quotient), bend)
+    )
+    overshoot = np.zeros(len(step))
+    overshoot[:-1] = beyond
+    overshoot[1:] = np.maximum(overshoot[1:], beyond)
+    overshoot[0], overshoot[-1] = max(overshoot[0], first), max(overshoot[-1], last)
+    return overshoot
 
 
 def _steps(points: FloatArray) -> ComplexArray:
@@ -210,24 +212,24 @@ def _steps(points: FloatArray) -> ComplexArray:
     return np.diff(np.ascontiguousarray(points).view(np.complex128)[:, 0])
 
 
-def _passed_at_ends(step: ComplexArray, quotient: FloatArray) -> tuple[float, float]:
+def _overshoot_at_ends(step: ComplexArray, quotient: FloatArray) -> tuple[float, float]:
     """Return how far a curve first goes the other way, from its beginning and back from its end."""
     return (
-        _passed_at_end(complex(step[0]), complex(step[1]), float(quotient[0])),
-        _passed_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1])),
+        _overshoot_at_end(complex(step[0]), complex(step[1]), float(quotient[0])),
+        _overshoot_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1])),
     )
 
 
-def _passed_at_end(step: complex, following: complex, quotient: float) -> float:
+def _overshoot_at_end(step: complex, following: complex, quotient: float) -> float:
     """Return how far a curve first goes the other way, given the first steps from its end."""
     change = (following / quotient - step) / (1.0 + quotient)
     velocity = step - change
     if (velocity * step.conjugate()).real > 0.0:
         return 0.0
-    return float(_way_on(np.array([velocity]), np.array([2.0 * change]))[0])
+    return float(_parabola_overshoot(np.array([velocity]), np.array([2.0 * change]))[0])
 
 
-def _way_on(velocity: ComplexArray, bend: ComplexArray) -> FloatArray:
+def _parabola_overshoot(velocity: ComplexArray, bend: ComplexArray) -> FloatArray:
     """Return how far a parabola goes on before it turns: (v . c'')**2 / (2 |c''|**3)."""
     size = np.abs(bend)
     along = (velocity * bend.conj()).real / size

@@ -8,7 +8,7 @@ one factor of its numerator and one of its denominator become others:
 
 so that known values at m places become those for the new parameters in O(n m)
 multiplications. Every factor is a quotient of differences of given numbers:
-k moved parameters add about 6 k + 2 n / 1000 roundings, relative to the value
+k moved parameters add about 7 k + 2 n / 1000 roundings, relative to the value
 itself. The curve alone takes less: see `left_out`.
 """
 
@@ -56,7 +56,9 @@ class MovedParameters:
         if not len(moved):
             return self._basis[:, :, None]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            ratio, weights, own = (part(curve, moved) for part in (self._ratio, self._weights, self._own))
+            weights, own = self._weights(curve, moved), self._own(curve, moved)
+            # l'(t) / l(t); without meaning where some t is one of the moved parameters.
+            ratio = np.reciprocal(own).prod(axis=1)
             if not self._serves(weights):
                 return None
             values = self._basis * weights
@@ -79,12 +81,6 @@ class MovedParameters:
             return None
         moved = np.flatnonzero(curve.parameters != self._parameters)
         return moved if len(moved) <= _MOST_MOVED else None
-
-    def _ratio(self, curve: Curve, moved: IntArray) -> FloatArray:
-        """Return l'(t) / l(t), (m,); without meaning where some t is one of the moved parameters."""
-        t = self._t[:, None]
-        ratio: FloatArray = ((t - curve.parameters[moved]) / (t - self._parameters[moved])).prod(axis=1)
-        return ratio
 
     def _own(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return the factor that the functions of moved parameters lack in l, (m, k)."""

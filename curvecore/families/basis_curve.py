@@ -15,7 +15,6 @@ from curvecore.arrays import (
     number_array,
     parameter_values,
     read_only,
-    stacked_jets,
 )
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
@@ -95,10 +94,11 @@ class BasisCurve(Curve):
         scheme = self.scheme if scheme is None else scheme
         if scheme is None:
             raise CurveError("scheme must be given: this class has no basis functions of its own")
-        jets = stacked_jets(points)
-        if len(jets) > _MOST_POINTS:
-            raise CurveError(f"a curve of {scheme.name} can have {_MOST_POINTS} points, not {len(jets)}")
-        self._keep(jets, parameters)
+        super().__init__(points, parameters)
+        if len(self._jets) > _MOST_POINTS:
+            raise CurveError(
+                f"a curve of {scheme.name} can have {_MOST_POINTS} points, not {len(self._jets)}"
+            )
         self._scheme = scheme
         self._breaks = self._checked_breaks()
         if self.interpolates:

@@ -16,6 +16,7 @@ from curvecore.arrays import (
     parameter_array,
     parameter_values,
     read_only,
+    stacked_jets,
 )
 from curvecore.errors import CurveError
 from curvecore.families.immutable import Immutable
@@ -93,7 +94,20 @@ class Curve(Immutable, ABC):
 
     A family says what its basis functions are, by `basis`, and where their
     derivatives may jump, by `breaks`. All else is derived here, correct if
-    slower; families override what they know how to do faster or exactly.
+    slower; families override what they know how to do faster or exactly. One with
+    derivatives in its data has a constructor of its own.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i, finite; n >= 2, dim >= 1. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above.
 
     Attributes
     ----------
@@ -128,6 +142,9 @@ class Curve(Immutable, ABC):
 
     _jets: FloatArray
     _parameters: FloatArray
+
+    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
+        self._keep(stacked_jets(points), parameters)
 
     def _keep(self, jets: FloatArray, parameters: ArrayLike) -> None:
         """Store jets that are checked, and parameters, which are checked here."""
@@ -212,18 +229,7 @@ class Curve(Immutable, ABC):
         return self.from_jets(jets, parameters)
 
     def with_jets(self, jets: ArrayLike) -> Self:
-        """Return the curve with the same parameters and other data.
-
-        Parameters
-        ----------
-        jets : array_like, shape (n, R, dim)
-            Finite numbers.
-
-        Returns
-        -------
-        same type as the curve
-            The parameters are neither copied nor checked again.
-        """
+        """Return the curve with other data, (n, R, dim); its parameters are shared and not checked again."""
         curve = object.__new__(type(self))
         curve.__setstate__({**self.__getstate__(), "_jets": jet_array(jets, self._jets.shape[:2])})
         return curve

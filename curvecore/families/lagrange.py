@@ -7,7 +7,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, parameter_values, stacked_jets
+from curvecore.arrays import FloatArray, integer, parameter_values
 from curvecore.families.curve import Curve, Interpolant
 from curvecore.families.differentiation_matrix import derivatives_by_matrix, matrix_serves
 from curvecore.families.product_form import ProductForm
@@ -57,9 +57,6 @@ class LagrangeCurve(Curve):
     is_one_polynomial = True
 
     _form: ProductForm | None
-
-    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
-        self._keep(stacked_jets(points), parameters)
 
     @property
     def _product_form(self) -> ProductForm:

@@ -41,7 +41,7 @@ PASSING = {
     ),
     *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
-    *("TickEdit._knot", "TraceLayer._lines", "WiggleCommands._cures"),
+    *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
     *("_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(

@@ -30,7 +30,7 @@ from app.features.recovery.commands import RecoveryCommands
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
-from app.workbench.late_dock import LateDock
+from app.workbench.dock import LateDock
 
 
 class KeptEditor:

@@ -182,7 +182,7 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, mon
 
 def test_what_another_program_has_emptied_is_kept(kept, qtbot, tmp_path, monkeypatch):
     """There was no snapshot: to the program nothing was unsaved."""
-    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 1)
+    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 1)
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     path.write_bytes(b"")

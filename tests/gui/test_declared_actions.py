@@ -51,7 +51,7 @@ class CountingCommands:
         self.counted.append(t)
 
     @LatePanel("countDock", "Count", on_demand=True)
-    def build_panel(self):
+    def build_panel(self, parent):
         return QLabel("Counted")
 
 

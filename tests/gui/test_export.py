@@ -103,7 +103,7 @@ def test_the_options_of_a_format_alone_are_shown(dialog):
         assert form.fields["width"].widget.isVisible() is shown
         assert form.fields["samples"].widget.isVisible() is (ending == ".csv")
         assert form.fields["tolerance"].widget.isVisible() is (ending == ".svg")
-        assert dialog.look.isVisible() is (ending in (".png", ".svg"))
+        assert dialog.preview_side.isVisible() is (ending in (".png", ".svg"))
         assert not form.fields["cubic"].widget.isVisible()
     choose_format(dialog, ".dxf")
     assert form.fields["cubic"].widget.isVisible()
@@ -343,7 +343,7 @@ def test_a_number_that_is_out_of_range_is_told(editor, dialog):
     box = dialog.form.fields["width"].widget
     box.setFocus()
     box.selectAll()
-    dialog._look()  # a preview is under way
+    dialog._render_preview()  # a preview is under way
     QTest.keyClicks(box, "99999")
     QTest.keyClick(box, Qt.Key.Key_Tab)
     assert box.value() == 99999

@@ -94,7 +94,7 @@ def save_loudly(qtbot):
 
 def looks(editor):
     """How often the file was looked at since it was found gone or broken."""
-    return editor.window.findChild(DiskCommands)._looks
+    return editor.window.findChild(DiskCommands).checks
 
 
 def edit(editor):
@@ -337,8 +337,8 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
 
 
 def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 1)
-    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 1)
+    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
     content = path.read_bytes()
     path.write_bytes(b"")
     until(lambda: saved.session.files.is_modified)
@@ -368,8 +368,8 @@ def test_half_a_file_is_waited_for(saved, path, until):
 
 
 def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
-    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
     mine = saved.session.document
     path.write_bytes(b"not ours")
     until(lambda: saved.file_message)
@@ -381,8 +381,8 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
 
 
 def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
-    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_message)
     assert "is gone from its folder" in saved.file_message
@@ -395,8 +395,8 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
 
 @pytest.mark.parametrize("tries_to_save", [False, True])
 def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, monkeypatch, tries_to_save):
-    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
-    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_message)
@@ -426,7 +426,7 @@ def test_own_saves_are_no_news(saved, qtbot, look_soon):
     look_soon()
     watch = saved.window.findChild(DiskWatch)
     for _ in range(3):
-        with qtbot.waitSignal(watch.stirred, timeout=WAIT_MS):
+        with qtbot.waitSignal(watch.triggered, timeout=WAIT_MS):
             saved.trigger("saveDocument")
         assert saved.file_message == ""
 

@@ -2,11 +2,11 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QUndoView
 
 from app.appearance.theme import ThemeMode, apply_theme
 from app.document import edits
 from app.document.model import make_curve
-from app.features.history.controller import HistoryController
 from app.features.history.panel import HistoryPanel
 from app.session import Session
 from app.storage import files
@@ -16,7 +16,6 @@ from app.storage import files
 def history(qtbot):
     session = Session()
     panel = HistoryPanel(session.undo_stack)
-    panel.controller = HistoryController(session, panel)
     qtbot.addWidget(panel)
     for index in (1, 2, 3):
         document = edits.move_points(session.document, 0, [index], (0.5, 0.0))
@@ -92,12 +91,14 @@ def test_it_follows_undo_and_redo(history):
     assert view.currentIndex().row() == 3
 
 
-def test_the_beginning_is_named_after_what_was_opened(history, tmp_path):
-    session, panel = history
-    view = panel.view
+def test_the_beginning_is_named_after_what_was_opened(editor, tmp_path):
+    session, view = editor.session, editor.window.findChild(QUndoView, "historyView")
+    for index in (1, 2, 3):
+        editor.drag_point(index, to=(0.5, 0.1 * index))
     path = tmp_path / "swan.curve.json"
     document = session.document.with_curve(0, make_curve([(0.0, 0.0), (1.0, 1.0)], name="Swan"))
     files.save(path, document)
+    assert len(entries(view)) == 4
     session.open(path)
     assert entries(view) == ["Opened swan.curve.json"]
     session.files.open_copy(path)

@@ -29,7 +29,7 @@ def test_what_is_planted_is_found(editor, monkeypatch):
         "window.canvas.tools.settings": lambda patch: patch.setattr(canvas.tools, "settings", None),
         "window.session.history.clock": lambda patch: patch.setattr(session.history, "clock", Clock()),
         "window.session.selected.points": lambda patch: patch.setattr(
-            session.selected.point, "points", frozenset([1])
+            session.selected, "points", frozenset([1])
         ),
         "window.session.say": lambda patch: patch.setattr(session, "say", lambda _text: None),
         "widget hint": lambda patch: patch.setattr(hint, "is_planted", hint.setToolTip("?"), raising=False),

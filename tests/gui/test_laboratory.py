@@ -155,7 +155,7 @@ def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtb
 
 def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab, qtbot):
     trace = shown(lab)["Lagrange"]
-    trial = commands(lab)._trial
+    trial = commands(lab).trial
     truth = lab.session.active_view.curve.evaluate(trial.t)
     away = np.hypot(*(np.vstack(trace.pieces) - truth).T)
     find(lab, QToolButton, "plotErrorsButton").click()

@@ -600,14 +600,6 @@ def test_without_a_message_the_view_is_fitted_to_the_whole_canvas(qtbot):
     assert (y_min + y_max) / 2 == pytest.approx((line[:, 1].min() + line[:, 1].max()) / 2, abs=0.02)
 
 
-@pytest.mark.parametrize(("width", "words"), [(1280, "Quintic Hermite"), (1024, "Quintic")])
-def test_the_toolbar_keeps_its_words_while_there_is_room(qtbot, width, words):
-    editor = Editor(qtbot, size=(width, 800))
-    assert editor.action("familyQuinticHermite").iconText() == words
-    toolbar = editor.window.toolbar
-    assert toolbar.sizeHint().width() <= toolbar.width() == width
-
-
 def test_the_numbers_of_the_table_stay_off_its_edge(editor):
     table = editor.window.point_table
     assert table.horizontalHeader().length() == table.viewport().width() - 8

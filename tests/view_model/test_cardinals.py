@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -24,7 +25,7 @@ from app.view_model.analysis.wiggle import explain
 from app.view_model.basis_view import basis_view, weights_at
 from app.view_model.bend import Bend
 from app.view_model.cardinal_view import cardinal_view
-from app.view_model.curve_view import view_of
+from app.view_model.curve_view import curve_through, view_of
 from app.view_model.growth import growth_of_data, growth_of_points
 from app.view_model.hold import BendWith
 from app.view_model.parameter_slopes import parameter_moves
@@ -117,7 +118,7 @@ def test_random_errors_stay_in_the_band_and_nearly_fill_it():
     view = view_of(seven())
     epsilon, delta = 1e-3, 1e-4
     t = np.linspace(0.2, 0.75, 12)
-    random = ensemble(view.curve, epsilon, delta, 4000, 3, remake=view.with_knots)
+    random = ensemble(view.curve, epsilon, delta, 4000, 3, remake=partial(curve_through, view))
     away = random.evaluate(t) - view.curve.evaluate(t)
     velocity = view.curve.evaluate(t, 1)
     normal = np.column_stack([-velocity[:, 1], velocity[:, 0]]) / np.hypot(*velocity.T)[:, None]

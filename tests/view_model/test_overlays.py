@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -17,7 +19,7 @@ from app.view_model.analysis.overlays import band, bezier, circle, comb, marks, 
 from app.view_model.analysis.overlays import ensemble as disturbed
 from app.view_model.analysis.picture import live_picture, settled_picture, settling
 from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.curve_view import view_of
+from app.view_model.curve_view import curve_through, view_of
 from curvecore import ensemble, lebesgue_constant, lebesgue_function
 
 UNIFORM = ParametrizationKind.UNIFORM
@@ -187,7 +189,7 @@ def test_disturbed_curves_stay_inside_the_area_of_the_band(family, epsilon):
     view = view_of(wave(7, family))
     picture = live_picture(view, settings_of(band.BAND, values={POINT_ERROR: epsilon}))
     area = points_of(picture, band.AREA)
-    random = ensemble(view.curve, epsilon, count=12, seed=1, remake=view.with_knots)
+    random = ensemble(view.curve, epsilon, count=12, seed=1, remake=partial(curve_through, view))
     disturbed = random.evaluate(np.linspace(0, 1, 25))
     assert (windings(area, disturbed.reshape(-1, 2)) > 0).all()
     # And it is no larger than it must be: half a width outside there is nothing.

@@ -13,9 +13,8 @@ from app.document.model import Document
 from app.exchange.drawing.animation import Film
 from app.exchange.drawing.drawing import Drawing, Frame, drawing_of
 from app.exchange.drawing.image import paint_drawing
-from app.view_model.arrow import arrow_segments
 from app.view_model.motion import round_of
-from app.view_model.motion_picture import TRAIL, Dot, Role, colour_of, dots_at, scales_of
+from app.view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of, dots_at, scales_of
 from app.view_model.motion_settings import Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 from curvecore.arrays import FloatArray

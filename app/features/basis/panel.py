@@ -62,7 +62,7 @@ class BasisPanel(ToolPlot):
 
     def _pressed(self, pointer: Pointer) -> None:
         super()._pressed(pointer)
-        if self.tools.context.drags.is_pressed:
+        if self.tools.is_dragging:
             self.drag_changed.emit(True)
 
     def abandon_gesture(self) -> None:

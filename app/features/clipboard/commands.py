@@ -42,7 +42,7 @@ _ON_CANVAS = ("cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDer
 
 
 class _Pasted(msgspec.Struct, frozen=True):
-    """What is on the clipboard: points, whether they came as text, and the row they begin in.
+    """Content of the clipboard: points, whether they came as text, and the row they begin in.
 
     `note` goes on the sentence that tells what was pasted.
     """

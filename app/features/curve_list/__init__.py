@@ -1,6 +1,5 @@
 """The list of curves: which one is edited, what each is called and how it is shown.
 
-- ``commands``: what is done to all chosen curves.
+- ``commands``: what is done to all chosen curves, by actions and in the list.
 - ``panel``: the list with its buttons.  ``view``, ``model``: the list for Qt.
-- ``controller``: turns what is clicked, dragged and typed into changes of the document.
 """

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import action, also
@@ -10,8 +13,17 @@ from app.actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_P
 from app.actions.situation import Situation
 from app.actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
 from app.appearance.colours import CURVE_COLOURS
-from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
-from app.features.curve_list.controller import CurveListController
+from app.document.edits import rename_curve
+from app.document.model import Document
+from app.document.several_curves import (
+    active_after_removal,
+    add_copies,
+    move_curves,
+    named,
+    place_in,
+    remove_curves,
+    with_looks,
+)
 from app.features.curve_list.panel import CurveList
 from app.view_model.curve_view import CurveView
 from app.workbench.context import WindowContext
@@ -20,7 +32,7 @@ from app.workbench.strip_menu import strip_menu
 
 
 class CurveListCommands:
-    """What works on several curves as on one, and the list where they are selected.
+    """Actions on all selected curves, and the list where they are selected.
 
     Attributes
     ----------
@@ -43,9 +55,20 @@ class CurveListCommands:
         self.panel.menu_requested.connect(
             lambda place: strip_menu(self._context, CURVE_LIST_MENU).popup(place)
         )
-        self._list = CurveListController(self._session, self.panel)
-        self._session.selected_curves_changed.connect(self._render)
+        self._connect(self.panel)
         return self.panel
+
+    def _connect(self, panel: CurveList) -> None:
+        session = self._session
+        panel.view.activated_row.connect(session.selected.activate)
+        panel.view.rows_selected.connect(session.selected.set_curves)
+        panel.view.moved.connect(self._move)
+        panel.model.name_edited.connect(self._set_name)
+        panel.visible_switched.connect(self._switch_visible_of)
+        panel.locked_switched.connect(self._switch_locked_of)
+        panel.colour_chosen.connect(self._paint)
+        panel.row_meant.connect(lambda row: session.selected.set_curves(self._meant(row), row))
+        session.selected_curves_changed.connect(self._render)
 
     def render(self, view: CurveView) -> None:
         """Show the curves of the document."""
@@ -126,8 +149,7 @@ class CurveListCommands:
     @also(CURVE_LIST_MENU(10))
     def _rename(self) -> None:
         """Give the curve another name."""
-        self._dock.show()
-        self._dock.raise_()
+        self._dock.bring_up()
         self.panel.view.edit_name(self._session.active_index)
 
     @action(
@@ -142,7 +164,7 @@ class CurveListCommands:
     @also(CURVE_MENU(21), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
         """Show or hide the curve, or all that are selected."""
-        self._list.switch_visible(self._session.active_index)
+        self._switch_visible_of(self._session.active_index)
 
     @action(
         "curveLocked",
@@ -156,7 +178,7 @@ class CurveListCommands:
     @also(CURVE_MENU(22), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
         """Keep the curve, or all that are selected, safe from changes."""
-        self._list.switch_locked(self._session.active_index)
+        self._switch_locked_of(self._session.active_index)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     @also(CURVE_MENU(20), CURVE_LIST_MENU(11))
@@ -192,6 +214,39 @@ class CurveListCommands:
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
         self._session.selected.set_curves((self._session.active_index,))
+
+    # Clicked, dragged and typed in the list
+
+    def _meant(self, row: int) -> frozenset[int]:
+        """Return the curves that a click on a part of a row is about: all selected ones, or another."""
+        selected = self._session.selected.curves
+        return selected if row in selected else frozenset({row})
+
+    def _switch_visible_of(self, row: int) -> None:
+        visible = not self._session.committed.curves[row].visible
+        self._change_looks("Show" if visible else "Hide", row, partial(with_looks, visible=visible))
+
+    def _switch_locked_of(self, row: int) -> None:
+        locked = not self._session.committed.curves[row].locked
+        self._change_looks("Lock" if locked else "Unlock", row, partial(with_looks, locked=locked))
+
+    def _paint(self, row: int, code: str) -> None:
+        self._change_looks("Colour", row, partial(with_looks, colour=code))
+
+    def _change_looks(
+        self, verb: str, row: int, edit: Callable[[Document, frozenset[int]], Document]
+    ) -> None:
+        session, curves = self._session, self._meant(row)
+        session.change(f"{verb} {named(session.committed, curves)}", lambda document: edit(document, curves))
+
+    def _move(self, row: int, to: int) -> None:
+        session, curves = self._session, self._meant(row)
+        document = move_curves(session.committed, curves, row, to)
+        active = place_in(document, session.committed.curves[session.active_index])
+        session.change(f"Reorder {named(session.committed, curves)}", lambda _: document, active=active)
+
+    def _set_name(self, row: int, name: str) -> None:
+        self._session.change("Rename curve", lambda document: rename_curve(document, row, name))
 
 
 def _curves(now: Situation) -> str:

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
+from PySide6.QtGui import QAction, QContextMenuEvent, QIcon
+from PySide6.QtWidgets import QMenu, QWidget
 
 from app.appearance.colours import CURVE_COLOURS, curve_colour
+from app.appearance.swatches import swatch
 from app.appearance.theme import Theme, theme_of
 from app.document.model import Document
 from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.view import CurveListView, Spot
 from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
+from app.widgets.boxes import column_of, row_of
 from app.widgets.tool_buttons import action_button
 
 
@@ -49,15 +51,8 @@ class CurveList(Guarded, QWidget):
         self.setObjectName("curveListPanel")
         self.model = CurveListModel(self)
         self.view = CurveListView(self.model, self)
-        self._buttons = QHBoxLayout()
-        self._buttons.setContentsMargins(6, 4, 6, 4)
-        self._buttons.setSpacing(2)
-        self._buttons.addStretch(1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self.view, 1)
-        layout.addLayout(self._buttons)
+        self._buttons = row_of(1, margins=(6, 4, 6, 4), spacing=2)
+        column_of((self.view, 1), self._buttons, margins=0, spacing=0, parent=self)
         self.view.spot_clicked.connect(self._switch)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
@@ -91,7 +86,7 @@ class CurveList(Guarded, QWidget):
         menu.setToolTipsVisible(True)
         theme = theme_of(self.palette())
         for name, code in CURVE_COLOURS.items():
-            action = menu.addAction(_swatch(curve_colour(code, theme)), name)
+            action = menu.addAction(QIcon(swatch(curve_colour(code, theme).name(), 12)), name)
             action.setObjectName(f"colour_{name.replace(' ', '_')}")
             action.setToolTip(f"{name} {adjustment_of(theme.paper.name(), code)}".strip())
             action.setCheckable(True)
@@ -120,16 +115,3 @@ class CurveList(Guarded, QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self.view.viewport().update()
-
-
-def _swatch(colour: QColor) -> QIcon:
-    pixmap = QPixmap(32, 32)
-    pixmap.setDevicePixelRatio(2)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(colour)
-    painter.drawEllipse(2, 2, 12, 12)
-    painter.end()
-    return QIcon(pixmap)

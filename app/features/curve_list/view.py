@@ -40,9 +40,11 @@ from app.appearance.colours import curve_colour
 from app.appearance.icons import icon
 from app.appearance.theme import mix, theme_of
 from app.features.curve_list.model import CurveListModel, Row
+from app.qt.keys import ClaimsKeys
 from app.qt.labels import tip_of
 from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
+from app.widgets.controls import named
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -110,12 +112,9 @@ class _RowDelegate(Guarded, QStyledItemDelegate):
         name = spot_rect(rect, Spot.NAME)
         elided = painter.fontMetrics().elidedText(row.name, Qt.TextElideMode.ElideRight, name.width())
         painter.drawText(name, int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft), elided)
-        self._paint_switch(
-            painter, spot_rect(rect, Spot.LOCK), "lock" if row.locked else "unlock", row.locked
-        )
-        self._paint_switch(
-            painter, spot_rect(rect, Spot.EYE), "eye" if row.visible else "eye-off", row.visible
-        )
+        lock, eye = "lock" if row.locked else "unlock", "eye" if row.visible else "eye-off"
+        self._paint_switch(painter, spot_rect(rect, Spot.LOCK), lock, row.locked)
+        self._paint_switch(painter, spot_rect(rect, Spot.EYE), eye, row.visible)
         painter.restore()
 
     @staticmethod
@@ -147,18 +146,15 @@ class _RowDelegate(Guarded, QStyledItemDelegate):
         return QSize(120, option.fontMetrics.height() + 12)
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
-        editor = QLineEdit(parent)
-        editor.setObjectName("curveNameEditor")
-        editor.setAccessibleName("Name of the curve")
-        editor.setToolTip("Name of the curve (Enter to set, Escape to leave it)")
-        return editor
+        tip = "Name of the curve (Enter to set, Escape to leave it)"
+        return named(QLineEdit(parent), "curveNameEditor", "Name of the curve", tip)
 
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:
         rect: QRect = option.rect
         editor.setGeometry(spot_rect(rect, Spot.NAME).adjusted(-4, 1, 0, -1))
 
 
-class CurveListView(Guarded, QListView):
+class CurveListView(ClaimsKeys, QListView):
     """Reports what the person did; which row is the active one comes from the session.
 
     A row is named by the place of its curve in the document, wherever it stands in the list.
@@ -194,12 +190,11 @@ class CurveListView(Guarded, QListView):
         self._pressed_row = -1
         self._gap: int | None = None
         self.setModel(model)
-        self.setObjectName("curveList")
-        self.setAccessibleName("Curves")
-        self.setToolTip(
+        tip = (
             "The curve in front is at the top. Click a curve to edit it, double-click to rename it,"
             " drag it to another place; Ctrl or Shift+click chooses several"
         )
+        named(self, "curveList", "Curves", tip)
         self._delegate = _RowDelegate(self)
         self.setItemDelegate(self._delegate)
         self.setFrameShape(QListView.Shape.NoFrame)
@@ -335,19 +330,13 @@ class CurveListView(Guarded, QListView):
         if event.type() == QEvent.Type.WindowBlocked and self.is_dragging:
             # A dialog takes the mouse, and the release with it.
             self._end_drag()
-        # Escape takes back a drag, F2 renames and Del deletes curves, before they are the window's.
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.ShortcutOverride
-            and (
-                self.is_dragging
-                if event.key() == Qt.Key.Key_Escape
-                else event.key() in _RENAME or _deletes(event) or event.matches(_ALL)
-            )
-        ):
-            event.accept()
-            return True
         return super().event(event)
+
+    def claims(self, event: QKeyEvent) -> bool:
+        # Escape takes back a drag, F2 renames and Del deletes curves, before they are the window's.
+        if event.key() == Qt.Key.Key_Escape:
+            return self.is_dragging
+        return event.key() in _RENAME or _deletes(event) or event.matches(_ALL)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         step = _STEPS.get(Qt.Key(event.key()))

@@ -8,13 +8,7 @@ import numpy as np
 
 from app.actions.declaration import PlaceAction, action, also
 from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
-from app.actions.sections import (
-    CURVE_NUMBER,
-    CURVE_ORDER,
-    CURVE_POINTS,
-    CURVE_SHAPE,
-    CURVE_WALK,
-)
+from app.actions.sections import CURVE_NUMBER, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
 from app.actions.situation import Situation
 from app.actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from app.document import curve_edits, edits
@@ -30,7 +24,7 @@ from app.workbench.context import WindowContext
 
 
 class CurveCommands:
-    """What is done to a curve as a whole."""
+    """Actions on a whole curve."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -127,8 +121,7 @@ class CurveCommands:
         CURVE_POINTS,
         icon="lock",
         needs=Need(
-            "an insertion that has just moved the parameters",
-            lambda now: now.session.offered_at is not None,
+            "an insertion that has just moved the parameters", lambda now: now.session.offered_at is not None
         ),
     )
     def _keep_shape(self) -> None:

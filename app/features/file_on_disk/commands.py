@@ -20,13 +20,13 @@ from app.storage.open_file import FileChange, OpenFile
 from app.view_model.curve_view import view_of
 from app.workbench.context import WindowContext
 
-_AGAIN_MS = 100
-_LOOKS = 5
-"""How often to look again, each time after twice as long, before a file counts as gone or broken: other
-programs may be just writing it."""
+_RECHECK_MS = 100
+_MOST_CHECKS = 5
+"""Number of checks, each after twice as long, before a file counts as gone or broken: other programs may be
+just writing it."""
 
 _OWNER_MS = 2000
-"""How often to look whether the one who owns the document is still there; a crash gives no sign."""
+"""Milliseconds between checks whether the owner of the document is still there; a crash gives no sign."""
 
 _CHANGED_OUTSIDE = "a file that was changed outside this window"
 
@@ -39,9 +39,9 @@ class DiskCommands(QObject):
         self._context, self._session = context, context.session
         self._bar: FileBar | None = None
         self._watch = DiskWatch(context.window)
-        self._watch.stirred.connect(self._look)
-        self._again = QTimer(self, singleShot=True)
-        self._again.timeout.connect(self._look)
+        self._watch.triggered.connect(self._check_file)
+        self._recheck = QTimer(self, singleShot=True)
+        self._recheck.timeout.connect(self._check_file)
         self._file: OpenFile | None = None
         self._path: Path | None = None
         self._stamp: Stamp | None = None
@@ -50,15 +50,15 @@ class DiskCommands(QObject):
         self._reset()
         context.files.refused = self._show_refusal
         self._session.file_changed.connect(self._follow)
-        self._session.opened.connect(self._say_what_matters)
+        self._session.opened.connect(self._tell_of_file)
         self._follow()
         # A document that was opened before there was a window.
-        self._say_what_matters()
+        self._tell_of_file()
 
     def _reset(self) -> None:
         """Begin anew, with what was just opened, saved or reloaded."""
-        self._again.stop()
-        self._looks = 0
+        self._recheck.stop()
+        self.checks = 0
         self._change = FileChange.SAME
         self._other: Document | None = None
         self._refusal: Notice | None = None
@@ -85,7 +85,7 @@ class DiskCommands(QObject):
             self._settle(file, file.change)  # somebody has looked before the watch did
         self._show()
 
-    def _say_what_matters(self) -> None:
+    def _tell_of_file(self) -> None:
         """Say what one should know about a file that was just opened."""
         file = self._session.files.file
         if file is None:
@@ -100,7 +100,7 @@ class DiskCommands(QObject):
                 f"({file.lock_problem})."
             )
 
-    def _look(self) -> None:
+    def _check_file(self) -> None:
         """Look at the file and at its lock."""
         file = self._file
         if file is None:
@@ -108,11 +108,11 @@ class DiskCommands(QObject):
         self._check_lock(file)
         change = file.check()
         unsettled = change in (FileChange.UNREADABLE, FileChange.GONE) and change is not self._change
-        if unsettled and self._looks < _LOOKS:
-            self._again.start(_AGAIN_MS << self._looks)
-            self._looks += 1
+        if unsettled and self.checks < _MOST_CHECKS:
+            self._recheck.start(_RECHECK_MS << self.checks)
+            self.checks += 1
             return
-        self._looks = 0
+        self.checks = 0
         self._stamp = file.stamp
         if change is not self._change or change is FileChange.CHANGED:
             self._settle(file, change)
@@ -150,7 +150,7 @@ class DiskCommands(QObject):
 
     def _show(self) -> None:
         """Show what matters most now."""
-        self._watch.look_every(_OWNER_MS if self._session.files.is_read_only else 0)
+        self._watch.check_every(_OWNER_MS if self._session.files.is_read_only else 0)
         self._context.store.change(
             file=FileSituation(
                 change=self._change if self._file is not None else None,
@@ -213,7 +213,7 @@ class DiskCommands(QObject):
         own = self._file is not None and self._file.is_at(path)
         self._refusal = about_refusal(path.name, sentence, problem, own=own)
         if own:
-            self._look()
+            self._check_file()
         self._show()
 
     # What can be done
@@ -248,8 +248,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         full_name="Keep Mine, not the File",
         needs=Need(
-            _CHANGED_OUTSIDE,
-            lambda now: now.state.file.change in (FileChange.CHANGED, FileChange.UNREADABLE),
+            _CHANGED_OUTSIDE, lambda now: now.state.file.change in (FileChange.CHANGED, FileChange.UNREADABLE)
         ),
     )
     def _keep_mine(self) -> None:
@@ -266,10 +265,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="eye",
         full_name="Compare with File as Ghost",
-        needs=Need(
-            _CHANGED_OUTSIDE,
-            lambda now: now.state.file.change is FileChange.CHANGED,
-        ),
+        needs=Need(_CHANGED_OUTSIDE, lambda now: now.state.file.change is FileChange.CHANGED),
         checked=lambda now: now.state.compares_with_file,
     )
     def _compare(self) -> None:
@@ -343,7 +339,7 @@ class DiskCommands(QObject):
         self._standing, self._refusal = Ownership.OURS, None
         self._session.file_changed.emit()
         self._session.say(f"{self._file.path.name} can be saved from here now.")
-        self._look()
+        self._check_file()
 
 
 COMMAND_SETS = (DiskCommands,)

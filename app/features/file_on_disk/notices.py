@@ -1,4 +1,4 @@
-"""What is said about the document's file, and what is offered with it."""
+"""Sentences about the document's file, and the actions offered with them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Notice(msgspec.Struct, frozen=True):
 
 
 class Ownership(Enum):
-    """How this window stands to the one that owns the document."""
+    """Relation of this window to the one that owns the document."""
 
     OURS = auto()
     OPENED_ELSEWHERE = auto()

@@ -18,25 +18,25 @@ class DiskWatch(Guarded, QObject):
     """Watches one file and its folder.
 
     The folder too, because a file that is replaced by another one of its name is watched no longer, and
-    because locks come and go there. Some file systems of a network tell nothing: a look is due also whenever
-    the window comes to the front, and `look_every` asks for one regularly.
+    because locks come and go there. Some file systems of a network tell nothing: a check is due also whenever
+    the window comes to the front, and `check_every` asks for one regularly.
 
     Signals
     -------
-    stirred
-        Something may have changed; it is worth a look.
+    triggered
+        Something may have changed; the file is to be checked.
     """
 
-    stirred = Signal()
+    triggered = Signal()
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._path: Path | None = None
         self._watcher: QFileSystemWatcher | None = None
         self._soon = QTimer(self, singleShot=True, interval=_SETTLE_MS)
-        self._soon.timeout.connect(self._stir)
+        self._soon.timeout.connect(self._trigger)
         self._regularly = QTimer(self)
-        self._regularly.timeout.connect(self.stirred)
+        self._regularly.timeout.connect(self.triggered)
         window.installEventFilter(self)
 
     def watch(self, path: Path | None) -> None:
@@ -48,7 +48,7 @@ class DiskWatch(Guarded, QObject):
         self._soon.stop()
         self._add()
 
-    def look_every(self, milliseconds: int) -> None:
+    def check_every(self, milliseconds: int) -> None:
         """Ask for a look at this interval; 0: only when there is a sign."""
         if milliseconds == 0:
             self._regularly.stop()
@@ -77,9 +77,9 @@ class DiskWatch(Guarded, QObject):
         if not self._soon.isActive():
             self._soon.start()
 
-    def _stir(self) -> None:
+    def _trigger(self) -> None:
         self._add()
-        self.stirred.emit()
+        self.triggered.emit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowActivate and self._path is not None:

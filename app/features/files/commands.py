@@ -10,7 +10,7 @@ from app.workbench.context import WindowContext
 
 
 class DocumentCommands:
-    """What is done with a document as a whole."""
+    """Actions on the document as a whole."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context

@@ -1,4 +1,4 @@
-"""What is being read or written: how far it is, and how it is stopped."""
+"""Progress of reading and writing, and stopping it."""
 
 from __future__ import annotations
 

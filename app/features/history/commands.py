@@ -8,7 +8,6 @@ from app.actions.declaration import action, also
 from app.actions.needs import Need
 from app.actions.sections import EDIT_HISTORY, FILE_BACK
 from app.actions.strips import TOOLBAR
-from app.features.history.controller import HistoryController
 from app.features.history.panel import HistoryPanel
 from app.qt.labels import menu_text
 from app.workbench.context import WindowContext
@@ -36,9 +35,21 @@ class HistoryCommands:
     @Panel("historyDock", "History", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the list of steps."""
-        self.panel = HistoryPanel(self._session.undo_stack, parent)
-        self._controller = HistoryController(self._session, self.panel)
+        session = self._session
+        self.panel = HistoryPanel(session.undo_stack, parent)
+        session.opened.connect(self._name_beginning)
+        if session.files.path is not None:
+            self._name_beginning()
         return self.panel
+
+    def _name_beginning(self) -> None:
+        """Name the state that the history begins with, after each document that is opened."""
+        session = self._session
+        if session.undo_stack.count():
+            return  # a lesson or an example was opened as a step; it began with something else
+        name = session.active_curve.name if session.active_curve.points else ""
+        opened = session.files.path.name if session.files.path is not None else name
+        self.panel.name_beginning(f"Opened {opened}" if opened else "New document")
 
     @action(
         "undo",

@@ -34,18 +34,16 @@ class HodographCommands:
         context.session.scrub_changed.connect(self._show_scrub)
 
     @LatePanel("hodographDock", "Hodograph", on_demand=True)
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Build the panel; called when its dock is first shown."""
-        self._panel = hodograph.panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG))
+        self._panel = hodograph.panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG), parent)
         self._panel.changed.connect(lambda: self.follow(self._context.session.active_view))
         return self._panel
 
     @action("plotHodograph", "Hodograph…", PLOTS_IN_PLANE, icon="hodograph", full_name="Plot Hodograph…")
     def _bring_up(self) -> None:
         """Draw the velocity c′ as a curve in the plane, with the origin."""
-        dock = self._context.docks["hodographDock"]
-        dock.show()
-        dock.raise_()
+        self._context.docks["hodographDock"].bring_up()
 
     @property
     def _shown(self) -> HodographPanel | None:
@@ -80,7 +78,6 @@ class HodographCommands:
         panel, view = self._shown, self._context.session.active_view
         if panel is None:
             return
-
         known = t is not None and view.is_current
         panel.show_value(
             t, analysis.hodograph.derivative_at(view, t, panel.order) if known and t is not None else None

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication, QImage
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog
 
 from app import exchange
 from app.actions.declaration import action
@@ -20,15 +20,7 @@ from app.document.import_edits import add_imported
 from app.document.model import Document
 from app.document.words import count_of, listed, number
 from app.exchange import table
-from app.exchange.formats import (
-    FORMATS,
-    ContentKind,
-    Written,
-    ending_in,
-    format_of,
-    is_document,
-    with_ending,
-)
+from app.exchange.formats import FORMATS, ContentKind, Written, ending_in, format_of, is_document, with_ending
 from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.writing import export
@@ -57,8 +49,7 @@ _COPY_WIDTH = 1600
 _MOST_REMARKS = 3
 
 _ANY_CURVE = Need(
-    "a curve through two points or more",
-    lambda now: now.view.curve is not None or len(now.session.views) > 1,
+    "a curve through two points or more", lambda now: now.view.curve is not None or len(now.session.views) > 1
 )
 
 
@@ -163,7 +154,7 @@ class ExchangeCommands:
         dialog.foot.rest_skipped.connect(skip_rest)
         dialog.foot.show_turn(self._series.turn)
         self._series.changed = dialog.foot.show_turn
-        _open(dialog)
+        dialog.bring_up()
 
     def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
         if isinstance(found, _OpenTable):
@@ -222,7 +213,7 @@ class ExchangeCommands:
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._release_dialog)
         self._show_in_dialog()
-        _open(self._dialog)
+        self._dialog.bring_up()
 
     def _release_dialog(self) -> None:
         self._dialog = None
@@ -334,12 +325,6 @@ def _filters() -> str:
     everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
     kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
     return ";;".join([everything, *kinds, "All files (*)"])
-
-
-def _open(dialog: QWidget) -> None:
-    dialog.show()
-    dialog.raise_()
-    dialog.activateWindow()
 
 
 COMMAND_SETS = (ExchangeCommands,)

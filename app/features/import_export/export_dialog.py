@@ -49,7 +49,7 @@ class ExportDialog(WorkDialog):
         self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         self.told = Label(name="exportColoursTold", wordWrap=True)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._look)
+        self._soon.timeout.connect(self._render_preview)
         self._lay_out()
         self.form.changed.connect(self._render)
         self.form.show_choice(choice)
@@ -59,9 +59,9 @@ class ExportDialog(WorkDialog):
         foot, self.ok = buttons("Export…", "exportFile", "Choose where to write it", "cancelExport")
         foot.accepted.connect(self._export)
         foot.rejected.connect(self.reject)
-        self.look = QWidget()
-        column_of(self.picture, self.size_label, self.told, 1, margins=0, parent=self.look)
-        columns = row_of((self.form, 1), self.look, spacing=18)
+        self.preview_side = QWidget()
+        column_of(self.picture, self.size_label, self.told, 1, margins=0, parent=self.preview_side)
+        columns = row_of((self.form, 1), self.preview_side, spacing=18)
         column_of(columns, margins=(16, 14, 16, 0), parent=self.body)
         self.hold(self.problem, foot, wished=QSize(690, 400))
 
@@ -88,13 +88,13 @@ class ExportDialog(WorkDialog):
         self.complain("")
         self.ok.setEnabled(True)
         self.ok.setToolTip(f"Choose where to write the {choice.format.title}")
-        self.look.setVisible(choice.format.preview is not None)
+        self.preview_side.setVisible(choice.format.preview is not None)
         self._soon.start()
 
-    def _look(self) -> None:
+    def _render_preview(self) -> None:
         document, active = self._document, self._active
         self.jobs.cancel()
-        if document is None or not self.look.isVisible():
+        if document is None or not self.preview_side.isVisible():
             return
         try:
             choice = self.form.choice()
@@ -108,9 +108,9 @@ class ExportDialog(WorkDialog):
         def draw(_report: Report) -> PicturePreview:
             return preview(document, options, room)
 
-        self.jobs.start("Drawing", draw, self._show_look, self._refuse)
+        self.jobs.start("Drawing", draw, self._show_preview, self._refuse)
 
-    def _show_look(self, seen: PicturePreview) -> None:
+    def _show_preview(self, seen: PicturePreview) -> None:
         try:
             choice = self.form.choice()
         except ExpressionError:

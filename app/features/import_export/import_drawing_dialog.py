@@ -29,9 +29,7 @@ class ImportDrawingDialog(FittedDialog):
     chosen = Signal(object, bool)
 
     def __init__(self, title: str, found: Imported, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("importDrawingDialog")
-        self.setWindowTitle(f"Import {title}")
+        super().__init__("importDrawingDialog", f"Import {title}", parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._found = found
         self.groups = GroupTree(found.groups) if len(set(found.groups)) > 1 else None

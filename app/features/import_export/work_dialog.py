@@ -25,9 +25,7 @@ class WorkDialog(FittedDialog):
     """
 
     def __init__(self, name: str, title: str, problem: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName(name)
-        self.setWindowTitle(title)
+        super().__init__(name, title, parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.jobs = SingleTask(self)
         self.problem = Label(name=problem, wordWrap=True)

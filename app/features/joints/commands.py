@@ -34,9 +34,9 @@ class JointCommands:
         self._view: CurveView | None = None
 
     @LatePanel("jointsDock", "Joints")
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Build the panel; called when its dock is first shown."""
-        self._panel = joints.panel.JointsPanel(self._context.actions["copyJoints"])
+        self._panel = joints.panel.JointsPanel(self._context.actions["copyJoints"], parent)
         self._panel.visited.connect(self._visit)
         self._panel.shown.connect(lambda: self.render(self._context.session.active_view))
         return self._panel
@@ -54,9 +54,7 @@ class JointCommands:
     @action("showJoints", "Joint Certificate", ANALYSIS_JOINTS, icon="joints")
     def _bring_up(self) -> None:
         """Measure how smooth the curve is at each joint."""
-        dock = self._context.docks["jointsDock"]
-        dock.show()
-        dock.raise_()
+        self._context.docks["jointsDock"].bring_up()
 
     @action("copyJoints", "Copy Joint Certificate", ANALYSIS_JOINTS, icon="copy")
     def _copy(self) -> None:

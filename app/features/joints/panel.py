@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from PySide6.QtCore import QEvent, QModelIndex, Qt, Signal
+from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
@@ -12,8 +12,8 @@ from app.appearance.theme import Theme
 from app.appearance.themed import FollowsTheme
 from app.document.words import number
 from app.features.joints.model import JointsModel
+from app.qt.keys import ClaimsKeys
 from app.qt.labels import Label
-from app.qt.overrides import Guarded
 from app.view_model.analysis.joints import Certificate, JointKind, JointRow
 from app.widgets.boxes import column_of, row_of
 from app.widgets.number_text import decimal_mark
@@ -25,7 +25,7 @@ _DETAIL_LINES = 4
 _HOW = "Click a joint, or press Enter, to see it close up."
 
 
-class JointsView(Guarded, QTableView):
+class JointsView(ClaimsKeys, QTableView):
     """The table of joints.
 
     Signals
@@ -70,16 +70,9 @@ class JointsView(Guarded, QTableView):
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(metrics.height() + 8)
 
-    def event(self, event: QEvent) -> bool:
+    def claims(self, event: QKeyEvent) -> bool:
         # Where a shortcut of the window is also one of the widget, Qt does nothing at all.
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.ShortcutOverride
-            and event.matches(QKeySequence.StandardKey.Copy)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return event.matches(QKeySequence.StandardKey.Copy)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Copy):

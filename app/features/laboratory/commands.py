@@ -16,7 +16,6 @@ from app.features import laboratory
 from app.features.laboratory.error_plot import TITLE, error_plot
 from app.qt.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
-from app.tasks.progress import Report
 from app.view_model import analysis
 from app.view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
 from app.view_model.curve_view import CurveView
@@ -32,7 +31,7 @@ if TYPE_CHECKING:
 
 _GROUP = "laboratory"
 _HEIGHT = 480
-"""What the laboratory needs of the side to show its controls and its table."""
+"""Pixels of the side that the laboratory needs for its controls and its table."""
 
 
 class LaboratoryCommands(Guarded, QObject):
@@ -40,6 +39,11 @@ class LaboratoryCommands(Guarded, QObject):
 
     It is on from the moment its dock is looked at until the dock is closed: with another tab in front the
     computed curves stay on the canvas.
+
+    Attributes
+    ----------
+    trial
+        The last result, None without any.
     """
 
     def __init__(self, context: WindowContext) -> None:
@@ -47,7 +51,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._context, self._session, self._analysis = context, context.session, context.analysis
         self._panel: LaboratoryPanel | None = None
         self._asked: tuple[CurveView, LaboratorySettings] | None = None
-        self._trial: Trial | None = None
+        self.trial: Trial | None = None
         self._problem = ""
         self._cost: SolvingCost | None = None
         self._costed: CurveView | None = None
@@ -62,28 +66,25 @@ class LaboratoryCommands(Guarded, QObject):
     def _connect(self) -> None:
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
-        self._dock.visibilityChanged.connect(self._look)
+        self._dock.visibilityChanged.connect(self._follow_visibility)
         self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
         self._session.scrub_changed.connect(self._ask_digits)
         self._context.store.changed.connect(self._plot_errors)
-        self._task.ready.connect(self._take)
+        self._task.ready.connect(self._show_result)
         self._task.busy_changed.connect(lambda _busy: self._show())
-        self._digits_task.ready.connect(self._take_digits)
-        self._cost_task.ready.connect(self._take_cost)
+        self._digits_task.ready.connect(self._show_digits)
+        self._cost_task.ready.connect(self._show_measured)
         self._cost_task.busy_changed.connect(lambda _busy: self._show_cost())
 
     @LatePanel("laboratoryDock", "Lab", on_demand=True)
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        self._panel = laboratory.panel.LaboratoryPanel(self._analysis, self._context.actions["plotErrors"])
+        self._panel = laboratory.panel.LaboratoryPanel(
+            self._analysis, self._context.actions["plotErrors"], parent
+        )
         self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
         self._panel.render_view(self._session.active_view)
         return self._panel
-
-    @property
-    def trial(self) -> Trial | None:
-        """What was computed last, None without anything."""
-        return self._trial
 
     # On and off
 
@@ -111,8 +112,7 @@ class LaboratoryCommands(Guarded, QObject):
             self._dock.close()
 
     def _open(self) -> None:
-        self._dock.show()
-        self._dock.raise_()
+        self._dock.bring_up()
         self._switch(True)
         make_room_once(self._context.window, self._dock, _HEIGHT)
 
@@ -132,7 +132,7 @@ class LaboratoryCommands(Guarded, QObject):
             # What it plots is computed here.
             self._open()
 
-    def _look(self, visible: bool) -> None:
+    def _follow_visibility(self, visible: bool) -> None:
         self._is_seen = visible
         if visible and self._context.window.isVisible():
             self._switch(True)
@@ -159,38 +159,37 @@ class LaboratoryCommands(Guarded, QObject):
         if self._panel is not None and (is_other_kind or self._asked is None or self._asked[1] != settings):
             self._panel.render_view(view)
         self._asked = (view, settings)
-        self._task.ask(lambda report: _compute(view, settings, report))
+        self._task.ask(lambda report: analysis.laboratory.try_methods(view, settings, report))
         self._ask_cost(view)
 
     def _reset(self) -> None:
-        self._asked = self._trial = None
+        self._asked = self.trial = None
         self._problem = ""
         for task in (self._task, self._digits_task, self._cost_task):
             task.give_up()
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, ())
         self._plot_errors()
 
-    def _take(self, result: object) -> None:
-
-        self._trial = result if isinstance(result, analysis.laboratory.Trial) else None
+    def _show_result(self, result: object) -> None:
+        self.trial = result if isinstance(result, analysis.laboratory.Trial) else None
         self._problem = result if isinstance(result, str) else ""
         self._show()
         self._plot_errors()
         self._ask_digits()
 
     def _ask_digits(self) -> None:
-        trial, t = self._trial, self._session.selected.scrub
+        trial, t = self.trial, self._session.selected.scrub
         if trial is None or not trial.outcomes or self._panel is None:
             if self._panel is not None:
                 self._panel.render_digits(None)
             return
         if t is None:
             t = max(trial.outcomes, key=lambda each: each.worst[0]).worst[1]
-        self._digits_task.ask(lambda _report: _digits(trial.view, trial.settings, t))
+        self._digits_task.ask(lambda _report: analysis.laboratory.digits_at(trial.view, trial.settings, t))
 
-    def _take_digits(self, result: object) -> None:
+    def _show_digits(self, digits: Digits | None) -> None:
         if self._panel is not None:
-            self._panel.render_digits(result)  # type: ignore[arg-type]  # from _digits
+            self._panel.render_digits(digits)
 
     def _ask_cost(self, view: CurveView) -> None:
         """Measure for another number of points, if somebody looks; a time is not worth more than that."""
@@ -198,16 +197,16 @@ class LaboratoryCommands(Guarded, QObject):
             return
         if self._costed is None or _size(self._costed) != _size(view):
             self._costed = view
-            self._cost_task.ask(lambda report: _measure(view, report))
+            self._cost_task.ask(lambda report: analysis.cost.cost_of(view, report))
 
-    def _take_cost(self, result: object) -> None:
-        self._cost = result  # type: ignore[assignment]  # from _measure
+    def _show_measured(self, cost: SolvingCost | None) -> None:
+        self._cost = cost
         self._show_cost()
 
     # Showing
 
     def _show(self) -> None:
-        busy, trial = self._task.is_busy, self._trial
+        busy, trial = self._task.is_busy, self.trial
         basis = self._context.central.basis
         if self._panel is not None:
             lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
@@ -222,7 +221,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)
 
     def _plot_errors(self) -> None:
-        trial = self._trial if self._context.store.state.error_plot else None
+        trial = self.trial if self._context.store.state.error_plot else None
         if trial is self._plotted:
             return
         self._plotted = trial
@@ -250,24 +249,6 @@ def _heading(settings: LaboratorySettings) -> str:
 
 def _size(view: CurveView) -> tuple[int, int]:
     return len(view.parameters), view.source.family.derivatives
-
-
-# What runs beside the window, where the arithmetic is imported too.
-
-
-def _compute(view: CurveView, settings: LaboratorySettings, report: Report) -> object:
-
-    return analysis.laboratory.try_methods(view, settings, report)
-
-
-def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
-
-    return analysis.laboratory.digits_at(view, settings, t)
-
-
-def _measure(view: CurveView, report: Report) -> SolvingCost | None:
-
-    return analysis.cost.cost_of(view, report)
 
 
 COMMAND_SETS = (LaboratoryCommands,)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.document.words import number
 from app.features.laboratory.log_plot import LogLine, LogPlot
@@ -10,8 +10,10 @@ from app.qt.labels import Label
 from app.view_model.analysis.cost import SolvingCost, cost_chart
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.analysis.wording import short
+from app.widgets.boxes import column_of
 
 _SMALL = 30
+_ROWS = {"first": "Operations, first point", "further": "Each further point", "time": "Time, measured"}
 
 
 class CostPanel(QWidget):
@@ -20,43 +22,28 @@ class CostPanel(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("costPanel")
-        self._words = _line("costWords")
+        self._words = Label(name="costWords", wordWrap=True)
         self._numbers = QGridLayout()
         self._cells: dict[str, Label] = {}
         self._lay_out_numbers()
-        self._note = _line("costNote")
+        self._note = Label(name="costNote", wordWrap=True)
         self.chart = LogPlot(
             "costChart", "Operations to the first point of the curve over the number of points n"
         )
-        title = Label("Operations to the first point, over n")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(12, 12, 12, 12)
-        layout.setSpacing(10)
-        layout.addWidget(self._words)
-        layout.addLayout(self._numbers)
-        layout.addWidget(title)
-        layout.addWidget(self.chart, 1)
-        layout.addWidget(self._note)
+        title = "Operations to the first point, over n"
+        parts = (self._words, self._numbers, title, (self.chart, 1), self._note)
+        column_of(*parts, margins=12, spacing=10, parent=self)
 
     def _lay_out_numbers(self) -> None:
         self._numbers.setColumnStretch(0, 1)
         self._numbers.setHorizontalSpacing(12)
-        for column, text in enumerate(("", "Solving, n³", "Basis form, n²")):
-            self._numbers.addWidget(Label(text), 0, column)
-        for row, (key, text) in enumerate(
-            (
-                ("first", "Operations, first point"),
-                ("further", "Each further point"),
-                ("time", "Time, measured"),
-            ),
-            start=1,
-        ):
-            self._numbers.addWidget(Label(text), row, 0)
-            for column, way in enumerate(("solving", "basis"), start=1):
-                cell = Label("–")
-                cell.setObjectName(f"cost_{key}_{way}")
-                self._cells[f"{key}_{way}"] = cell
-                self._numbers.addWidget(cell, row, column)
+        for place, text in enumerate(("", "Solving, n³", "Basis form, n²")):
+            self._numbers.addWidget(Label(text), 0, place)
+        for line, (key, text) in enumerate(_ROWS.items(), start=1):
+            self._numbers.addWidget(Label(text), line, 0)
+            for place, way in enumerate(("solving", "basis"), start=1):
+                cell = self._cells[f"{key}_{way}"] = Label("–", name=f"cost_{key}_{way}")
+                self._numbers.addWidget(cell, line, place)
 
     def render_cost(self, cost: SolvingCost | None, *, busy: bool) -> None:
         """Show what was counted and measured; muted while it is being measured anew."""
@@ -85,13 +72,6 @@ class CostPanel(QWidget):
             ],
             marker=float(min(cost.count, chart.n[-1])),
         )
-
-
-def _line(name: str) -> Label:
-    label = Label()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    return label
 
 
 def _words(cost: SolvingCost) -> str:

@@ -7,11 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import theme_of
+from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.plotting.camera import FixedCamera
 from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, draw_line
@@ -19,6 +20,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.wording import power
 from app.view_model.line_styles import LineStyle
+from app.widgets.controls import named
 from curvecore.arrays import FloatArray
 
 _MOST_TICKS = 5
@@ -36,22 +38,20 @@ class LogLine:
     label: str
 
 
-class LogPlot(PlotWidget):
+class LogPlot(FollowsTheme, PlotWidget):
     """Draws lines over x."""
 
     camera_class = FixedCamera
 
     def __init__(self, name: str, label: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName(name)
-        self.setAccessibleName(label)
-        self.setToolTip(label)
+        named(self, name, label, label)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setMinimumHeight(120)
         self._marker: float | None = None
         self._lines: list[tuple[FloatArray, LogLine]] = []
         self._layer = Layer(self, self._paint)
-        self._apply_theme()
+        self.follow_theme()
 
     def sizeHint(self) -> QSize:
         return QSize(300, 160)
@@ -116,13 +116,8 @@ class LogPlot(PlotWidget):
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_layer"):
-            self._apply_theme()
-
-    def _apply_theme(self) -> None:
-        self.set_theme(theme_of(self.palette()))
+    def set_theme(self, theme: Theme) -> None:
+        PlotWidget.set_theme(self, theme)
 
 
 def _decades(low: int, high: int) -> list[tuple[float, str]]:

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
-from app.appearance.theme import theme_of
+from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.document.words import number
 from app.plotting.pens import SIGN, sign_pixmap
 from app.qt.labels import Label
-from app.qt.overrides import Guarded
 from app.view_model.analysis.laboratory import Trial
 from app.view_model.analysis.laboratory_settings import Calculation, RoundedPart
 from app.view_model.analysis.wording import short
+from app.widgets.controls import check_box
 
 _HEADINGS = (
     ("Method", "Choose what is computed and drawn"),
@@ -32,7 +33,7 @@ _CELLS = {"lost": "15.9", "error": "8.9·10⁻¹⁶", "place": "0.55", "conditio
 """The columns of numbers, each with as long a text as there is: its room is kept, so that nothing jumps."""
 
 
-class MethodTable(Guarded, QWidget):
+class MethodTable(FollowsTheme, QWidget):
     """A row for each method: a check box with its style, and what came out.
 
     Signals
@@ -62,22 +63,18 @@ class MethodTable(Guarded, QWidget):
         self._cells: dict[Calculation, list[Label]] = {}
         for row, method in enumerate(Calculation, start=1):
             self._add_row(row, method)
-        self._apply_theme()
+        self.follow_theme()
 
     def _add_row(self, row: int, method: Calculation) -> None:
-        box = QCheckBox(method.label)
-        box.setObjectName(f"method_{method.value}")
-        box.setToolTip(method.tip)
-        box.setAccessibleName(f"Compare {method.label}")
+        box = check_box(f"method_{method.value}", method.label, method.tip, f"Compare {method.label}")
         box.setIconSize(SIGN)
         box.clicked.connect(self._choose)
         self._boxes[method] = box
         self._grid.addWidget(box, row, 0)
         self._cells[method] = []
         for column, (name, longest) in enumerate(_CELLS.items(), start=1):
-            cell = Label()
+            cell = Label(name=f"{name}_{method.value}")
             cell.setMinimumWidth(cell.fontMetrics().horizontalAdvance(longest))
-            cell.setObjectName(f"{name}_{method.value}")
             cell.setAlignment(_side(column))
             self._cells[method].append(cell)
             self._grid.addWidget(cell, row, column)
@@ -112,21 +109,14 @@ class MethodTable(Guarded, QWidget):
                 cell.setText(text)
                 cell.setEnabled(not faded)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_cells"):
-            self._apply_theme()
-
-    def _apply_theme(self) -> None:
-        theme = theme_of(self.palette())
+    def set_theme(self, theme: Theme) -> None:
         for method, box in self._boxes.items():
             box.setIcon(QIcon(sign_pixmap(method.style, theme, self.devicePixelRatioF())))
 
 
 def _side(column: int) -> Qt.AlignmentFlag:
-    return (
-        Qt.AlignmentFlag.AlignRight if column else Qt.AlignmentFlag.AlignLeft
-    ) | Qt.AlignmentFlag.AlignVCenter
+    side = Qt.AlignmentFlag.AlignRight if column else Qt.AlignmentFlag.AlignLeft
+    return side | Qt.AlignmentFlag.AlignVCenter
 
 
 def _condition(method: Calculation, trial: Trial, lebesgue: float | None) -> str:

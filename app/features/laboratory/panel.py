@@ -5,18 +5,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import (
-    QComboBox,
-    QGridLayout,
-    QHBoxLayout,
-    QPushButton,
-    QSizePolicy,
-    QSlider,
-    QTabWidget,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QTabWidget, QWidget
 
 from app.document.expression import ExpressionError
 from app.document.words import count_of
@@ -37,11 +26,24 @@ from app.view_model.analysis.laboratory_settings import (
 )
 from app.view_model.analysis.laboratory_words import growth_words, trial_words
 from app.view_model.curve_view import CurveView
+from app.widgets.boxes import column_of, row_of
+from app.widgets.controls import choice_box, named, push_button
 from app.widgets.field_edit import NumberEdit, read_number
 from app.widgets.fitting import Scrolled
-from app.widgets.number_text import decimal_mark, exact_text
+from app.widgets.tool_buttons import action_button
 
 _LARGEST_SHIFT = 1e9
+
+_WHAT_TIP = (
+    "Every step, as on a pocket calculator; or once only the coefficients of each method, "
+    "or the data, with exact arithmetic before and after"
+)
+_DATA_TIP = "Round points, parameters and derivatives before anything is computed"
+_SHIFT_TIP = (
+    "Let t run from t₀ + 100: the same curve, ruined first where powers of t are used. "
+    "The document stays as it is"
+)
+
 _PAGE = QSize(2000, 72)
 """Largest minimum size of a page: all of its width."""
 
@@ -65,18 +67,19 @@ class LaboratoryPanel(QTabWidget):
         self._plot_errors = plot_errors
         self.cost = CostPanel()
         self.table, self.digits = MethodTable(), DigitsTable()
-        self.what = self._make_what()
-        self.slider, self.digits_text = self._make_slider(), _label("digitsValue", wraps=False)
-        self.rounding, self.shift_button, self.shift_field = (
-            self._make_rounding(),
-            self._make_shift_button(),
-            NumberEdit(
-                "shiftField", "Shift t by", "What is added to every t, for the experiment only", _shift_of
-            ),
+        self.what = choice_box(
+            "roundWhat", "What is rounded", _WHAT_TIP, (each.label for each in RoundedPart)
         )
-        self.words, self.note, self.state = (
-            _label("laboratoryWords"), _label("laboratoryNote"), _label("laboratoryState", wraps=False)
-        )  # fmt: skip
+        self.slider = self._make_slider()
+        self.digits_text = Label(name="digitsValue", is_html=True)
+        self.rounding = choice_box("roundData", "Round the data", _DATA_TIP, _data_choices())
+        self.shift_button = push_button("shiftButton", "", _SHIFT_TIP, "Shift the parameters by 100, or back")
+        self.shift_button.setCheckable(True)
+        tip = "What is added to every t, for the experiment only"
+        self.shift_field = NumberEdit("shiftField", "Shift t by", tip, _shift_of)
+        self.words = Label(name="laboratoryWords", wordWrap=True)
+        self.note = Label(name="laboratoryNote", wordWrap=True)
+        self.state = Label(name="laboratoryState")
         self.addTab(_Page(self._accuracy_page(), "accuracyPage"), "Accuracy")
         self.addTab(_Page(self.cost, "costPage"), "Cost")
         self.setTabToolTip(0, "How many digits each method loses")
@@ -87,74 +90,31 @@ class LaboratoryPanel(QTabWidget):
     # Building
 
     def _make_slider(self) -> QSlider:
-        slider = QSlider(Qt.Orientation.Horizontal)
-        slider.setObjectName("digitsSlider")
+        slider = named(
+            QSlider(Qt.Orientation.Horizontal),
+            "digitsSlider",
+            "Significant digits that are kept",
+            "Significant decimal digits that are kept",
+        )
         slider.setRange(LEAST_DIGITS, MOST_DIGITS)
         slider.setPageStep(1)
         slider.setTickPosition(QSlider.TickPosition.TicksBelow)
         slider.setTickInterval(1)
-        slider.setAccessibleName("Significant digits that are kept")
-        slider.setToolTip("Significant decimal digits that are kept")
         return slider
-
-    def _make_what(self) -> QComboBox:
-        box = QComboBox()
-        box.setObjectName("roundWhat")
-        box.setAccessibleName("What is rounded")
-        box.setToolTip(
-            "Every step, as on a pocket calculator; or once only the coefficients of each method, "
-            "or the data, with exact arithmetic before and after"
-        )
-        box.addItems([each.label for each in RoundedPart])
-        return box
-
-    def _make_rounding(self) -> QComboBox:
-        box = QComboBox()
-        box.setObjectName("roundData")
-        box.setAccessibleName("Round the data")
-        box.setToolTip("Round points, parameters and derivatives before anything is computed")
-        box.addItem("Data as they are")
-        for decimals in range(MOST_DECIMALS + 1):
-            box.addItem(f"Data to {count_of(decimals, 'decimal')}")
-        return box
-
-    def _make_shift_button(self) -> QPushButton:
-        button = QPushButton()
-        button.setObjectName("shiftButton")
-        button.setCheckable(True)
-        button.setAutoDefault(False)
-        button.setAccessibleName("Shift the parameters by 100, or back")
-        button.setToolTip(
-            "Let t run from t₀ + 100: the same curve, ruined first where powers of t are used. "
-            "The document stays as it is"
-        )
-        return button
 
     def _accuracy_page(self) -> QWidget:
         page = QWidget()
-        layout = QVBoxLayout(page)
-        layout.setContentsMargins(10, 12, 8, 12)
-        layout.setSpacing(10)
-        layout.addLayout(self._controls())
-        layout.addWidget(self.table)
-        layout.addWidget(self.words)
-        layout.addWidget(self.note)
-        layout.addWidget(self.digits)
-        foot = QHBoxLayout()
-        foot.addWidget(self._make_plot_button())
-        foot.addStretch(1)
-        foot.addWidget(self.state)
-        layout.addLayout(foot)
-        layout.addStretch(1)
+        plot = action_button(self._plot_errors, name="plotErrors", icon_size=0, beside=True)
+        parts = (
+            self._controls(),
+            self.table,
+            self.words,
+            self.note,
+            self.digits,
+            row_of(plot, 1, self.state),
+        )
+        column_of(*parts, 1, margins=(10, 12, 8, 12), spacing=10, parent=page)
         return page
-
-    def _make_plot_button(self) -> QToolButton:
-        button = QToolButton()
-        button.setDefaultAction(self._plot_errors)
-        button.setObjectName("plotErrorsButton")
-        button.setAccessibleName("Errors of the Methods")
-        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        return button
 
     def _controls(self) -> QGridLayout:
         grid = QGridLayout()
@@ -165,17 +125,13 @@ class LaboratoryPanel(QTabWidget):
         grid.addWidget(self.what, 0, 1, 1, 2)
         grid.addWidget(Label("to"), 1, 0)
         grid.addWidget(self.slider, 1, 1)
-        self.digits_text.setTextFormat(Qt.TextFormat.RichText)
-        self.digits_text.setMinimumWidth(self.fontMetrics().horizontalAdvance("16 digits ") + 8)
+        width_of = self.fontMetrics().horizontalAdvance
+        self.digits_text.setMinimumWidth(width_of("16 digits ") + 8)
         self.rounding.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.shift_field.setFixedWidth(width_of("100000") + 14)
         grid.addWidget(self.digits_text, 1, 2)
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        row.addWidget(self.rounding, 1)
-        row.addWidget(self.shift_button)
-        self.shift_field.setFixedWidth(self.fontMetrics().horizontalAdvance("100000") + 14)
-        row.addWidget(self.shift_field)
-        grid.addLayout(row, 2, 0, 1, 3)
+        data = row_of((self.rounding, 1), self.shift_button, self.shift_field, spacing=8)
+        grid.addLayout(data, 2, 0, 1, 3)
         return grid
 
     def _connect(self) -> None:
@@ -231,9 +187,7 @@ class LaboratoryPanel(QTabWidget):
         self.rounding.setCurrentIndex(0 if settings.decimals is None else settings.decimals + 1)
         self.shift_button.setChecked(settings.shift != 0)
         self.shift_button.setText("Shift t back" if settings.shift else f"Shift t by {USUAL_SHIFT:g}")
-        self.shift_field.show_text(
-            exact_text(settings.shift, decimal_mark()).removesuffix(f"{decimal_mark()}0")
-        )
+        self.shift_field.show_number(settings.shift)
 
     def render_view(self, view: CurveView) -> None:
         """Offer the methods of the family."""
@@ -256,11 +210,11 @@ class LaboratoryPanel(QTabWidget):
         self.digits.render_digits(digits, self._settings.digits)
 
 
-def _label(name: str, *, wraps: bool = True) -> Label:
-    label = Label()
-    label.setObjectName(name)
-    label.setWordWrap(wraps)
-    return label
+def _data_choices() -> list[str]:
+    return [
+        "Data as they are",
+        *(f"Data to {count_of(decimals, 'decimal')}" for decimals in range(MOST_DECIMALS + 1)),
+    ]
 
 
 class _Page(Scrolled[QWidget]):

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from app import view_model
 from app.actions.declaration import action
-from app.actions.sections import HELP_ALL
+from app.actions.sections import ANALYSIS, HELP_ALL
 from app.features import lessons
 from app.session import Beginning
 from app.storage.files import load
@@ -20,7 +20,6 @@ from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
 from app.workbench.context import WindowContext
 from app.workbench.docks import LEFT, LatePanel
-from app.workbench.late_dock import LateDock
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -30,15 +29,12 @@ if TYPE_CHECKING:
     from app.features.lessons.panel import LessonPanel
 
 _GALLERY = -1
-_DESK = ("plotErrors", "toggleLaboratory", "playMotion", "motionCompare", "toggleScrub")
-"""What can be switched on and is no setting of the analysis."""
-
 _ERRORS = {"epsilon": POINT_ERROR, "delta": PARAMETER_ERROR}
 
 
 @dataclass
 class _Visit:
-    """How far somebody is in a lesson: the step, and the steps whose goals were reached."""
+    """Progress in a lesson: the step, and the steps whose goals were reached."""
 
     step: int = 0
     reached: set[int] = field(default_factory=set)
@@ -58,10 +54,8 @@ class LessonCommands:
         self._given: Document | None = None
         self._visits: dict[Beginning, _Visit] = {}
         self._switched_on: list[str] = []
-        dock = context.docks["lessonsDock"]
-        assert isinstance(dock, LateDock)
-        self._dock = dock
-        dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
+        self._dock = context.docks["lessonsDock"]
+        self._dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
 
     def render(self, view: CurveView) -> None:
         """Tick the goal when the curve meets it."""
@@ -71,7 +65,6 @@ class LessonCommands:
         goal = self._lesson.steps[visit.step].goal
         if goal is None or self._given is None:
             return
-
         given = next(curve for curve in self._given.curves if curve.name == goal.curve)
         standing = view_model.goals.standing_of(goal, view, given)
         if standing.is_met:
@@ -90,9 +83,9 @@ class LessonCommands:
         self._begin([lesson.name for lesson in self._lessons].index(name))
 
     @LatePanel("lessonsDock", "Lessons", LEFT, on_demand=True)
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when the dock is first shown."""
-        panel = self._panel = lessons.panel.LessonPanel(self._lessons)
+        panel = self._panel = lessons.panel.LessonPanel(self._lessons, parent)
         panel.lesson_chosen.connect(self._begin)
         panel.again_wanted.connect(self._begin_again)
         panel.step_chosen.connect(self._go)
@@ -103,7 +96,6 @@ class LessonCommands:
 
     @cached_property
     def _lessons(self) -> list[Lesson]:
-
         return [lessons.lesson.load_lesson(name) for name in lessons.lesson.lesson_names()]
 
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
@@ -123,11 +115,12 @@ class LessonCommands:
         else:
             self._go(0)
 
-    def _clear_the_desk(self) -> None:
+    def _switch_all_off(self) -> None:
         """Put away what another lesson, or somebody before it, has switched on."""
-        for name in _DESK:
-            if self._context.actions.is_on(name):
-                self._trigger(name)
+        for switch, _action in self._context.actions.of_menu(ANALYSIS):
+            if not switch.group and self._context.actions.is_on(switch.name):
+                self._trigger(switch.name)
+        self._context.session.selected.set_scrub(None)
         self._context.analysis.reset()
         self._switched_on.clear()
 
@@ -139,7 +132,7 @@ class LessonCommands:
             if self._lesson is not None:
                 self._go(_GALLERY)
             return
-        self._clear_the_desk()
+        self._switch_all_off()
         self._lesson, self._given = lesson, load(lesson.document)
         step = self._visit.step
         if self._context.session.document == self._given:

@@ -33,8 +33,7 @@ SETTINGS: dict[str, Callable[[str], float | RoundedPart]] = {
     "epsilon": float,
     "delta": float,
 }
-"""What a step may set: what the laboratory rounds, its digits, shift and number of methods; the errors of the
-band."""
+"""Settings of a step: rounding, digits, shift and number of methods of the laboratory; errors of the band."""
 
 
 class LessonError(ValueError):

@@ -13,7 +13,7 @@ from app.actions.mnemonics import plain
 from app.appearance.icons import icon
 from app.appearance.theme import Theme
 from app.document.words import with_decimals
-from app.view_model.motion_picture import Dot, Role, short
+from app.view_model.motion_picture import Dot, Role, in_three_digits
 from app.view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 from app.widgets.boxes import column_of, row_of
 from app.widgets.controls import choice_box
@@ -122,7 +122,7 @@ class MotionBar(QWidget):
 
 def _numbers(dot: Dot) -> str:
     t = with_decimals(dot.t, 3)
-    return f"t {t}   |v| {short(dot.speed)}   |a| {short(dot.pull)}"
+    return f"t {t}   |v| {in_three_digits(dot.speed)}   |a| {in_three_digits(dot.pull)}"
 
 
 def _box(name: str, label: str, tip: str, items: Iterable[str]) -> QComboBox:

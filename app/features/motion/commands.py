@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from app.actions.declaration import Action, action, action_for_each, also
 from app.actions.keymap import action_name
 from app.actions.needs import CURVE_THROUGH_TWO, Need
-from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN
+from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN, Section
 from app.actions.strips import TOOLBAR
 from app.features import motion
 from app.view_model.curve_view import CurveView
@@ -18,45 +18,44 @@ if TYPE_CHECKING:
     from app.features.motion.stage import MotionStage
 
 
-class _Repeat(NamedTuple):
-    """What happens at the end, and what its action says."""
+class _Choice(NamedTuple):
+    """A value of a setting of which one is chosen, and the words of its action."""
 
-    repeat: Repeat
+    value: Repeat | Pace
     text: str
     tip: str
     full_name: str
     icon: str = ""
 
 
-class _Pace(NamedTuple):
-    """What grows evenly, and what its action says."""
-
-    pace: Pace
-    text: str
-    tip: str
-    full_name: str
-
-
 _REPEATS = (
-    _Repeat(Repeat.ONCE, "Once", "Run to the end of the curve and rest there", "Play Motion Once"),
-    _Repeat(Repeat.LOOP, "Loop", "Begin again at the end", "Loop Motion", "loop"),
-    _Repeat(Repeat.PING_PONG, "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
+    _Choice(Repeat.ONCE, "Once", "Run to the end of the curve and rest there", "Play Motion Once"),
+    _Choice(Repeat.LOOP, "Loop", "Begin again at the end", "Loop Motion", "loop"),
+    _Choice(Repeat.PING_PONG, "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
 )
-
 _PACES = (
-    _Pace(
-        Pace.PARAMETER,
-        "By t",
-        "Let t grow evenly: the dot is as fast as c′ says",
-        "Motion by t",
-    ),
-    _Pace(
+    _Choice(Pace.PARAMETER, "By t", "Let t grow evenly: the dot is as fast as c′ says", "Motion by t"),
+    _Choice(
         Pace.LENGTH,
         "By Arc Length",
         "Let the length grow evenly: the dot is equally fast everywhere",
         "Motion by Arc Length",
     ),
 )
+
+
+def _chosen_of(each: _Choice, prefix: str, section: Section, group: str, field: str) -> Action:
+    """Return the action that gives the setting `field` a value."""
+    return Action(
+        action_name(prefix, each.value),
+        each.text,
+        section,
+        icon=each.icon,
+        tip=each.tip,
+        full_name=each.full_name,
+        checked=lambda now: getattr(now.state.motion, field) is each.value,
+        group=group,
+    )
 
 
 class MotionCommands:
@@ -73,7 +72,7 @@ class MotionCommands:
 
     @property
     def stage(self) -> motion.stage.MotionStage:
-        """What the motion needs in the window; made when it is first asked for."""
+        """The motion's parts in the window; made when they are first asked for."""
         if self._stage is None:
             self._stage = motion.stage.MotionStage(self._context)
             self._stage.settle(self._context.session.active_view)
@@ -97,7 +96,7 @@ class MotionCommands:
     @also(TOOLBAR(64))
     def _play(self) -> None:
         """Let a dot run along the curve, with its velocity and acceleration; again to pause."""
-        self.stage.play_or_pause()
+        self.stage.player.toggle()
 
     @action(
         "stopMotion",
@@ -122,38 +121,14 @@ class MotionCommands:
         self.stage.player.change_speed(1)
 
     @action_for_each(
-        _REPEATS,
-        lambda each: Action(
-            action_name("motion", each.repeat),
-            each.text,
-            MOTION_REPEAT,
-            "",
-            each.icon,
-            each.tip,
-            each.full_name,
-            checked=lambda now: now.state.motion.repeat is each.repeat,
-            group="motionRepeat",
-        ),
+        _REPEATS, lambda each: _chosen_of(each, "motion", MOTION_REPEAT, "motionRepeat", "repeat")
     )
-    def _use_repeat(self, each: _Repeat) -> None:
-        self.stage.player.change(repeat=each.repeat)
+    def _use_repeat(self, each: _Choice) -> None:
+        self.stage.player.change(repeat=each.value)
 
-    @action_for_each(
-        _PACES,
-        lambda each: Action(
-            action_name("motionBy", each.pace),
-            each.text,
-            MOTION_PACE,
-            "",
-            "",
-            each.tip,
-            each.full_name,
-            checked=lambda now: now.state.motion.pace is each.pace,
-            group="motionPace",
-        ),
-    )
-    def _use_pace(self, each: _Pace) -> None:
-        self.stage.player.change(pace=each.pace)
+    @action_for_each(_PACES, lambda each: _chosen_of(each, "motionBy", MOTION_PACE, "motionPace", "pace"))
+    def _use_pace(self, each: _Choice) -> None:
+        self.stage.player.change(pace=each.value)
 
     @action(
         "motionCompare",
@@ -166,12 +141,12 @@ class MotionCommands:
     )
     def _compare(self) -> None:
         """Let the cubic and the quintic Hermite curve through these points run side by side."""
-        self.stage.compare()
+        self.stage.player.compare()
 
     @action("exportMotion", "Export Motion…", MOTION_MORE, icon="film", needs=CURVE_THROUGH_TWO)
     def _export(self) -> None:
         """Write the motion as GIF, APNG or MP4."""
-        self.stage.ask_and_export()
+        self.stage.export.ask(self.stage.player.settings)
 
 
 COMMAND_SETS = (MotionCommands,)

@@ -25,9 +25,7 @@ class MotionDialog(FittedDialog):
     accepted_as = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("motionDialog")
-        self.setWindowTitle("Export Motion")
+        super().__init__("motionDialog", "Export Motion", parent)
         tip = "GIF and APNG play in every browser; MP4 takes ffmpeg"
         self.format_box = choice_box("filmFormat", "Format", tip, (each.title for each in FILMS))
         self.width_box = ToldSpinBox(
@@ -79,9 +77,7 @@ class MotionDialog(FittedDialog):
         self.seconds_box.setValue(seconds)
         self._enable_formats()
         self._count()
-        self.show()
-        self.raise_()
-        self.activateWindow()
+        self.bring_up()
         self.format_box.setFocus()
 
     def _enable_formats(self) -> None:

@@ -59,7 +59,7 @@ class Player(QObject):
 
     @property
     def settings(self) -> MotionSettings:
-        """How the dot runs."""
+        """Speed, pace, and what happens at the end."""
         return self._store.state.motion
 
     @property
@@ -98,6 +98,20 @@ class Player(QObject):
         self._store.change(motion_shown=True, motion_plays=True)
         self._show()
         self.changed.emit()
+
+    def toggle(self) -> None:
+        """Play, or pause."""
+        if self.is_playing:
+            self.pause()
+        else:
+            self.play()
+
+    def compare(self) -> None:
+        """Let cubic and quintic run side by side, or the curve alone again."""
+        compares = not self.settings.compares
+        self.change(compares=compares)
+        if compares:
+            self.play()
 
     def pause(self) -> None:
         """Let the dot rest where it is."""

@@ -1,4 +1,4 @@
-"""What a motion needs in the window: a player, a bar, and what is drawn on the canvas."""
+"""Parts of a motion in the window: a player, a bar, and the dots on the canvas."""
 
 from __future__ import annotations
 
@@ -12,14 +12,7 @@ from app.features.motion.player import Player
 from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.motion import Course
-from app.view_model.motion_picture import (
-    Role,
-    Scales,
-    dots_at,
-    jumps_in_words,
-    rivals_of,
-    scales_of,
-)
+from app.view_model.motion_picture import Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
 from app.workbench.context import WindowContext
 from curvecore.arrays import FloatArray
 
@@ -49,27 +42,6 @@ class MotionStage(Guarded, QObject):
         if event.type() == QEvent.Type.PaletteChange:
             self._render_bar()
         return super().eventFilter(watched, event)
-
-    # What the actions do
-
-    def play_or_pause(self) -> None:
-        """Play, or pause."""
-        if self.player.is_playing:
-            self.player.pause()
-        else:
-            self.player.play()
-        self._render()
-
-    def compare(self) -> None:
-        """Let cubic and quintic run side by side, or the curve alone again."""
-        compares = not self.player.settings.compares
-        self.player.change(compares=compares)
-        if compares:
-            self.player.play()
-
-    def ask_and_export(self) -> None:
-        """Let the person say how large and how long, and write the motion."""
-        self.export.ask(self.player.settings)
 
     # What is shown
 

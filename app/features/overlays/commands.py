@@ -1,4 +1,4 @@
-"""What is drawn over the curve to show why it goes where it goes."""
+"""Overlays and ghosts: figures over the curve that show why it goes where it goes."""
 
 from __future__ import annotations
 
@@ -48,9 +48,9 @@ class OverlayCommands:
         context.session.scrub_changed.connect(self._follow_scrub)
 
     @LatePanel("analysisDock", "Analysis")
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when its dock is first shown."""
-        return overlays.panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
+        return overlays.panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__, parent)
 
     # What is shown
 

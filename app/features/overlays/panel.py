@@ -5,32 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QAction, QIcon
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QScrollArea,
-    QSizePolicy,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QFrame, QGridLayout, QScrollArea, QSizePolicy, QWidget
 
-from app.appearance.theme import theme_of
+from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.document.expression import ExpressionError
-from app.document.words import number
 from app.plotting.pens import SIGN, sign_pixmap
 from app.qt.labels import Label
-from app.qt.overrides import Guarded
 from app.state.analysis import Analysis
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.overlay import OVERLAYS, Overlay
 from app.view_model.analysis.settings import Count, ErrorSize, Factor
 from app.widgets.action_switch import mirror
+from app.widgets.boxes import Part, column_of, row_of
+from app.widgets.controls import check_box
 from app.widgets.field_edit import NumberEdit, read_number
-from app.widgets.number_text import decimal_mark, exact_text
 from app.widgets.setting_slider import SettingSlider, slider_of
 from app.widgets.tool_buttons import action_button, tool_button
 
@@ -38,7 +29,7 @@ _NOTES_MS = 60
 """Milliseconds that the words may lag behind a drag."""
 
 
-class AnalysisPanel(Guarded, QScrollArea):
+class AnalysisPanel(FollowsTheme, QScrollArea):
     """A switch for each overlay, beside it how it is drawn, and below it what it says."""
 
     def __init__(
@@ -62,7 +53,7 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._rows.setColumnStretch(1, 1)
         self._build()
         self._connect()
-        self._render_theme()
+        self.follow_theme()
         self._render()
 
     def _build(self) -> None:
@@ -70,17 +61,12 @@ class AnalysisPanel(Guarded, QScrollArea):
             self._add(overlay)
         self._errors = self._make_errors()
         self._rows.addWidget(self._errors, self._rows.rowCount(), 0, 1, 2)
-        title = Label("Ghosts: the same points, otherwise")
-        title.setObjectName("ghostsTitle")
+        title = Label("Ghosts: the same points, otherwise", name="ghostsTitle")
         self._rows.addWidget(title, self._rows.rowCount(), 0, 1, 2)
         for ghost in all_ghosts():
             self._add_ghost(ghost)
         content = QWidget()
-        layout = QVBoxLayout(content)
-        layout.setContentsMargins(12, 12, 12, 12)
-        layout.addWidget(self._problem)
-        layout.addLayout(self._rows)
-        layout.addStretch(1)
+        column_of(self._problem, self._rows, 1, margins=12, parent=content)
         self.setWidget(content)
         # No row is ever cut off: there is no scroll bar for that.
         bar = self.verticalScrollBar().sizeHint().width()
@@ -104,9 +90,7 @@ class AnalysisPanel(Guarded, QScrollArea):
 
     def _switch(self, name: str) -> QCheckBox:
         action = self._actions(name)
-        box = QCheckBox(action.text())
-        box.setObjectName(f"{name}Switch")
-        box.setAccessibleName(action.text())
+        box = check_box(f"{name}Switch", action.text(), "", action.text())
         mirror(box, action)
         return box
 
@@ -114,16 +98,13 @@ class AnalysisPanel(Guarded, QScrollArea):
         """Return the fields that overlays share, and the button for other random numbers."""
         seed = action_button(self._actions("newSeed"))
         errors = QWidget()
-        layout = QHBoxLayout(errors)
-        layout.setContentsMargins(24, 0, 0, 0)
-        layout.setSpacing(6)
+        parts: list[Part] = []
         for setting in dict.fromkeys(each for overlay in OVERLAYS for each in overlay.settings):
             if isinstance(setting, ErrorSize):
                 field = NumberEdit(setting.name, setting.label, setting.tip, _error_size)
                 self._error_fields[setting] = field
-                layout.addWidget(Label(setting.short))
-                layout.addWidget(field, 1)
-        layout.addWidget(seed)
+                parts += [setting.short, (field, 1)]
+        row_of(*parts, seed, margins=(24, 0, 0, 0), spacing=6, parent=errors)
         return errors
 
     def _add_ghost(self, ghost: Ghost) -> None:
@@ -149,15 +130,14 @@ class AnalysisPanel(Guarded, QScrollArea):
     # Rendering: nothing here writes back
 
     def _render(self) -> None:
-        settings, mark = self._analysis.settings, decimal_mark()
+        settings = self._analysis.settings
         for overlay, setting, slider in self._sliders:
             slider.render_value(settings.value(setting))
             slider.setEnabled(overlay in settings.overlays)
         wanted = {setting for overlay in settings.overlays for setting in overlay.settings}
         self._errors.setVisible(not wanted.isdisjoint(self._error_fields))
         for error, edit in self._error_fields.items():
-            value = settings.value(error)
-            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), number(value, 6, mark))
+            edit.show_number(settings.value(error), 6)
         self._render_notes()
 
     def _note_soon(self) -> None:
@@ -174,18 +154,12 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._problem.setText(f"⚠ {problem}" if problem else "")
         self._problem.setVisible(bool(problem))
 
-    def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
+    def set_theme(self, theme: Theme) -> None:
         for label in self._notes.values():
             label.setStyleSheet(f"color: {theme.muted.name()}")
         self._problem.setStyleSheet(f"color: {theme.warning.name()}")
         for ghost, box in self._ghost_boxes.items():
             box.setIcon(QIcon(sign_pixmap(ghost.style, theme, self.devicePixelRatioF())))
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_notes_due"):
-            self._render_theme()
 
     # What the person did
 
@@ -207,9 +181,7 @@ def _error_size(text: str) -> float:
 
 
 def _note(name: str) -> Label:
-    label = Label()
-    label.setObjectName(name)
-    label.setWordWrap(True)
+    label = Label(name=name, wordWrap=True)
     # A long word never widens the window.
     label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
     return label

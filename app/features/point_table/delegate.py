@@ -153,10 +153,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
     # Drawing
 
     def paint(
-        self,
-        painter: QPainter,
-        option: QStyleOptionViewItem,
-        index: QModelIndex | QPersistentModelIndex,
+        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         # Drawn here rather than by the style, which asks the model for a dozen roles of every cell.
         rect, theme, row, column = option.rect, self._theme, index.row(), index.column()
@@ -188,9 +185,9 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
 
     def text(self, row: int, column: int) -> str:
         """Return a number as its column writes it."""
-        look = self._formats[column] if column < len(self._formats) else ColumnFormat(_DIGITS[0], 3, 0.0)
+        style = self._formats[column] if column < len(self._formats) else ColumnFormat(_DIGITS[0], 3, 0.0)
         value = float(self._model.values[row, column])
-        return column_text(value, look.decimals, look.digits, decimal_mark(), negligible=look.negligible)
+        return column_text(value, style.decimals, style.digits, decimal_mark(), negligible=style.negligible)
 
     def needed_widths(self, digits: int, of_derivatives: int, metrics: QFontMetrics) -> list[int]:
         """Return how wide the columns are at least that hold so many digits."""
@@ -255,9 +252,9 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
     def setModelData(
         self, editor: QWidget, model: QAbstractItemModel, index: QModelIndex | QPersistentModelIndex
     ) -> None:
-        """Do nothing: Qt also calls this when an editor is merely left; `_take` hears Enter and Tab."""
+        """Do nothing: Qt also calls this when an editor is merely left; `_set_typed` hears Enter and Tab."""
 
-    def _take(self, editor: CellEditor) -> bool:
+    def _set_typed(self, editor: CellEditor) -> bool:
         """Set the number that was typed, if one was; return whether the editor may close."""
         text = editor.text()
         if text == editor.opened_with:
@@ -279,7 +276,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
             and event.type() == QEvent.Type.KeyPress
             and event.key() in _LEAVING
         ):
-            if not self._take(editor):
+            if not self._set_typed(editor):
                 editor.selectAll()
                 return True  # it stays open, and the table says why
             if event.key() in _ENTER:

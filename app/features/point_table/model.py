@@ -3,22 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import (
-    QAbstractTableModel,
-    QModelIndex,
-    QObject,
-    QPersistentModelIndex,
-    QRectF,
-    Qt,
-    Signal,
-)
-from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QFont, QPixmap
 
 from app.appearance.colours import point_colours
+from app.appearance.swatches import swatch
 from app.appearance.theme import LIGHT, Theme
 from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
@@ -27,17 +19,12 @@ from app.document.words import number, with_minus
 from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.point_columns import Column, columns_of
-from app.widgets.number_text import (
-    ColumnNumbers,
-    decimal_mark,
-    exact_text,
-    numbers_of_columns,
-)
+from app.widgets.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
 from curvecore.arrays import FloatArray
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
-_SWATCH, _SWATCH_CANVAS = 9, 16
+_SWATCH = 9
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -296,7 +283,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         if row >= len(self.values):
             return None
         colour = point_colours(len(self.values), self._theme)[row]
-        return _swatch_of(colour.name(), square=row in self._corners)
+        return swatch(colour.name(), _SWATCH, square=row in self._corners)
 
 
 def _number(given: object) -> float:
@@ -305,26 +292,3 @@ def _number(given: object) -> float:
     if isinstance(given, int | float | np.floating | np.integer) and not isinstance(given, bool):
         return checked(float(given), "It")
     raise ExpressionError("This is not a number.")
-
-
-@lru_cache(maxsize=512)
-def _swatch_of(colour: str, *, square: bool) -> QPixmap:
-    """Return a small disc, for a corner a square as on the canvas.
-
-    The header scales what is smaller than its icons are.
-    """
-    pixmap = QPixmap(2 * _SWATCH_CANVAS, 2 * _SWATCH_CANVAS)
-    pixmap.setDevicePixelRatio(2)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(QColor(colour))
-    margin = (_SWATCH_CANVAS - _SWATCH) / 2
-    box = QRectF(margin, margin, _SWATCH, _SWATCH)
-    if square:
-        painter.drawRect(box)
-    else:
-        painter.drawEllipse(box)
-    painter.end()
-    return pixmap

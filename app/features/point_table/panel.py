@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.appearance.icons import icon
 from app.appearance.theme import Theme, theme_of
@@ -21,6 +21,7 @@ from app.qt.labels import Label, html_of
 from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.point_columns import POSITION, Column, known_titles
+from app.widgets.boxes import column_of, row_of
 from app.widgets.number_text import decimal_mark, exact_text
 from app.widgets.tool_buttons import ICON, tool_button
 
@@ -71,13 +72,10 @@ class PointTable(Guarded, QWidget):
         self._to_reset: tuple[list[int], set[int]] = ([], set())
         self.model = PointTableModel(self)
         self.view = PointTableView(self.model, self)
-        self._message = Label(is_html=True)
-        self._message.setObjectName("pointTableMessage")
-        self._message.setWordWrap(True)
+        self._message = Label(name="pointTableMessage", wordWrap=True, is_html=True)
         self._message.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
         self._message.hide()
-        self._legend = Label("<i>Italic</i>: estimated", is_html=True)
-        self._legend.setObjectName("pointTableLegend")
+        self._legend = Label("<i>Italic</i>: estimated", name="pointTableLegend", is_html=True)
         self._reset_button = tool_button(
             "resetToEstimated",
             "Reset to estimated",
@@ -120,16 +118,8 @@ class PointTable(Guarded, QWidget):
     def _lay_out(self) -> None:
         self._message.setContentsMargins(10, 6, 10, 6)
         self._footer = QWidget()
-        footer = QHBoxLayout(self._footer)
-        footer.setContentsMargins(10, 4, 6, 4)
-        footer.addWidget(self._legend, 1)
-        footer.addWidget(self._reset_button)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self.view, 1)
-        layout.addWidget(self._message)
-        layout.addWidget(self._footer)
+        row_of((self._legend, 1), self._reset_button, margins=(10, 4, 6, 4), parent=self._footer)
+        column_of((self.view, 1), self._message, self._footer, margins=0, spacing=0, parent=self)
 
     def _connect(self) -> None:
         self._timer.timeout.connect(self._show_pending)

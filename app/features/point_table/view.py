@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from PySide6.QtCore import (
-    QEvent,
     QItemSelection,
     QItemSelectionModel,
     QItemSelectionRange,
@@ -19,7 +18,7 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, Q
 
 from app.features.point_table.delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
 from app.features.point_table.model import PointTableModel
-from app.qt.overrides import Guarded
+from app.qt.keys import ClaimsKeys
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
@@ -29,7 +28,7 @@ _EDGE = 8
 """Pixels to the right of the last column, if there is room."""
 
 
-class PointTableView(Guarded, QTableView):
+class PointTableView(ClaimsKeys, QTableView):
     """A table that is typed into like a spreadsheet.
 
     Signals
@@ -177,17 +176,10 @@ class PointTableView(Guarded, QTableView):
 
     # Keys
 
-    def event(self, event: QEvent) -> bool:
+    def claims(self, event: QKeyEvent) -> bool:
         # Digits and letters are shortcuts of the window; here they begin a number. So may the keys for copy
         # and paste be, and Qt does nothing at all where a shortcut of the window is also one of the widget.
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.ShortcutOverride
-            and (self._is_typing(event) or self._is_reset(event) or self._exchange(event) is not None)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return self._is_typing(event) or self._is_reset(event) or self._exchange(event) is not None
 
     def _exchange(self, event: QKeyEvent) -> SignalInstance | None:
         if event.matches(QKeySequence.StandardKey.Copy):

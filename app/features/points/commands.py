@@ -12,13 +12,14 @@ from app.actions.sections import (
 from app.actions.situation import Situation
 from app.actions.strips import CANVAS_MENU, POINT_MENU
 from app.document import edits
+from app.view_model.jets import is_explicit
 from app.workbench.context import WindowContext
 
 
 def _has_explicit(now: Situation) -> bool:
     """Whether a selected point has a derivative that was set by hand."""
     return any(
-        now.view.is_explicit(index, order, ahead=ahead)
+        is_explicit(now.view.source.points[index], order, ahead=ahead)
         for index in now.selection
         for order in (1, 2)
         for ahead in (False, True)

@@ -41,7 +41,7 @@ class RecoveryCommands:
             self._set_aside.leave()
 
     @action("recoverWork", "Recover Unsaved Work", FILE_RECOVERY, icon="history")
-    def _look_again(self) -> None:
+    def _offer_again(self) -> None:
         """Offer what was not saved when the program last ended."""
         self.offer_unsaved_work()
         if not self._found.snapshots and not self._found.damaged:

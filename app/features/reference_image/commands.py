@@ -98,7 +98,9 @@ class ImageCommands:
         dock.setEnabled(shown)
         dock.toggleViewAction().setVisible(shown)
         state = self._context.store.state
-        in_front = [each for each in self._context.docks.side if not each.visibleRegion().isEmpty()]
+        in_front: list[QDockWidget] = [
+            each for each in self._context.docks.side if not each.visibleRegion().isEmpty()
+        ]
         covered = self._context.window.tabifiedDockWidgets(dock) if dock in in_front and not shown else []
         dock.setVisible(shown and state.side_panel and not state.presentation)
         # A tab that appears comes to the front, and one that goes brings its neighbour there; undo and redo

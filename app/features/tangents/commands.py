@@ -30,7 +30,7 @@ _MOST_NAMED = 3
 
 
 class Tangent(enum.Enum):
-    """What a tangent is."""
+    """Kind of a tangent at a point."""
 
     SMOOTH = enum.auto()
     CORNER = enum.auto()

@@ -22,7 +22,7 @@ from app.workbench.context import WindowContext
 
 
 class _Transform(NamedTuple):
-    """A transform by the pointer, and what its action says."""
+    """A transform by the pointer, and the words of its action."""
 
     kind: TransformKind
     text: str
@@ -31,7 +31,7 @@ class _Transform(NamedTuple):
 
 
 class _Alignment(NamedTuple):
-    """Where points are put, and what the action says."""
+    """Alignment of points, and the words of its action."""
 
     edge: Edge
     section: Section
@@ -64,7 +64,7 @@ _ALIGNMENTS = (
 
 
 class SelectionCommands:
-    """What is done to several points at once."""
+    """Actions on several points at once."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context

@@ -23,8 +23,8 @@ from app.tools.registry import TOOLS
 from app.tools.select import SELECT
 from app.tools.tool import ToolRecord
 from app.workbench.context import WindowContext
+from app.workbench.dock import LateDock
 from app.workbench.dock_room import hide_idle_docks
-from app.workbench.late_dock import LateDock
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 

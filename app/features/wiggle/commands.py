@@ -14,7 +14,6 @@ from app.canvas.trace_layer import Trace
 from app.document.model import Document
 from app.features import wiggle
 from app.tasks.debounced_task import DebouncedTask
-from app.tasks.progress import Report
 from app.tools.explain import EXPLAIN
 from app.view_model import analysis
 from app.view_model.curve_view import CurveView
@@ -40,23 +39,22 @@ class WiggleCommands(QObject):
         self._panel: WigglePanel | None = None
         self._cures: Cures | None = None
         self._asked: tuple[Document, int, int] | None = None
-        self._looked_at = ""
         self._task = DebouncedTask(self)
-        self._task.ready.connect(self._take)
+        self._task.ready.connect(self._show_result)
         self._task.busy_changed.connect(lambda _busy: self._show_cures())
         self._dock = context.docks["wiggleDock"]
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
-        self._dock.visibilityChanged.connect(self._look)
+        self._dock.visibilityChanged.connect(self._follow_visibility)
         self._session.scrub_changed.connect(self._follow_scrub)
 
     def _follow_scrub(self) -> None:
         self.follow(self._session.active_view)
 
     @LatePanel("wiggleDock", "Wiggle", on_demand=True)
-    def build_panel(self) -> QWidget:
+    def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        self._panel = wiggle.panel.WigglePanel()
+        self._panel = wiggle.panel.WigglePanel(parent)
         self._panel.looked_at.connect(self._preview)
         self._panel.chosen.connect(self._apply)
         return self._panel
@@ -95,7 +93,6 @@ class WiggleCommands(QObject):
         self._open()
 
     def _explain_widest(self) -> None:
-
         view = self._session.active_view
         if view.is_current:
             self._session.selected.set_scrub(analysis.wiggle.widest(view))
@@ -107,12 +104,11 @@ class WiggleCommands(QObject):
         self._open()
 
     def _open(self) -> None:
-        self._dock.show()
-        self._dock.raise_()
+        self._dock.bring_up()
         self.follow(self._session.active_view)
         make_room_once(self._context.window, self._dock, _HEIGHT)
 
-    def _look(self, visible: bool) -> None:
+    def _follow_visibility(self, visible: bool) -> None:
         self._is_seen = visible
         if visible:
             self.follow(self._session.active_view)
@@ -126,7 +122,6 @@ class WiggleCommands(QObject):
         panel = self._panel
         if panel is None or not self._is_seen:
             return
-
         t = self._session.selected.scrub
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.points), view.problem)
@@ -140,11 +135,11 @@ class WiggleCommands(QObject):
         if self._asked != (document, curve, knot):
             self._asked = (document, curve, knot)
             self._preview("")
-            self._task.ask(lambda report: _try(document, curve, view, knot, report))
+            self._task.ask(lambda report: analysis.cures.cures_of(document, curve, view, knot, report))
             self._show_cures()
 
-    def _take(self, result: object) -> None:
-        self._cures = result  # type: ignore[assignment]  # from _try
+    def _show_result(self, cures: Cures | None) -> None:
+        self._cures = cures
         self._show_cures()
 
     def _show_cures(self) -> None:
@@ -171,17 +166,13 @@ class WiggleCommands(QObject):
             knot = self._cures.knot if self._cures is not None else 0
             self._preview("")
             if self._session.change(cure.remedy.step, lambda _: document):
-                self._stay_in(knot)
+                self._explain_segment(knot)
 
-    def _stay_in(self, knot: int) -> None:
+    def _explain_segment(self, knot: int) -> None:
         """Go on explaining the same segment, now that its parameters are other ones."""
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
             self._session.selected.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
-
-
-def _try(document: Document, curve: int, view: CurveView, knot: int, report: Report) -> Cures | None:
-    return analysis.cures.cures_of(document, curve, view, knot, report)
 
 
 COMMAND_SETS = (WiggleCommands,)

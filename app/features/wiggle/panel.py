@@ -6,7 +6,7 @@ import math
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPalette
-from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QWidget
 
 from app.document.words import number
 from app.features.wiggle.weight_bars import WeightBars
@@ -15,6 +15,8 @@ from app.qt.overrides import Guarded
 from app.view_model.analysis.cures import CURES, Cure, Cures
 from app.view_model.analysis.wiggle import Explanation
 from app.view_model.analysis.wording import short
+from app.widgets.boxes import column_of
+from app.widgets.controls import named
 
 _NOWHERE = "Click on the curve where it swings out."
 
@@ -35,10 +37,8 @@ class CureButton(Guarded, QPushButton):
 
     def __init__(self, key: str, text: str, tip: str) -> None:
         super().__init__(text)
-        self.setObjectName(f"cure_{key}")
+        named(self, f"cure_{key}", tip, f"{tip}: one step, and undo takes it back. Hover to see it first")
         self.setAutoDefault(False)
-        self.setAccessibleName(tip)
-        self.setToolTip(f"{tip}: one step, and undo takes it back. Hover to see it first")
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
     def enterEvent(self, event: QEnterEvent) -> None:
@@ -86,27 +86,18 @@ class WigglePanel(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.words = Label(_NOWHERE)
-        self.words.setObjectName("wiggleWords")
-        self.words.setWordWrap(True)
-        self.title = Label()
-        self.title.setObjectName("wiggleTitle")
+        self.words = Label(_NOWHERE, name="wiggleWords", wordWrap=True)
+        self.title = Label(name="wiggleTitle")
         self.bars = WeightBars()
-        self._headings = [Label() for _ in range(3)]
+        self._headings = [Label(name=name) for name in ("curesState", "swingNow", "lebesgueNow")]
         self.buttons: dict[str, CureButton] = {}
         self._effects: dict[str, tuple[Label, Label]] = {}
         self._lay_out()
 
     def _lay_out(self) -> None:
         page = QWidget()
-        layout = QVBoxLayout(page)
-        layout.setContentsMargins(10, 10, 8, 10)
-        layout.setSpacing(8)
-        layout.addWidget(self.words)
-        layout.addWidget(self.title)
-        layout.addWidget(self.bars)
-        layout.addLayout(self._cure_rows())
-        layout.addStretch(1)
+        parts = (self.words, self.title, self.bars, self._cure_rows(), 1)
+        column_of(*parts, margins=(10, 10, 8, 10), spacing=8, parent=page)
         self.setWidget(page)
         self.setMinimumWidth(page.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
@@ -116,7 +107,6 @@ class WigglePanel(QScrollArea):
         grid.setVerticalSpacing(3)
         grid.setColumnStretch(0, 1)
         for column, heading in enumerate(self._headings):
-            heading.setObjectName(("curesState", "swingNow", "lebesgueNow")[column])
             heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             if column:
                 heading.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -132,9 +122,8 @@ class WigglePanel(QScrollArea):
             button.clicked.connect(lambda _checked=False, key=key: self.chosen.emit(key))
             self.buttons[key] = button
             grid.addWidget(button, row, 0)
-            effects = (Label(), Label())
-            for column, (name, label) in enumerate(zip(("swing", "lebesgue"), effects, strict=True), start=1):
-                label.setObjectName(f"{name}_{key}")
+            effects = (Label(name=f"swing_{key}"), Label(name=f"lebesgue_{key}"))
+            for column, label in enumerate(effects, start=1):
                 label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 grid.addWidget(label, row, column)
             self._effects[key] = effects

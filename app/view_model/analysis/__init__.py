@@ -1,23 +1,23 @@
 """Analysis of a curve: overlays, plots and tables as arrays to draw and words.
 
-- ``settings``: what is switched on and how; no part of the document.
+- ``settings``: the overlays, plots and ghosts that are switched on; no part of the document.
 - ``records``: registries that read their records off the modules of a package.
-- ``overlay``, ``overlays``: what can be drawn over the curve: the record, and one file for each or two.
+- ``overlay``, ``overlays``: the record of an overlay; one file for each or two.
   ``picture``: the figures of those that are switched on, live or once things have settled.
 - ``figures``: lines, arrows, marks and areas of the plane, each in a style that has a meaning.
-- ``scene``, ``samples``: the curve with what overlays share; its derivatives where a drawing needs them.
+- ``scene``: the curve with all that overlays share, such as samples of its derivatives.
   ``errors``: errors of points and parameters.
-- ``ghost``, ``ghosts``: the same points under other rules: which there are, and their curves.
-- ``plot``, ``plots``: what can be plotted over t: the record, and a file for one or more.
-  ``plotted``: those that are switched on.  ``plot_lines``, ``plot_samples``: their data, and at which t.
+- ``ghost``, ``ghosts``: the same points under other rules: a list, and their curves.
+- ``plot``, ``plots``: the record of a plot over t; a file for one or more.
+  ``plotted``: those that are switched on.  ``plot_lines``, ``plot_samples``: their data and samples.
 - ``hodograph``: c' and c'' in the plane.
-- ``joints``: how smooth the curve is at each joint, in numbers and words.
-- ``legend``: which of all this needs a line of explanation.  ``wording``: numbers in sentences.
+- ``joints``: the smoothness of the curve at each joint, in numbers and words.
+- ``legend``: lines of explanation.  ``wording``: numbers in sentences.
 - ``laboratory_settings``, ``laboratory``: the curve computed with few digits, by several methods.
-- ``laboratory_words``: what of that is to be seen, in a sentence.
-- ``cost``: what solving a system costs against the basis form, counted and measured.
-- ``wiggle``, ``cures``: why the curve swings out at one t, and what would calm it.
-- ``teaching``: when the numbers deserve a word of warning.
+- ``laboratory_words``: its findings, in a sentence.
+- ``cost``: solving a system against the basis form, counted and measured.
+- ``wiggle``, ``cures``: a swing of the curve explained, and ways to calm it.
+- ``teaching``: warnings about the numbers of a curve.
 """
 
 import lazy_loader as lazy

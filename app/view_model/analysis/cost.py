@@ -45,7 +45,7 @@ class SolvingCost:
     seconds
         Measured medians to the first point.
     doubled
-        How many times `solving` and `basis` twice as many points take.
+        The factors by which `solving` and `basis` grow with twice as many points.
     piecewise
         Operations that a Hermite curve's own small systems take; None for other curves.
     other
@@ -149,12 +149,10 @@ def _median(work: Callable[[], object], report: Report) -> float:
     once = max(time.perf_counter() - start, 1e-7)
     repeats = max(1, min(200, int(_ROUND_SECONDS / once)))
     times: list[float] = []
-    for _ in range(_ROUNDS):
+    while len(times) < _ROUNDS and not (times and time.perf_counter() - start > _MOST_SECONDS):
         report(0.0, "Measuring")
-        if times and time.perf_counter() - start > _MOST_SECONDS:
-            break
         begin = time.perf_counter()
         for _ in range(repeats):
             work()
         times.append((time.perf_counter() - begin) / repeats)
-    return float(np.median(times)) if times else once
+    return float(np.median(times))

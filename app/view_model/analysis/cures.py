@@ -84,7 +84,7 @@ class Cure:
     points
         The curve as a polyline (k, 2), empty without one.
     overshoot
-        How far the same segment swings out then; NaN without a curve.
+        The swing of the same segment then; NaN without a curve.
     lebesgue
         The Lebesgue constant of its points then; NaN where it is not computed.
     problem

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from app.document import edits
-from app.document.model import Curve, Document, ParametrizationKind
-from app.families import Family
+from app.document.model import Curve, Document
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.scene import is_quick
 from app.view_model.curve_view import Box, CurveView, view_of
@@ -82,7 +81,8 @@ def ghost_views(
     for ghost in all_ghosts():
         if ghost in ghosts:
             variant = _variant(view.source, ghost)
-            is_real = _rules(variant) == _rules(view.source)
+            is_same_rule = variant.parametrization.kind is view.source.parametrization.kind
+            is_real = variant.family == view.source.family and is_same_rule
             if is_real or (in_drag and not variant.family.is_local and len(variant.points) > _LONG):
                 views[ghost] = GhostView(ghost, view, is_real, not is_real)
                 continue
@@ -96,7 +96,3 @@ def ghost_views(
 
 def _variant(curve: Curve, ghost: Ghost) -> Curve:
     return with_ghost_real(Document((curve,)), 0, ghost).curves[0]
-
-
-def _rules(curve: Curve) -> tuple[Family, ParametrizationKind]:
-    return curve.family, curve.parametrization.kind

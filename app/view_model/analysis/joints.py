@@ -69,7 +69,7 @@ class JointRow:
     smoothness
         The same as "C²", "C¹, G²" or "break".
     kind, words
-        What that means.
+        The kind that this makes it, and the same in a sentence.
     """
 
     joint: int

@@ -63,7 +63,7 @@ class Outcome:
     errors
         The distance to the truth for each t of the `Trial`, (m,); infinite where there is no number.
     lost
-        How many digits are wrong at the worst t; 0 as good as can be, `digits` nothing is right.
+        The number of wrong digits at the worst t; 0 as good as can be, `digits` nothing is right.
     worst
         The largest of the errors, and the t (not shifted) where it is.
     """
@@ -82,7 +82,7 @@ class Trial:
     Attributes
     ----------
     view, settings
-        What was asked.
+        The curve and the experiment.
     t
         The parameters of the comparison, not shifted, (m,).
     outcomes
@@ -91,7 +91,7 @@ class Trial:
         The 2-norm condition number of the system for the monomials' coefficients; None if not computed, and
         where that system is solved exactly.
     note
-        What is left out and why, as a sentence; empty if nothing is.
+        A sentence on the methods that are left out; empty if none is.
     """
 
     view: CurveView

@@ -26,7 +26,7 @@ class Calculation(NamedEnum):
     Attributes
     ----------
     tip
-        How it computes.
+        The computation, in words.
     style
         Its lines.
     """
@@ -68,15 +68,16 @@ class LaboratorySettings(msgspec.Struct, frozen=True):
     on
         Whether anything is computed at all.
     rounding
-        What is rounded: every single operation, or once only the coefficients or the data, all else exact.
+        The numbers that are rounded: those of every single operation, or once only the coefficients or the
+        data, all else exact.
     digits
-        How many significant decimal digits are kept.
+        The number of significant decimal digits that are kept.
     methods
-        What is compared.
+        The methods that are compared.
     decimals
         Digits behind the decimal point that the data are rounded to first; None leaves them as they are.
     shift
-        What is added to every t before the computation.
+        The number that is added to every t before the computation.
     """
 
     on: bool = False

@@ -39,17 +39,13 @@ def trial_words(trial: Trial) -> str:
 
 def growth_words(trial: Trial) -> str:
     """Say which Λ the table has, where the one in the status line is another; else nothing."""
-    if not trial.view.source.family.derivatives or not any(
-        _shows_growth(trial, each) for each in trial.outcomes
-    ):
+    is_of_data = trial.settings.rounding is RoundedPart.DATA
+    shown = [each for each in trial.outcomes if is_of_data or each.calculation is not Calculation.MONOMIAL]
+    if not (trial.view.source.family.derivatives and shown):
         return ""
     return (
         "Λ here is of the data, estimates held fixed; in the status line, of the points, which they follow."
     )
-
-
-def _shows_growth(trial: Trial, outcome: Outcome) -> bool:
-    return outcome.calculation is not Calculation.MONOMIAL or trial.settings.rounding is RoundedPart.DATA
 
 
 def _on_solving(trial: Trial, monomial: Outcome, condition: float) -> str:

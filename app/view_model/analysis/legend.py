@@ -21,7 +21,7 @@ class LegendRow:
     Attributes
     ----------
     style
-        How what is explained looks; None for the heading of the lines below it.
+        The look of the thing that is explained; None for the heading of the lines below it.
     is_muted
         Whether nothing is drawn of it now.
     tip

@@ -46,7 +46,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     text, tip, key, icon, full_name
         Those of its action.
     group, place
-        Where it stands in the menu and the dock.
+        Its place in the menu and the dock.
     layer
         Those with larger numbers are drawn over the others.
     draw
@@ -55,15 +55,15 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         Whether it is too heavy for a frame, of some curve: drawn once nothing has changed for a moment,
         beside the window.
     settings
-        What it can be drawn with; the dock shows them.
+        The numbers that it is drawn with; the dock shows them.
     follows_scrub
         Whether the t of the scrub line is shown in it.
     brings_scrub
         Whether a scrub line appears with it.
     legend
-        What the legend explains of it.
+        Its entries in the legend.
     finds
-        What it may find: explained where it is drawn.
+        The figures that it may find: explained where they are drawn.
     """
 
     name: str

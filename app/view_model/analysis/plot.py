@@ -48,9 +48,9 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     text, tip, icon
         Those of its action.
     title, symbol
-        What stands beside the plot, and before its value.
+        The words beside the plot, and before its value.
     place
-        Where it stands among the others.
+        The place among the others.
     orders
         Orders of the derivatives that it needs.
     values

@@ -27,12 +27,12 @@ class PlotLine(msgspec.Struct, frozen=True, eq=False):
     Attributes
     ----------
     name
-        What it is; shown where a plot has several lines.
+        Its name, shown where a plot has several lines.
     t, values
         Ascending parameters (m,) and the values there (m,), of any size. At a NaN the line is interrupted,
         and both ends are marked: a jump.
     style
-        How it is drawn; its width is that of all plots.
+        Its look; its width is that of all plots.
     """
 
     name: str
@@ -64,9 +64,9 @@ class PlotData(msgspec.Struct, frozen=True, eq=False):
     Attributes
     ----------
     title
-        What it shows; no two plots of a pane have the same.
+        Its name; no two plots of a pane have the same.
     symbol
-        What stands before its value in the header.
+        The words before its value in the header.
     extent
         The least and the greatest value worth seeing; values beyond run out of the plot.
     note

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.view_model.curve_view import CurveView
-from app.view_model.sampling import one_sided
+from app.view_model.sampling import crowded_at_ends, one_sided
 from curvecore import lebesgue_function
 from curvecore.arrays import FloatArray, IntArray
 
@@ -69,9 +69,8 @@ def samples_over(view: CurveView, t_range: tuple[float, float], columns: int) ->
 
 
 def _of_polynomial(knots: FloatArray, start: float, end: float, columns: int) -> FloatArray:
-    """Crowd the samples at both ends, where a polynomial swings most; the knots, where Λ is 1, are some."""
-    u = np.linspace(0.0, 1.0, min(max(columns, 2), _MOST))
-    t = start + (end - start) * (0.5 * u + 0.5 * np.sin(0.5 * np.pi * u) ** 2)
+    """Return samples of one polynomial; the knots, where Λ is 1, are some."""
+    t = crowded_at_ends(start, end, min(max(columns, 2), _MOST))
     inside = knots[(knots > start) & (knots < end)]
     t = np.concatenate([t, inside]) if len(inside) < len(t) / 2 else t
     result: FloatArray = np.unique(np.clip(t, start, end))

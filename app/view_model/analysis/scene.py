@@ -8,15 +8,22 @@ import msgspec
 import numpy as np
 
 from app.tasks.progress import Report, silent
-from app.view_model.analysis.samples import samples_of
 from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 from app.view_model.curve_view import CurveView
 from app.view_model.plane import size_of
-from app.view_model.sampling import Samples
+from app.view_model.sampling import Samples, one_sided
 from curvecore.arrays import FloatArray
 
 _QUICK = 64
 """Points of the longest polynomial whose derivatives are found within a frame."""
+
+_MOST = 600
+"""Samples of a whole curve; more are not told apart on a screen."""
+
+_LEAST_A_SEGMENT = 6
+
+_FEW, _LONG = 3, 200
+"""Samples a segment of a polynomial through more than `_LONG` points, whose derivatives cost most."""
 
 
 class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
@@ -42,7 +49,7 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
     @cached_property
     def samples(self) -> list[Samples]:
         """Samples of every piece; computed once for all overlays."""
-        return samples_of(self.view)
+        return _samples_of(self.view)
 
     @cached_property
     def size(self) -> float:
@@ -61,3 +68,20 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
 def is_quick(view: CurveView) -> bool:
     """Whether derivatives along the whole curve can be had in every frame of a drag."""
     return view.curve is None or view.curve.is_local or len(view.parameters) <= _QUICK
+
+
+def _samples_of(view: CurveView) -> list[Samples]:
+    """Return samples of every piece, the joints among them, one-sided at both ends of each segment.
+
+    A joint of a Hermite curve stands there twice: its second derivative is another one on either side.
+    """
+    if view.curve is None or not view.is_current:
+        return []
+    segments = len(view.parameters) - 1
+    least = _FEW if not view.source.family.is_local and segments > _LONG else _LEAST_A_SEGMENT
+    count = max(least, min(_MOST // segments, 60))
+    samples = []
+    for piece in view.pieces:
+        t = one_sided(piece.parameters, np.full(len(piece.parameters) - 1, count)).t
+        samples.append(Samples(t, *piece.derivatives_at(t, (0, 1, 2))))
+    return samples

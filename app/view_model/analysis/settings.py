@@ -24,9 +24,9 @@ class OverlaySetting(msgspec.Struct, frozen=True):
     name
         Object name of what sets it.
     label
-        What it is, for people.
+        Its name, for people.
     default
-        What it is until it is set.
+        Its value until it is set.
     """
 
     name: str
@@ -53,11 +53,11 @@ class ErrorSize(OverlaySetting, frozen=True, kw_only=True):
     Attributes
     ----------
     short
-        What stands before the field.
+        The words before the field.
     tip
         More about it.
     usual
-        What it becomes when it is first needed, from the curve that is then shown; None for the default.
+        Its value when it is first needed, from the curve that is then shown; None for the default.
     """
 
     short: str
@@ -71,11 +71,11 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
     Attributes
     ----------
     overlays
-        What is switched on.
+        The overlays that are switched on.
     values
         The settings of overlays that are not at their defaults.
     plots
-        What is plotted over t.
+        The plots over t.
     ghosts
         The variants that are shown.
     laboratory

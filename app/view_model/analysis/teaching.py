@@ -35,11 +35,11 @@ class Warned(msgspec.Struct, frozen=True):
     Attributes
     ----------
     topic
-        What it is about.
+        Its subject.
     badge
         A sign and a word or two.
     sentence
-        What it means.
+        Its meaning.
     """
 
     topic: Topic

@@ -10,6 +10,7 @@ from app.view_model.analysis.wording import short
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_at
+from app.view_model.jets import is_explicit
 from app.view_model.sampling import segment_at, within_segments
 from curvecore.arrays import FloatArray
 from curvecore.bezier.polylines import segment_distance
@@ -62,7 +63,7 @@ class Explanation:
     lebesgue
         Λ(t), the sum of the sizes of all weights of points.
     overshoot
-        How far the curve swings out of the straight line between the two points, at its farthest.
+        The farthest distance of the curve from the straight line between the two points.
     sentences
         The same in words.
     """
@@ -135,7 +136,7 @@ def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ..
         for order in range(1, basis.shape[1]):
             # Velocity and acceleration ahead of the first point, and before the second.
             for at, ahead in ((knot, True), (knot + 1, False)):
-                if not view.is_explicit(view.owner(at), order, ahead=ahead):
+                if not is_explicit(view.source.points[view.owner(at)], order, ahead=ahead):
                     continue
                 x, y = (basis[at, order] * view.sides[ahead][at, order]).tolist()
                 size = float(np.hypot(x, y)) / chord if chord > 0 else 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, parameter_array, parameter_values, point_array, read_only
+from curvecore.arrays import FloatArray, integer, parameter_values
 from curvecore.families.curve import Curve
 
 
@@ -34,12 +34,6 @@ class NaturalSplineCurve(Curve):
     title = "natural spline"
 
     _bends: FloatArray | None
-
-    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
-        data = point_array(points)
-        self._jets = read_only(data[:, None])
-        self._parameters = read_only(parameter_array(parameters, len(data)))
-        self._bends = None
 
     @property
     def degree(self) -> int:

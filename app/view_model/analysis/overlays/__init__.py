@@ -1,6 +1,6 @@
 """The overlays: one or two records a module, with all that is known of them.
 
-- ``comb``, ``vectors``, ``circle``, ``ticks``, ``marks``: how the curve runs.
+- ``comb``, ``vectors``, ``circle``, ``ticks``, ``marks``: the run of the curve.
 - ``bezier``, ``polygon``: control points and points.
-- ``band``, ``ensemble``: what errors of the data do, at worst and at random.
+- ``band``, ``ensemble``: errors of the data, at worst and at random.
 """

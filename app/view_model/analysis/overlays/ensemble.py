@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 import curvecore
@@ -10,6 +12,7 @@ from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
 from app.view_model.analysis.settings import Count, OverlaySetting
+from app.view_model.curve_view import curve_through
 from app.view_model.line_styles import LineStyle
 from app.view_model.refusals import in_words
 from app.view_model.sampling import all_along
@@ -35,7 +38,7 @@ def _disturbed_curves(scene: Scene) -> Drawn:
             int(scene.value(COUNT)),
             seed,
             closed=scene.view.source.is_closed,
-            remake=scene.view.with_knots if scene.view.source.family.derivatives else None,
+            remake=partial(curve_through, scene.view) if scene.view.source.family.derivatives else None,
         )
     except curvecore.CurveError as reason:
         text = in_words(str(reason).replace("parameter_error", "δ"))
