@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import math
+from collections.abc import Callable
 from typing import Any
 
 from app.document.model import Document
@@ -10,7 +12,7 @@ from app.exchange.drawing.styles import DARK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.formats.samples import COLUMNS
-from app.exchange.options import Check, OneOf, Option, Options, Whole, all_options
+from app.exchange.options import Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
 from app.exchange.units import MILLIMETRES, known_unit
 from app.families import FAMILIES, HERMITE
 
@@ -120,9 +122,16 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         "'line2d_*'; may be given more than once",
     )
     _add_table_options(convert)
-    for option in _own():
-        add(option.flag, dest=option.name, help=option.help, **_typed(option))
     add_picture_options(convert)
+    for option in _own():
+        try:
+            add(option.flag, dest=f"{_OWN}{option.name}", help=option.help, **_typed(option))
+        except argparse.ArgumentError as problem:
+            raise ValueError(f"“{option.name}” of a format needs another flag: {problem}") from None
+
+
+_OWN = "own_"
+"""Before the names of options of single formats, beside those that all have."""
 
 
 def _own() -> list[Option[Any]]:
@@ -132,19 +141,54 @@ def _own() -> list[Option[Any]]:
 
 def _typed(option: Option[Any]) -> dict[str, Any]:
     """Return what `argparse` has to know of an option."""
-    if isinstance(option, Check):
-        return {"action": "store_true"}
-    if isinstance(option, OneOf):
-        return {"choices": [str(each) for each in option.choices], "default": str(option.default)}
-    assert isinstance(option, Whole)
-    return {"type": whole_number, "default": option.default, "metavar": "N"}
+    match option:
+        case Check():
+            return {"action": argparse.BooleanOptionalAction if option.default else "store_true"}
+        case OneOf():
+            return {"choices": [str(each) for each in option.choices], "default": str(option.default)}
+        case SomeOf():
+            return {"type": _some_of(option), "default": option.default, "metavar": "A,B"}
+        case Whole():
+            return {"type": _within(option, int, "whole number"), "default": option.default, "metavar": "N"}
+        case Real():
+            return {"type": _within(option, float, "number"), "default": option.default, "metavar": "X"}
+    raise NotImplementedError(f"{type(option).__name__} is no argument of the command line")
+
+
+def _within(option: Whole | Real, kind: Callable[[str], float], words: str) -> Callable[[str], float]:
+    """Return what reads a number within the limits of an option."""
+    least, greatest = option.limits
+
+    def read(text: str) -> float:
+        try:
+            value = kind(text)
+        except ValueError:
+            value = math.nan
+        if not least <= value <= greatest:
+            raise argparse.ArgumentTypeError(f"“{text}” is no {words} from {least:g} to {greatest:g}")
+        return value
+
+    return read
+
+
+def _some_of(option: SomeOf) -> Callable[[str], tuple[str, ...]]:
+    """Return what reads some of the choices of an option, with commas between."""
+
+    def read(text: str) -> tuple[str, ...]:
+        words = tuple(text.split(","))
+        if not set(words) <= set(option.choices):
+            raise argparse.ArgumentTypeError(f"“{text}” has something else than {', '.join(option.choices)}")
+        return words
+
+    return read
 
 
 def own_options(options: argparse.Namespace) -> dict[str, Any]:
     """Return what was asked for of the options of single formats, by their names."""
-    values = {each.name: getattr(options, each.name) for each in _own()}
-    # How large a number may be the writer says.
-    values.update({each.name: each.checked(values[each.name]) for each in _own() if isinstance(each, OneOf)})
+    values = {each.name: getattr(options, f"{_OWN}{each.name}") for each in _own()}
+    for each in _own():
+        if isinstance(each, OneOf):
+            values[each.name] = next(one for one in each.choices if str(one) == values[each.name])
     if columns := _columns_to_write(options):
         values[COLUMNS.name] = columns
     return values

@@ -5,6 +5,7 @@ An option that one format alone has is defined beside that format; here are thos
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
@@ -93,6 +94,25 @@ class Whole(Option[int]):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class Real(Option[float | None]):
+    """A number between two limits.
+
+    Attributes
+    ----------
+    limits
+        The least and the greatest.
+    """
+
+    limits: tuple[float, float]
+
+    def checked(self, value: object) -> float | None:
+        """Return a number within the limits."""
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        is_usable = is_number and self.limits[0] <= value <= self.limits[1]  # type: ignore[operator]
+        return float(value) if is_usable else self.default  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class OneOf(Option[Value]):
     """One of several values; `choices` has the title of each."""
 
@@ -118,13 +138,10 @@ class SomeOf(Option[tuple[str, ...]]):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Tolerance(Option[float | None]):
+class Tolerance(Real):
     """The largest distance allowed from the true curves; None for the default."""
 
-    def checked(self, value: object) -> float | None:
-        """Return a positive number that the document may have."""
-        is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        return value if is_number and 0 < value < 1e12 else self.default  # type: ignore[operator, return-value]
+    limits: tuple[float, float] = (math.ulp(0.0), math.nextafter(1e12, 0.0))
 
 
 WIDTH = Whole(

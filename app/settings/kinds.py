@@ -7,18 +7,21 @@ A setting is an attribute of a class that has a `SettingsFile`::
 
 Reading it never raises because of what is in the file: a value that cannot be used is complained about, and
 the default counts.
+
+`Switch`, `Choice`, `Several`, `Distance` and `Text` have a label: they stand in the dialog of preferences, in
+the order of the class. The other kinds remember what a person does elsewhere.
 """
 
 from __future__ import annotations
 
 import json
+import math
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Collection, Mapping
-from contextlib import suppress
+from collections.abc import Collection, Mapping, Sequence
 from enum import Enum
 from pathlib import Path
-from typing import Final, Generic, Protocol, TypeVar, overload
+from typing import Any, Final, Generic, Protocol, TypeVar, overload
 
 from PySide6.QtCore import QByteArray
 
@@ -27,9 +30,9 @@ from app.settings.file import SettingsFile
 
 Value = TypeVar("Value")
 Member = TypeVar("Member", bound=Enum)
-Number = TypeVar("Number", bound=float)
 
 _SWITCHES: Final = ("off", "on")
+_LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
 
 
 class Remembering(Protocol):
@@ -45,10 +48,21 @@ class _UnusableError(ValueError):
 
 
 class Setting(ABC, Generic[Value]):
-    """One setting, kept under `key`."""
+    """One setting, kept under `key`.
 
-    def __init__(self, key: str) -> None:
-        self.key = key
+    Attributes
+    ----------
+    label, tip
+        What the dialog of preferences says of it; a setting without a label is not there.
+    widget
+        The objectName of its widget there; that of one of several has the member in place of the braces.
+    """
+
+    def __init__(self, key: str, label: str = "", tip: str = "", widget: str = "") -> None:
+        self.key, self.label, self.tip, self.widget = key, label, tip, widget
+
+    def __set_name__(self, _owner: type, name: str) -> None:
+        self.widget = self.widget or f"preference_{name}"
 
     @overload
     def __get__(self, owner: None, kind: type) -> Setting[Value]: ...
@@ -72,8 +86,8 @@ class Setting(ABC, Generic[Value]):
 class TextSetting(Setting[Value]):
     """A setting that is a text in the file; an empty one counts as none."""
 
-    def __init__(self, key: str, default: Value) -> None:
-        super().__init__(key)
+    def __init__(self, key: str, default: Value, label: str = "", tip: str = "", widget: str = "") -> None:
+        super().__init__(key, label, tip, widget)
         self.default = default
 
     def _read(self, file: SettingsFile) -> Value:
@@ -92,7 +106,10 @@ class TextSetting(Setting[Value]):
 
 
 class Choice(TextSetting[Member]):
-    """One member of an enumeration whose values are words."""
+    """One member of an enumeration whose values are words, with labels."""
+
+    def __init__(self, key: str, default: Member, label: str, tip: str, widget: str = "") -> None:
+        super().__init__(key, default, label, tip, widget)
 
     def _parse(self, text: str) -> Member:
         kind = type(self.default)
@@ -106,8 +123,8 @@ class Choice(TextSetting[Member]):
         return value.value
 
 
-class Switch(TextSetting[bool]):
-    """On or off."""
+class SwitchOfAction(TextSetting[bool]):
+    """On or off, as an action switches it."""
 
     def __init__(self, key: str, *, default: bool) -> None:
         super().__init__(key, default)
@@ -121,32 +138,81 @@ class Switch(TextSetting[bool]):
         return _SWITCHES[value]
 
 
-class Amount(TextSetting[Number]):
-    """A number of one kind within limits; 0 for none. `word` is what it is called where it is none."""
+class Switch(SwitchOfAction):
+    """On or off."""
 
-    def __init__(
-        self, key: str, kind: Callable[[str], Number], limits: tuple[float, float], word: str
-    ) -> None:
-        super().__init__(key, kind("0"))
-        self.kind, self.limits, self.word = kind, limits, word
+    def __init__(self, key: str, label: str, tip: str, *, default: bool, widget: str = "") -> None:
+        super().__init__(key, default=default)
+        self.label, self.tip, self.widget = label, tip, widget
 
-    def _parse(self, text: str) -> Number:
-        with suppress(ValueError):
-            amount = self.kind(text)
-            if amount == 0 or self.limits[0] <= amount <= self.limits[1]:
-                return amount
-        raise _UnusableError(f"“{text}” is no {self.word}")
 
-    def _stored(self, value: Number) -> object:
-        return repr(self.kind(str(value)))
+class Height(TextSetting[int]):
+    """Pixels; 0 when nothing is remembered."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(key, 0)
+
+    def _parse(self, text: str) -> int:
+        if not (text.isdecimal() and len(text) < 6):
+            raise _UnusableError(f"“{text}” is no height")
+        return int(text)
+
+    def _stored(self, value: int) -> object:
+        return str(value)
+
+
+class Distance(TextSetting[float]):
+    """Units of the plane; 0 for none.
+
+    Attributes
+    ----------
+    none, refusal
+        The word for that; the sentence where something else than a distance is typed.
+    """
+
+    def __init__(self, key: str, label: str, tip: str, *, none: str, refusal: str, widget: str = "") -> None:
+        super().__init__(key, 0.0, label, tip, widget)
+        self.none, self.refusal = none, refusal
+
+    def _parse(self, text: str) -> float:
+        try:
+            distance = float(text)
+        except ValueError:
+            distance = math.nan
+        if distance == 0 or _LEAST_SPACING <= distance <= _GREATEST_SPACING:
+            return distance
+        raise _UnusableError(f"“{text}” is no distance")
+
+    def _stored(self, value: float) -> object:
+        return repr(float(value))
+
+
+class SavedText(TextSetting[str]):
+    """Any text that the program writes."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(key, "")
+
+    def _parse(self, text: str) -> str:
+        return text
 
 
 class Text(TextSetting[str]):
-    """Any text; of one that was made longer in the file, the beginning."""
+    """A short text; of one that was made longer in the file, the beginning.
 
-    def __init__(self, key: str, *, longest: int | None = None) -> None:
-        super().__init__(key, "")
-        self.longest = longest
+    Attributes
+    ----------
+    longest
+        Letters that it may have.
+    usual
+        Texts to choose from; the first stands for none.
+    """
+
+    def __init__(
+        self, key: str, label: str, tip: str, *, longest: int, usual: Sequence[str], widget: str = ""
+    ) -> None:
+        super().__init__(key, "", label, tip, widget)
+        self.longest, self.usual = longest, usual
 
     def _parse(self, text: str) -> str:
         return text[: self.longest]
@@ -175,8 +241,8 @@ class Keys(Setting[dict[str, str]]):
 class Several(Setting[frozenset[Member]]):
     """Some members of an enumeration whose values are words; all of them when nothing is remembered."""
 
-    def __init__(self, key: str, kind: type[Member]) -> None:
-        super().__init__(key)
+    def __init__(self, key: str, kind: type[Member], label: str, tip: str, widget: str = "") -> None:
+        super().__init__(key, label, tip, widget)
         self.kind = kind
 
     def _read(self, file: SettingsFile) -> frozenset[Member]:
@@ -214,3 +280,9 @@ class Folder(Setting[Path]):
 
     def _stored(self, value: Path) -> object:
         return str(value.absolute())
+
+
+def settings_with_labels(owner: type) -> dict[str, Setting[Any]]:
+    """Return the settings of a class that stand in the dialog of preferences, by name, in order."""
+    members = {name: member for each in reversed(owner.__mro__) for name, member in vars(each).items()}
+    return {name: each for name, each in members.items() if isinstance(each, Setting) and each.label}

@@ -10,14 +10,22 @@ from PySide6.QtCore import QSettings
 
 from app.appearance.theme import ThemeMode
 from app.settings.file import SettingsFile
-from app.settings.kinds import Amount, Choice, Folder, Keys, SavedLayout, Several, Switch, Text
+from app.settings.kinds import (
+    Choice,
+    Distance,
+    Folder,
+    Height,
+    Keys,
+    SavedLayout,
+    SavedText,
+    Several,
+    SwitchOfAction,
+    Text,
+)
 from app.tools.snapping import SnapKind
 
 _MAX_RECENT: Final = 10
 _RECENT: Final = "files/recent"
-
-LONGEST_UNIT: Final = 12
-"""Letters that the name of a unit may have."""
 
 
 class Preferences:
@@ -38,8 +46,33 @@ class Preferences:
         Where they are kept.
     """
 
-    theme_mode = Choice("theme", ThemeMode.SYSTEM)
+    theme_mode = Choice("theme", ThemeMode.SYSTEM, "Theme", "Light or dark colours", "themeBox")
     """Light, dark, or as the system has it."""
+
+    unit_name = Text(
+        "grid/unit",
+        "Unit",
+        "What a length of one is called; type any name",
+        longest=12,
+        usual=("none", "mm", "cm", "m", "in", "px", "s"),
+        widget="unitBox",
+    )
+    """The name of the unit of the plane, such as "mm"; empty for none."""
+
+    grid_spacing = Distance(
+        "grid/spacing",
+        "Grid spacing",
+        "“adaptive”, or a distance in the plane (Enter to set)",
+        none="adaptive",
+        refusal="The grid needs a distance greater than 0, or “adaptive”.",
+        widget="gridSpacing",
+    )
+    """Distance of the grid's lines; 0 where it adapts to the zoom."""
+
+    snap_kinds = Several(
+        "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"
+    )
+    """Targets that dragged and added points snap to."""
 
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""
@@ -50,31 +83,22 @@ class Preferences:
     splitter_state = SavedLayout("window/splitter")
     """The result of ``QSplitter.saveState``."""
 
-    plot_height = Amount("window/plots", int, (0, 99_999), "height")
-    """Height of the plots below the basis functions, in pixels; 0 when nothing is remembered."""
+    plot_height = Height("window/plots")
+    """Height of the plots below the basis functions."""
 
-    snap_on = Switch("snap/on", default=False)
+    snap_on = SwitchOfAction("snap/on", default=False)
     """Whether dragged and added points snap."""
 
-    snap_kinds = Several("snap/kinds", SnapKind)
-    """Targets that they snap to."""
-
-    grid_spacing = Amount("grid/spacing", float, (1e-9, 1e9), "distance")
-    """Distance of the grid's lines; 0 where it adapts to the zoom."""
-
-    unit_name = Text("grid/unit", longest=LONGEST_UNIT)
-    """The name of the unit of the plane, such as "mm"; empty for none."""
-
-    transform_box = Switch("view/transform_box", default=True)
+    transform_box = SwitchOfAction("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
 
-    with_estimates = Switch("basis/with_estimates", default=False)
+    with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""
 
-    export_choice = Text("export/choice")
+    export_choice = SavedText("export/choice")
     """The options of the last export, as JSON; what cannot be used counts as none."""
 
     last_folder = Folder("files/folder")

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from app.appearance.theme import ThemeMode
 from app.settings.preferences import Preferences
 from app.storage.open_file import FileChange
-from app.tools.select import SELECT
+from app.tools.canvas.select import SELECT
 from app.tools.snapping import SnapKind
 from app.tools.tool import ToolRecord
 from app.view_model.analysis.settings import AnalysisSettings
@@ -123,12 +123,14 @@ class WindowStore(QObject):
     def _remembered(self) -> dict[str, object]:
         """Return the fields that preferences of the same name remember."""
         names = WindowState.__struct_fields__
-        return {name: getattr(self._preferences, name) for name in names if hasattr(Preferences, name)}
+        return {
+            name: getattr(self._preferences, name) for name in names if hasattr(type(self._preferences), name)
+        }
 
     def change(self, **fields: object) -> None:
         """Take other values for some fields."""
         for name, value in fields.items():
-            if hasattr(Preferences, name) and value != getattr(self.state, name):
+            if hasattr(type(self._preferences), name) and value != getattr(self.state, name):
                 setattr(self._preferences, name, value)
         self._take(replace(self.state, **fields))
 

@@ -1,9 +1,9 @@
 """Press, move and release turned into edits. No Qt: a tool is tested with plain `Pointer` records.
 
-- ``tool``: the base class of the tools, and the context of an event with its settings.
-- ``registry``: the tools that can be chosen.  ``toolbox``: those of one plot, and which is in use.
-- ``select``, ``add``, ``measure``, ``explain``, ``move_image``: the tools of the canvas.  ``transform_tool``:
-  the one of a transform that a key begins.  ``rail``: those over t, and the drag of ticks.
+- ``tool``: the base class of the tools, the context of an event with its settings, and the registry of those
+  in ``canvas``, which a person chooses.  ``toolbox``: those of one plot, and which is in use.
+- ``explain``, ``move_image``: tools of the canvas that belong to features.  ``transform_tool``: the one of a
+  transform that a key begins.  ``rail``: those over t, and the drag of ticks.
 - ``pointer``: position, keys, and what lies under the pointer.
 - ``drag_machine``: the state machine all drags share: threshold, preview, commit, cancel.
 - ``drag``: the base class of the drags.  ``drags``, ``pen_drags``: what each makes of the document.

@@ -121,7 +121,7 @@ class DragMachine:
         return self._press is not None
 
     def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
-        """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
+        """Begin: past the threshold `drag`, if any, takes over; a release before that is `on_click`."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
 
     def press_at_once(
@@ -146,11 +146,11 @@ class DragMachine:
     def move(self, pointer: Pointer) -> None:
         """Follow the pointer."""
         press = self._press
-        if press is None or press.drag is None:
+        if press is None:
             return
         if not press.moving:
             press.moving = math.dist(pointer.pixel, press.pixel) >= THRESHOLD
-        if press.moving:
+        if press.moving and press.drag is not None:
             self._step(pointer)
 
     def _step(self, pointer: Pointer) -> None:
@@ -216,7 +216,7 @@ class DragMachine:
         if press is None:
             return False
         self._host.cancel()
-        if press.moving:
+        if press.moving and press.drag is not None:
             self._host.say(CANCELLED)
         return True
 

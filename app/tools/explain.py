@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.tools.pointer import Hint, Part
-from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
 
 
 class ExplainTool(Tool):
@@ -27,4 +27,6 @@ EXPLAIN = ToolRecord(
     name="explain",
     make=ExplainTool,
     hint="Click on the curve where it swings out; V goes back to Select.",
+    doing="explaining",
+    gestures=(GestureRow("Click the curve", "explain why it swings out there"),),
 )

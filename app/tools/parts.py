@@ -9,7 +9,19 @@ from app.tools import hints
 from app.tools.drag import Drag
 from app.tools.drags import DragHandle, MovePoints, PullVelocity, Refuse
 from app.tools.pointer import Hit, Part
-from app.tools.tool import ToolContext
+from app.tools.tool import GestureRow, ToolContext
+
+GESTURES = (
+    GestureRow("Drag a point", "move it; Shift keeps to one axis"),
+    GestureRow("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
+    GestureRow(
+        "Drag a handle",
+        "set velocity (square) or acceleration (diamond); Shift: 15° steps, Alt: length",
+        selected=True,
+        needs_derivatives=True,
+    ),
+)
+"""What the sheet of keys and mouse says of them."""
 
 
 def press_on_part(context: ToolContext, hit: Hit, click: Callable[[], None] | None = None) -> None:

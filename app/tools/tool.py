@@ -18,6 +18,7 @@ from app.tools.snappers import Snappers
 from app.tools.snapping import SnapKind, Snapping, with_snap
 from app.tools.target import TransformTarget
 from app.view_model.curve_view import CurveView
+from app.view_model.records import Records
 
 
 class ToolSettings(msgspec.Struct, frozen=True):
@@ -227,6 +228,26 @@ class Tool:
         return self.gesture.progress(context) if self.gesture is not None else context.progress()
 
 
+class GestureRow(msgspec.Struct, frozen=True):
+    """A row of the sheet of keys and mouse: a gesture in words, and what must be there for it.
+
+    Attributes
+    ----------
+    keys, what
+        How it is made, and what it does.
+    selected, curves
+        Whether it is done to selected points; to several selected curves.
+    needs_derivatives
+        Whether the points need velocities.
+    """
+
+    keys: str
+    what: str
+    selected: bool = False
+    curves: bool = False
+    needs_derivatives: bool = False
+
+
 class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     """A tool as it is selected.
 
@@ -238,6 +259,10 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         Makes the tool of one plot.
     hint
         What the status line says when it has been selected.
+    doing, gestures
+        What a person does who uses it, such as "measuring", and how: what the sheet of keys and mouse says.
+    place
+        Where it stands among the tools of menu and toolbar.
     action, title, full_name, key, icon, tip
         What the action has by which it is selected: object name, text in a menu and where no menu stands
         around it, keys, icon, tooltip. Empty where a feature has an action of its own for it.
@@ -248,6 +273,9 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     name: str
     make: Callable[[], Tool]
     hint: str
+    doing: str = ""
+    gestures: tuple[GestureRow, ...] = ()
+    place: int = 1000
     action: str = ""
     title: str = ""
     full_name: str = ""
@@ -255,3 +283,17 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     icon: str = ""
     tip: str = ""
     in_menu: bool = False
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """Where it stands among the others."""
+        return (self.place,)
+
+
+TOOLS = Records(ToolRecord, "app.tools.canvas")
+"""The tools that a person chooses for the canvas.
+
+To add one: a file in ``canvas`` with a subclass of `Tool` and its `ToolRecord`. The action with its key and
+its place in menus and palette, the way back by Escape and the rows of the sheet of keys and mouse come from
+the record.
+"""

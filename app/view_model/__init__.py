@@ -31,6 +31,7 @@ Beside the curve:
 - ``analysis``: overlays, plots, joints, the laboratory, cures.
 - ``goals``: the goals of lessons.
 - ``line_styles``, ``palette``: the look of lines and marks; the colours of points.
+- ``records``: registries that read their records off the modules of a package.
 """
 
 import lazy_loader as lazy

@@ -6,7 +6,7 @@ column is to add its record to `COLUMNS`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 
@@ -54,6 +54,9 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Returns which of the numbers (n,) a rule estimates.
     estimate
         Returns which rule that is, in words.
+    reset
+        Returns the document (document, curve, indices) where a rule estimates those of some points again;
+        None if none does.
     after
         Returns the number after a point that is a corner, where `get` returns the one before it; None if a
         corner has one number.
@@ -61,7 +64,8 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         The datum of a point: -1 its parameter, 0 its position, 1 its velocity, 2 its acceleration,
         and 0 for x, 1 for y; order None for anything else.
     derivatives
-        The least number of derivatives of a family that shows the column.
+        The least number of derivatives of a family that shows the column; one that needs some is written with
+        as few digits as they are.
     """
 
     name: str
@@ -71,6 +75,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     set_many: Callable[[Document, int, CurveView, Mapping[int, float]], Document] | None = None
     is_estimated: Callable[[CurveView], BoolArray] = _nothing_estimated
     estimate: Callable[[Curve], str] | None = None
+    reset: Callable[[Document, int, Collection[int]], Document] | None = None
     after: Callable[[CurveView, int], float] | None = None
     order: int | None = None
     component: int = 0
@@ -85,6 +90,11 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     def is_derivative(self) -> bool:
         """Whether it is a derivative of the point, which a rule may estimate."""
         return self.order is not None and self.order > POSITION
+
+    @property
+    def is_of_the_place(self) -> bool:
+        """Whether it says where the point is, in the plane or along the curve."""
+        return self.order is not None and self.order <= POSITION
 
     def at(self, index: int) -> str:
         """Return what it holds of a point, as "x of point 3"."""
@@ -281,6 +291,7 @@ def _derivative_column(
         set_many=set_many,
         is_estimated=lambda view: np.isnan(_given(order, 0, view)),
         estimate=lambda curve: rule(curve).estimate,
+        reset=lambda document, curve, indices: edits.estimate_derivatives(document, curve, indices, (order,)),
         after=partial(_derivative_after, order, component),
         order=order,
         component=component,

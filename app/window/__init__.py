@@ -6,7 +6,8 @@
 - ``messages``: what the line on the canvas says.
 - ``drops``: files that are dragged over the window.  ``given``: files by what is done with them.
 - ``program_commands``: command palette, preferences and shortcuts.  ``focus_commands``: from panel to panel.
-  ``command_palette``, ``fuzzy``: type what you want.  ``preferences_dialog``, ``shortcut_editor``.
+  ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_editor``: the keys.
+  ``preferences_dialog``, ``preference_fields``: the settings, read from their descriptors.
 """
 
 import lazy_loader as lazy

@@ -7,7 +7,7 @@ from PySide6.QtGui import QAction
 
 from app.document.model import ParametrizationKind
 from app.state.window_state import WindowState
-from app.tools.add import ADD
+from app.tools.canvas.add import ADD
 from app.view_model.curve_view import CurveView
 from app.workbench.context import WindowContext
 

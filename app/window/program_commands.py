@@ -79,7 +79,6 @@ class ProgramCommands:
             self._dialog = window.preferences_dialog.PreferencesDialog(
                 context.preferences, self._keymap, context.window
             )
-            self._dialog.theme_chosen.connect(lambda mode: context.store.change(theme_mode=mode))
             self._dialog.changed.connect(context.store.read_preferences)
         self._dialog.show_values()
         self._dialog.bring_up()

@@ -11,7 +11,7 @@ from app.canvas.canvas import Canvas
 from app.plotting.camera import CameraOverT
 from app.plotting.tool_plot import ToolPlot
 from app.session import Session
-from app.tools.select import SELECT
+from app.tools.canvas.select import SELECT
 from app.tools.toolbox import Toolbox
 from app.view_model.basis_view import BasisView
 from app.workbench.central_pane import CentralPane, declared_panes

@@ -248,7 +248,7 @@ def test_the_way_back_is_the_same_curve(drawn, own):
 def test_the_table_shows_and_takes_its_numbers(drawn, own):
     editor = drawn(own)
     table = editor.window.point_table.model()
-    assert table.columnCount() == 3
+    assert not any(column.is_derivative for column in table.columns)
     assert table.setData(table.index(2, 1), 3.25)
     assert editor.point(2) == (3.25, 1.0)
     assert table.setData(table.index(2, 0), 0.5)

@@ -121,7 +121,7 @@ def test_no_function_crosses_the_number_of_another(editor, panel, family, count,
     editor.wait_for_rest()
     names, shown, basis = panel.drawing.functions._names, panel.pixel_map, panel.drawing.basis
     cell = names._cell
-    boxes = names._fragments.ndarray()[:, :2]
+    boxes = names._written
     assert len(boxes) >= least
     for x, y in boxes:
         t = np.linspace(

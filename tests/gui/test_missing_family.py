@@ -63,7 +63,7 @@ def test_its_points_are_there_to_be_dragged_typed_and_undone(opened, path):
     opened.drag_point(1, (1.5, 2.5))
     assert opened.point(1) == pytest.approx((1.5, 2.5), abs=2 * opened.pixel)
     table = opened.window.point_table.model()
-    assert table.columnCount() == 3
+    assert not any(column.is_derivative for column in table.columns)
     assert table.setData(table.index(2, 1), 3.25)
     assert opened.point(2) == (3.25, 1.0)
     assert opened.curve.family.name == NAME

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDialog, QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDialog, QFileDialog, QLineEdit, QPushButton
 
 from app.cli import main
 from app.document.model import Document, make_curve
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS, ContentKind, Format, Written
-from app.exchange.options import TOLERANCE, Check
+from app.exchange.options import TOLERANCE, Check, OneOf, Real, SomeOf, Tolerance, Whole
 from app.storage.files import save
 
 UPSIDE_DOWN = Check(
@@ -24,14 +25,35 @@ UPSIDE_DOWN = Check(
     help="of a list of corners: y negated",
     default=False,
 )
+SHIFT = Real(
+    name="shift", label="Shift", tip="Added to x", help="of a list of corners", default=0.0, limits=(-8, 8)
+)
+PEN = Whole(name="pen", label="Pen", tip="", help="of a list of corners", default=1, limits=(1, 8))
+MARKS = SomeOf(
+    name="marks",
+    label="Marks",
+    tip="Write {}",
+    widget="exportMark_{}",
+    help="of a list of corners",
+    default=("a",),
+    choices=("a", "b", "c"),
+    needed="At least one.",
+)
+ROUGH = Tolerance(name="rough", label="Rough", tip="", help="of a list of corners", default=None)
+KIND = OneOf(name="kind", label="Kind", tip="", help="of it", default=False, choices={False: "A", True: "B"})
+OWN = (UPSIDE_DOWN, SHIFT, PEN, MARKS, ROUGH, KIND)
 POINTS = [(0.0, 0.0), (2.0, 1.5), (4.0, -1.0)]
 
 
 def write(document, options):
     """The points, with the tolerance for those who look."""
     sign = -1 if options[UPSIDE_DOWN] else 1
-    corners = [[point.x, sign * point.y] for curve in document.curves for point in curve.points]
-    return Written(json.dumps({"corners": corners, "tolerance": options.tolerance}), deviation=0.25)
+    shift = options[SHIFT]
+    corners = [[point.x + shift, sign * point.y] for curve in document.curves for point in curve.points]
+    said = {"corners": corners, "tolerance": options.tolerance}
+    if options[KIND]:
+        said["own"] = [options[PEN], options[MARKS], options[ROUGH]]
+    return Written(json.dumps(said), deviation=0.25)
 
 
 def read(data, _tolerance):
@@ -41,19 +63,24 @@ def read(data, _tolerance):
 
 @pytest.fixture
 def corners():
-    record = Format(
-        endings=(".corners",),
-        title="List of corners",
-        description="The points, and nothing between them.",
-        options=(TOLERANCE, UPSIDE_DOWN),
-        write=write,
-        kind=ContentKind.DRAWING,
-        plural="Lists of corners",
-        read=read,
-    )
+    record = _corners()
     FORMATS.add(record)
     yield record
     FORMATS.remove(record)
+
+
+def _corners(**fields):
+    usual = {
+        "endings": (".corners",),
+        "title": "List of corners",
+        "description": "The points, and nothing between them.",
+        "options": (TOLERANCE, *OWN),
+        "write": write,
+        "kind": ContentKind.DRAWING,
+        "plural": "Lists of corners",
+        "read": read,
+    }
+    return Format(**(usual | fields))
 
 
 @pytest.mark.usefixtures("corners")
@@ -77,15 +104,22 @@ def test_the_window_offers_it_with_its_option_and_writes_it(editor, tmp_path, mo
     assert box.currentText() == "List of corners"
     assert check.isVisible()
     QTest.mouseClick(check, Qt.MouseButton.LeftButton, pos=QPoint(8, check.height() // 2))
+    field = dialog.findChild(QLineEdit, "exportShift")
+    for text in ("0.5", "9"):
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.text() == "9"  # it is beyond the limits, and stays to be mended
     QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
     editor.wait_for_work()
     assert asked[0].endswith(".corners")
     assert asked[1] == "List of corners (*.corners)"
     written = json.loads((tmp_path / "mine.corners").read_text(encoding="utf-8"))
-    assert written["corners"] == [[x, -y] for x, y in POINTS]
+    assert written["corners"] == [[x + 0.5, -y] for x, y in POINTS]
     assert editor.status == "Wrote mine.corners, at most 0.25 from the true curve."
     # It is remembered with its option.
-    assert json.loads(editor.window.preferences.export_choice) == {"ending": ".corners", "upside_down": True}
+    remembered = json.loads(editor.window.preferences.export_choice)
+    assert remembered == {"ending": ".corners", "upside_down": True, "shift": 0.5}
 
 
 @pytest.mark.usefixtures("corners", "drawings_read_here")
@@ -127,6 +161,56 @@ def test_the_command_line_converts_it_both_ways_and_says_so(tmp_path, capsys):
     words = " ".join(capsys.readouterr().out.split())
     assert words.count(".corners") == 2
     assert "--upside-down of a list of corners: y negated" in words
+
+
+@pytest.mark.usefixtures("corners")
+def test_options_of_every_kind_are_arguments_within_their_limits(tmp_path, capsys):
+    source, out = tmp_path / "a.curve.json", tmp_path / "a.corners"
+    save(source, Document((make_curve(POINTS),)))
+    words = ["convert", str(source), str(out)]
+    own = ["--shift", "-1.5", "--pen", "8", "--marks", "a,c", "--rough", "0.25", "--kind", "True"]
+    assert main([*words, *own]) == 0
+    written = json.loads(out.read_text())
+    assert written["corners"] == [[x - 1.5, y] for x, y in POINTS]
+    assert written["own"] == [8, ["a", "c"], 0.25]
+    for flag, text, reason in (
+        ("--pen", "99", "“99” is no whole number from 1 to 8"),
+        ("--shift", "nan", "“nan” is no number from -8 to 8"),
+        ("--marks", "a,d", "“a,d” has something else than a, b, c"),
+        ("--rough", "0", "“0” is no number from"),
+        ("--kind", "C", "invalid choice: 'C'"),
+    ):
+        with pytest.raises(SystemExit):
+            main([*words, flag, text])
+        assert reason in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("fields", "reason"),
+    [
+        ({"endings": (".mine", ".svg")}, "“SVG drawing” and “List of corners” both write “.svg”."),
+        ({"endings": (".npy",)}, "“NumPy array” and “List of corners” both read “.npy”."),
+        (
+            {"options": (Check(name="samples", default=False),)},
+            "“Table of samples (CSV)” and “List of corners” both have an option “samples”.",
+        ),
+    ],
+)
+def test_what_another_format_has_already_is_an_error_that_names_both(fields, reason):
+    before = list(FORMATS)
+    with pytest.raises(ValueError, match=f"^{re.escape(reason)}$"):
+        FORMATS.add(_corners(**fields))
+    assert list(FORMATS) == before
+
+
+def test_a_flag_that_the_command_line_has_already_is_an_error_that_names_it():
+    mine = _corners(options=(Check(name="output", flag="--thin", help="mine", default=False),))
+    FORMATS.add(mine)
+    try:
+        with pytest.raises(ValueError, match=r"“output” of a format needs another flag: .*--thin"):
+            main(["convert", "a.svg", "b.svg"])
+    finally:
+        FORMATS.remove(mine)
 
 
 def test_it_is_gone_afterwards(tmp_path, capsys):

@@ -17,9 +17,11 @@ from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
 from app.features.point_table.panel import INTERVAL_MS, PointTable
 from app.session import MessageKind, Session
 from app.testing import wait_for_rest
+from app.view_model.point_columns import columns_of
 
 Role = Qt.ItemDataRole
 T, X, Y, VX, VY, AX, AY = range(7)
+WIDTH = len(columns_of(derivatives=0))
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
 
 
@@ -154,7 +156,8 @@ def quintic(qtbot):
 def test_the_columns_are_those_of_the_family(qtbot, family, names):
     model = Table(qtbot, family).model
     shown = [model.headerData(column, Qt.Orientation.Horizontal) for column in range(model.columnCount())]
-    assert shown == names.split()
+    assert shown[: len(names.split())] == names.split()
+    assert shown == [column.name for column in columns_of(family.derivatives)]
 
 
 def test_it_holds_the_numbers_of_the_view_exactly(quintic):
@@ -477,7 +480,7 @@ def test_the_row_header_selects_the_whole_row(table):
     place = QPoint(5, header.sectionViewportPosition(3) + 4)
     table.qtbot.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert table.session.selection == {3}
-    assert table.view.selected_cells() == {(3, T), (3, X), (3, Y)}
+    assert table.view.selected_cells() == {(3, column) for column in range(WIDTH)}
 
 
 def test_selecting_points_selects_their_rows(table):
@@ -525,7 +528,7 @@ def test_deleting_points_never_writes_a_selection_back(table):
 def test_another_family_keeps_the_selection(table):
     table.session.selected.set_points([3])
     table.session.commit(edits.set_family(table.session.document, 0, HERMITE), "Family")
-    assert table.model.columnCount() == 5
+    assert table.model.columnCount() == len(columns_of(derivatives=1))
     assert table.view.selected_rows() == {3}
     assert table.session.selection == {3}
 
@@ -631,7 +634,11 @@ def test_paste_velocities(hermite):
         ((0, X), "1\t2e12", "Row 1, column 2: A number here must lie between"),
         ((0, X), "1,234\t1,000", "Row 1, column 1: “1,234” is unclear"),
         ((0, X), "1,234.5\t1", "group separators"),
-        ((0, X), "1\t2\t3", "These are 3 columns; from x on there is room for 2 columns."),
+        (
+            (0, X),
+            "\t".join("1" * WIDTH),
+            f"These are {WIDTH} columns; from x on there is room for {WIDTH - 1} columns.",
+        ),
         ((7, T), "5\n6", "rows that make new points need x and y"),
         ((0, T), "0\n0", "The t of point 1 must be greater than 0"),
         ((0, X), "", "no numbers on the clipboard"),
@@ -876,9 +883,11 @@ def test_rounding_residues_are_shown_as_zero_and_kept_whole(hermite):
 
 
 def test_a_quintic_curve_fits_in_a_dock(quintic):
-    quintic.window.resize(360, 400)
+    # Columns beyond x, y, t and the derivatives have room of their own.
+    width = 360 + 60 * (quintic.model.columnCount() - 7)
+    quintic.window.resize(width, 400)
     header, viewport = quintic.view.horizontalHeader(), quintic.view.viewport()
-    quintic.qtbot.waitUntil(lambda: header.length() <= viewport.width() < 360)
+    quintic.qtbot.waitUntil(lambda: header.length() <= viewport.width() < width)
     metrics = quintic.view.fontMetrics()
     for column in range(7):
         room = quintic.view.columnWidth(column)

@@ -297,10 +297,10 @@ def test_a_place_that_cannot_be_read_is_said(tmp_path):
 class _WithOneMore(Preferences):
     """What it takes to add a setting: one line, and its docstring."""
 
-    beeps = Switch("tests/beeps", default=True)
+    beeps = Switch("tests/beeps", "Beep", "Beep in tests", default=True)
     """Whether the tests beep."""
 
-    corner = Choice("tests/corner", ThemeMode.DARK)
+    corner = Choice("tests/corner", ThemeMode.DARK, "Corner", "The corner of the beeps")
     """Where they do."""
 
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QLineEdit, QPushButton
 
 from app.appearance.theme import ThemeMode, theme_of
 from app.canvas.grid_layer import grid_steps, tick_labels
+from app.document.words import NamedEnum
+from app.settings.kinds import Choice, Distance, Several, Switch, Text, settings_with_labels
 from app.settings.preferences import Preferences
+from app.testing import Editor
 from app.tools.snapping import SnapKind
 from app.window.preferences_dialog import PreferencesDialog
 
@@ -24,6 +27,18 @@ def dialog(editor):
     dialog.hide()
 
 
+def themes(dialog):
+    return dialog.findChild(QComboBox, "themeBox")
+
+
+def units(dialog):
+    return dialog.findChild(QComboBox, "unitBox")
+
+
+def spacing(dialog):
+    return dialog.findChild(QLineEdit, "gridSpacing")
+
+
 def retype(field, text):
     field.setFocus()
     field.selectAll()
@@ -36,12 +51,12 @@ def place(editor):
 
 
 def test_the_theme_changes_at_once(editor, dialog):
-    dialog.theme_box.setFocus()
-    QTest.keyClick(dialog.theme_box, Qt.Key.Key_End)
+    themes(dialog).setFocus()
+    QTest.keyClick(themes(dialog), Qt.Key.Key_End)
     assert editor.window.preferences.theme_mode is ThemeMode.DARK
     assert theme_of(editor.window.palette()).name == "dark"
     assert editor.action("themeDark").isChecked()
-    QTest.keyClick(dialog.theme_box, Qt.Key.Key_Home)
+    QTest.keyClick(themes(dialog), Qt.Key.Key_Home)
     assert editor.window.preferences.theme_mode is ThemeMode.SYSTEM
 
 
@@ -49,7 +64,7 @@ def test_the_button_and_escape_close_it_and_enter_does_not(editor, dialog):
     button = dialog.findChild(QPushButton, "closePreferences")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert not dialog.isVisible()
-    for field in (dialog.theme_box, dialog.grid_edit, dialog.unit_box, button):
+    for field in (themes(dialog), spacing(dialog), units(dialog), button):
         editor.trigger("preferences")
         assert dialog.isVisible()
         field.setFocus()
@@ -63,44 +78,117 @@ def test_the_unit_is_shown_at_the_axes_and_in_the_status_line(editor, dialog):
     editor.hover((1.0, 1.0))
     assert "mm" not in place(editor)
     before = editor.screenshot()
-    retype(dialog.unit_box.lineEdit(), "mm")
+    retype(units(dialog).lineEdit(), "mm")
     assert editor.window.preferences.unit_name == "mm"
     editor.hover((1.5, 1.0))
     assert place(editor).count(" mm") == 2
     assert editor.screenshot() != before
-    retype(dialog.unit_box.lineEdit(), "none")
+    retype(units(dialog).lineEdit(), "none")
     assert editor.window.preferences.unit_name == ""
     editor.hover((1.0, 1.0))
     assert "mm" not in place(editor)
 
 
 def test_a_grid_spacing_is_typed_as_an_expression_and_can_be_adaptive_again(editor, dialog):
-    retype(dialog.grid_edit, "1/4")
+    retype(spacing(dialog), "1/4")
     assert editor.window.preferences.grid_spacing == 0.25
     assert editor.window.canvas.tools.grid() == 0.25
-    assert dialog.grid_edit.text() == "0.25"
-    retype(dialog.grid_edit, "adaptive")
+    assert spacing(dialog).text() == "0.25"
+    retype(spacing(dialog), "adaptive")
     assert editor.window.preferences.grid_spacing == 0
-    assert dialog.grid_edit.text() == "adaptive"
+    assert spacing(dialog).text() == "adaptive"
     assert dialog.isVisible()
 
 
 @pytest.mark.parametrize("typed", ["-1", "0", "wide"])
 def test_a_spacing_that_cannot_be_is_explained(editor, dialog, typed):
-    retype(dialog.grid_edit, typed)
+    retype(spacing(dialog), typed)
     assert dialog.findChild(QLabel, "preferencesProblem").text().startswith("⚠")
     assert editor.window.preferences.grid_spacing == 0
-    QTest.keyClick(dialog.grid_edit, Qt.Key.Key_Escape)
-    assert dialog.grid_edit.text() == "adaptive"
+    QTest.keyClick(spacing(dialog), Qt.Key.Key_Escape)
+    assert spacing(dialog).text() == "adaptive"
     assert dialog.findChild(QLabel, "preferencesProblem").text() == ""
 
 
 def test_what_points_snap_to(editor, dialog):
     assert editor.window.preferences.snap_kinds == frozenset(SnapKind)
-    dialog.snap_checks["curves"].click()
+    dialog.findChild(QCheckBox, "snap_curves").click()
     assert editor.window.preferences.snap_kinds == frozenset(SnapKind) - {"curves"}
-    dialog.snap_checks["curves"].click()
+    dialog.findChild(QCheckBox, "snap_curves").click()
     assert editor.window.preferences.snap_kinds == frozenset(SnapKind)
+
+
+def rows_of(dialog):
+    """The labels of the form, each with the objectName beside it."""
+    form = dialog.tabs.widget(0).layout()
+    field = QFormLayout.ItemRole.FieldRole
+    widgets = [form.itemAt(row, field).widget() for row in range(form.rowCount())]
+    labels = [form.labelForField(widget) for widget in widgets]
+    return [
+        (label.text() if label else "", each.objectName())
+        for label, each in zip(labels, widgets, strict=True)
+    ]
+
+
+def test_the_rows_stand_in_the_order_of_the_settings(dialog):
+    kinds = [("Snap to" if kind is next(iter(SnapKind)) else "", f"snap_{kind.value}") for kind in SnapKind]
+    assert rows_of(dialog)[: 4 + len(kinds)] == [
+        ("Theme", "themeBox"),
+        ("Unit", "unitBox"),
+        ("Grid spacing", "gridSpacing"),
+        ("", "preferencesProblem"),
+        *kinds,
+    ]
+
+
+class Shape(NamedEnum):
+    ROUND = "round", "Round"
+    FLAT = "flat", "Flat"
+
+
+class _WithMore(Preferences):
+    """What it takes to add a setting of each kind: its line."""
+
+    beeps = Switch("tests/beeps", "Beep", "Whether the tests beep", default=False)
+    shape = Choice("tests/shape", Shape.ROUND, "Shape", "The shape of the sound")
+    shapes = Several("tests/shapes", Shape, "Shapes", "Take this one: {}", "shape_{}")
+    reach = Distance("tests/reach", "Reach", "How far it goes", none="far", refusal="It needs a reach.")
+    call = Text("tests/call", "Call", "What is called", longest=5, usual=("nothing", "hey"))
+    grid = Switch("tests/grid", "Grid", "Whether there is a grid: a state of the window", default=True)
+
+
+def test_a_setting_that_is_one_line_is_seen_changed_at_once_and_remembered(qtbot, store):
+    """The windows of one more person, for the dialog reads the class of the preferences."""
+    preferences = _WithMore(store)
+    editor = Editor(qtbot, preferences=preferences)
+    editor.trigger("preferences")
+    dialog = editor.window.findChild(PreferencesDialog)
+    labels = [label for label, _ in rows_of(dialog)]
+    assert [each for each in labels if each in {"Shape", "Shapes", "Reach", "Call"}] == [
+        *("Shape", "Shapes", "Reach", "Call")
+    ]
+    assert "Beep" not in labels  # it stands beside its box
+    beep = dialog.findChild(QCheckBox, "preference_beeps")
+    assert (beep.text(), beep.toolTip(), beep.isChecked()) == ("Beep", "Whether the tests beep", False)
+    beep.click()
+    QTest.keyClick(dialog.findChild(QComboBox, "preference_shape"), Qt.Key.Key_End)
+    dialog.findChild(QCheckBox, "shape_round").click()
+    retype(dialog.findChild(QLineEdit, "preference_reach"), "1/4")
+    retype(dialog.findChild(QComboBox, "preference_call").lineEdit(), "hello, you")
+    chosen = (True, Shape.FLAT, {Shape.FLAT}, 0.25, "hello")
+    for each in (preferences, _WithMore(store)):
+        assert (each.beeps, each.shape, each.shapes, each.reach, each.call) == chosen
+    # What is also a state of the window changes that.
+    assert editor.action("toggleGrid").isChecked()
+    dialog.findChild(QCheckBox, "preference_grid").click()
+    assert not editor.action("toggleGrid").isChecked()
+
+
+def test_what_is_remembered_of_the_window_is_not_there():
+    named = settings_with_labels(Preferences)
+    assert list(named)[:4] == ["theme_mode", "unit_name", "grid_spacing", "snap_kinds"]
+    for name in ("window_geometry", "shortcuts", "snap_on", "export_choice", "last_folder"):
+        assert name not in named
 
 
 @pytest.mark.parametrize("decades", range(-8, 9))

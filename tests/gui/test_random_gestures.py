@@ -19,13 +19,12 @@ from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.plotting.pixel_map import PixelMap
 from app.session import Session
 from app.storage.format import decode, encode, validate
+from app.tools.canvas.select import SELECT
 from app.tools.explain import EXPLAIN
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.rail import RAIL
-from app.tools.registry import TOOLS
-from app.tools.select import SELECT
 from app.tools.snapping import Snapping
-from app.tools.tool import ToolSettings
+from app.tools.tool import TOOLS, ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
 from app.view_model.handles import handles_of

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QItemSelectionModel, QLocale, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
@@ -15,6 +16,7 @@ from app.document.edits import EditError
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.features.point_table.delegate import CellEditor
+from app.features.point_table.edits import passed_over
 from app.view_model import point_columns as columns
 from app.view_model.point_columns import Column
 
@@ -44,6 +46,7 @@ def at_distance(document, curve, _view, index, distance):
     return edits.set_position(document, curve, index, (x * factor, y * factor))
 
 
+BUILT_IN = columns.COLUMNS
 CURVATURE = Column(name="kappa", tip="Signed curvature at the point", get=curvatures)
 DISTANCE = Column(
     name="r",
@@ -76,7 +79,13 @@ def table(monkeypatch, editor):
     return view
 
 
-KAPPA, R = 3, 4
+KAPPA = len(columns.columns_of(derivatives=0))
+R = KAPPA + 1
+
+
+def names_of(derivatives):
+    """Names of the columns that the program has, and of those here."""
+    return [*(column.name for column in BUILT_IN if column.derivatives <= derivatives), "kappa", "r"]
 
 
 def cell(table, row, column, *, adds=False):
@@ -95,8 +104,8 @@ def paste(table, text):
 
 
 def test_they_are_shown(editor, table):
-    names = [table.model().headerData(column, Qt.Orientation.Horizontal) for column in range(5)]
-    assert names == ["t", "x", "y", "kappa", "r"]
+    names = [table.model().headerData(column, Qt.Orientation.Horizontal) for column in range(R + 1)]
+    assert names == names_of(0)
     tip = table.model().headerData(R, Qt.Orientation.Horizontal, Role.ToolTipRole)
     assert tip == "Distance from the origin"
     assert [data(table, row, R) for row in range(4)] == [5.0, 10.0, 5.0, 5.0]
@@ -191,7 +200,87 @@ def test_a_family_shows_those_for_its_derivatives(monkeypatch, editor, table):
     more = Column(name="s", tip="", get=distances, derivatives=1)
     monkeypatch.setattr(columns, "COLUMNS", (*columns.COLUMNS, more))
     editor.choose_family(HERMITE)
-    names = [column.name for column in table.model().columns]
-    assert names == ["t", "x", "y", "vx", "vy", "kappa", "r", "s"]
+    assert [column.name for column in table.model().columns] == [*names_of(1), "s"]
     editor.choose_family(LAGRANGE)
-    assert [column.name for column in table.model().columns] == ["t", "x", "y", "kappa", "r"]
+    assert [column.name for column in table.model().columns] == names_of(0)
+
+
+def curvatures_inside(view):
+    """The same as of a curve that has none at its ends."""
+    found = curvatures(view)
+    found[[0, -1]] = np.nan
+    return found
+
+
+@pytest.mark.parametrize("get", [curvatures, curvatures_inside])
+def test_a_paste_passes_over_what_is_computed_and_says_so(monkeypatch, editor, table, get):
+    """A whole table copied and pasted onto itself was refused: kappa is computed, or row 1 of it is empty."""
+    monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, replace(CURVATURE, get=get), DISTANCE))
+    editor.session.change("Again", lambda document: edits.set_position(document, 0, 0, (6.0, 2.5)))
+    editor.settle()
+    before = editor.session.document
+    table.selectAll()
+    stay = QItemSelectionModel.SelectionFlag.NoUpdate
+    table.selectionModel().setCurrentIndex(table.model().index(0, 0), stay)
+    QTest.keyClick(table, Key.Key_C, CTRL)
+    QTest.keyClick(table, Key.Key_V, CTRL)
+    assert editor.status == f"Pasted 4 points{passed_over(columns.columns_of(0))}."
+    place = [point.position for point in before.curves[0].points]
+    assert np.array([point.position for point in editor.curve.points]) == pytest.approx(np.array(place))
+    cell(table, 0, R)
+    cell(table, 1, KAPPA, adds=True)
+    paste(table, "1")
+    assert editor.status == "Filled 1 cell; kappa is computed."
+    assert passed_over((CURVATURE, DISTANCE, replace(CURVATURE, name="k"))) == "; kappa and k are computed"
+    assert data(table, 0, R) == pytest.approx(1.0)
+    # A gap elsewhere is one.
+    cell(table, 0, 1)
+    paste(table, "1\t2\n\t3")
+    assert editor.status == "Row 2, column 1 is empty."
+
+
+@pytest.mark.parametrize("column", [KAPPA, R])
+def test_delete_on_a_column_of_its_own_deletes_no_point(editor, table, column):
+    """It deleted the point: nothing but the orders of derivatives counted."""
+    before = editor.session.document
+    cell(table, 0, column)
+    QTest.keyClick(table, Key.Key_Delete)
+    assert editor.session.document is before
+    name = table.model().columns[column].name
+    assert editor.status == f"No rule estimates {name}; Delete on t, x or y deletes the point."
+
+
+def test_delete_leaves_what_a_rule_estimates_to_that(monkeypatch, editor, table):
+    """The speed at a point: set by hand in the direction of the velocity, else that of the rule."""
+
+    def speeds(view):
+        return np.hypot(*view.curve.evaluate(view.parameters, 1).T)
+
+    def at_speed(document, curve, view, index, speed):
+        vx, vy = view.curve.evaluate(view.parameters[index], 1)
+        factor = speed / math.hypot(vx, vy)
+        return edits.set_velocity(document, curve, index, (vx * factor, vy * factor))
+
+    speed = Column(
+        name="|v|",
+        tip="Speed",
+        get=speeds,
+        set=at_speed,
+        is_estimated=lambda view: np.array([point.velocity is None for point in view.source.points]),
+        reset=lambda document, curve, indices: edits.estimate_derivatives(document, curve, indices, (1,)),
+        derivatives=1,
+    )
+    monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, speed))
+    editor.choose_family(HERMITE)
+    editor.settle()
+    place = len(columns.columns_of(1)) - 1
+    estimated = data(table, 2, place)
+    cell(table, 2, place)
+    paste(table, "7")
+    assert data(table, 2, place) == pytest.approx(7.0)
+    assert not table.model().estimated[2, place]
+    QTest.keyClick(table, Key.Key_Delete)
+    assert len(editor.curve.points) == 4
+    assert editor.curve.points[2].velocity is None
+    assert data(table, 2, place) == pytest.approx(estimated)
+    assert editor.session.undo_stack.undoText() == "Reset |v| of point 2"

@@ -10,12 +10,11 @@ from PySide6.QtWidgets import QLabel, QMenu, QWidget
 from app.document import edits
 from app.document.model import Point
 from app.testing import Editor
+from app.tools.canvas.select import SELECT
 from app.tools.drag import Drag
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Cursor, Hint
-from app.tools.registry import TOOLS
-from app.tools.select import SELECT
-from app.tools.tool import Tool, ToolRecord
+from app.tools.tool import TOOLS, GestureRow, Tool, ToolRecord
 
 HINT = "Drag to put a point above where you pressed"
 
@@ -68,6 +67,8 @@ RAISE = ToolRecord(
     name="raise",
     make=RaiseTool,
     hint="Drag upwards.",
+    doing="raising points",
+    gestures=(GestureRow("Drag upwards", "put a point above"),),
     action="raiseTool",
     title="Raise Points",
     key="Y",
@@ -80,11 +81,8 @@ FOOT, HEAD = (2.0, 1.0), (2.5, 3.0)
 @pytest.fixture
 def raising(qtbot):
     """A window with the tool, chosen by its key."""
-    TOOLS.append(RAISE)
-    try:
+    with TOOLS.with_record(RAISE):
         editor = Editor(qtbot)
-    finally:
-        TOOLS.remove(RAISE)
     editor.window.activateWindow()
     editor.settle()
     editor.key(Qt.Key.Key_Y)
@@ -106,6 +104,15 @@ def test_it_is_found_where_all_tools_are(raising):
     assert raising.find_command("raise po")[0] == "Raise Points"
     edit = next(menu for menu in raising.window.menuBar().findChildren(QMenu) if "Edit" in menu.title())
     assert raising.action("raiseTool") in edit.actions()
+
+
+def test_the_sheet_of_keys_and_mouse_begins_with_what_it_does(raising):
+    raising.trigger("showShortcuts")
+    sheet = raising.window.findChild(QWidget, "shortcutSheet")
+    words = [label.text() for label in sheet.findChildren(QLabel)]
+    assert words[1:4] == ["<b>Now: raising points</b>", "Drag upwards", "put a point above"]
+    assert words.index("back to selecting") < words.index("<b>Otherwise</b>")
+    assert words.index("tell t and c(t) there, when selecting") > words.index("<b>Otherwise</b>")
 
 
 def test_its_hint_and_its_cursor_are_shown(raising):
@@ -165,6 +172,35 @@ def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(rai
     assert session.selection == {1}
 
 
+class StampTool(Tool):
+    """Puts a point where it is clicked, through the one door: there is no drag."""
+
+    def press(self, context):
+        host, place = context.host, context.pointer.position
+
+        def stamped(document):
+            count = len(document.curves[host.active_index].points)
+            return edits.insert_points(document, host.active_index, count, [Point(*place)])
+
+        context.drags.press(context.pointer, None, on_click=lambda: host.change("Stamp point", stamped))
+
+
+def test_a_tool_that_only_clicks_does_nothing_when_dragged(raising):
+    stamp = ToolRecord(name="stamp", make=StampTool, hint="Click.", doing="stamping")
+    session, canvas = raising.session, raising.window.canvas
+    canvas.choose_tool(stamp)
+    count, steps = len(raising.curve.points), session.undo_stack.count()
+    raising.press(FOOT)
+    raising.move(HEAD)
+    raising.release(HEAD)
+    assert (len(raising.curve.points), session.undo_stack.count()) == (count, steps)
+    raising.press(FOOT)
+    raising.release(FOOT)
+    assert raising.point(-1) == pytest.approx(FOOT, abs=raising.pixel)
+    assert (len(raising.curve.points), session.undo_stack.undoText()) == (count + 1, "Stamp point")
+    raising.trigger("selectTool")
+
+
 def test_every_tool_has_what_its_action_shows(editor):
     for record in TOOLS:
         action = editor.action(record.action)
@@ -175,6 +211,8 @@ def test_every_tool_has_what_its_action_shows(editor):
         assert action.shortcut().toString() == record.key
         assert record.tip in action.toolTip()
         assert record.hint
+        assert record.doing
+        assert record.gestures
     editor.trigger(SELECT.action)
 
 

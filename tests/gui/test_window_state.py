@@ -12,8 +12,8 @@ from app.appearance.theme import ThemeMode
 from app.settings.kinds import Setting
 from app.settings.preferences import Preferences
 from app.state.window_state import WindowState, WindowStore
-from app.tools.add import ADD
-from app.tools.select import SELECT
+from app.tools.canvas.add import ADD
+from app.tools.canvas.select import SELECT
 
 APP = Path(__file__).resolve().parent.parent.parent / "app"
 SHOWN = {"action_switch", "command_palette"}

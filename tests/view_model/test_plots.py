@@ -155,6 +155,33 @@ def test_values_at_the_scrub_line_are_exact():
     assert set(PLOTS) == set(values)
 
 
+def difference_alone(plot):
+    """How far a value of a plot in sight is from the one of that t alone, against the greatest of all."""
+    view = wave(7, HERMITE)
+    (whole,) = plots(view, plot, columns=300)
+    (part,) = plots(view, plot, columns=300, t_range=(0.31, 0.47))
+    pairs = [(t, value) for each in (whole, part) for t, value in zip(*_of(each), strict=True)]
+    alone = [values_at(view, {plot}, t)[plot] for t, _ in pairs]
+    return max(abs(one - value) for one, (_, value) in zip(alone, pairs, strict=True)) / whole.extent[1]
+
+
+def _of(plot):
+    (line,) = plot.lines
+    shown = ~np.isnan(line.values)
+    return line.t[shown][::7], line.values[shown][::7]
+
+
+@pytest.mark.parametrize("plot", PLOTS, ids=lambda plot: plot.name)
+def test_a_value_depends_on_its_t_alone(plot):
+    # Rounding of the derivatives, which are computed for many t at once.
+    assert difference_alone(plot) < 1e-9
+
+
+def test_a_plot_that_adds_up_what_is_in_sight_is_found_out():
+    added = replace(lengths.SPEED, values=lambda sampled: np.cumsum(sampled.derivatives[1][:, 0]))
+    assert difference_alone(added) > 0.1
+
+
 def test_without_a_curve_there_is_nothing_to_plot():
     view = view_of(Curve("One", LAGRANGE, Parametrization(), (Point(0.0, 0.0),)))
     assert plots_of(view, frozenset(PLOTS), (0.0, 1.0), 100) == []

@@ -143,12 +143,19 @@ class Registry:
     def __iter__(self) -> Iterator[Format]:
         if self._found is None:
             names = [each.name for each in iter_modules(__path__)]
-            self._found = [each for name in names for each in import_module(f"{__name__}.{name}").FORMATS]
+            found = [each for name in names for each in import_module(f"{__name__}.{name}").FORMATS]
+            self._found = _unambiguous(found)
         return iter(sorted(self._found, key=lambda each: each.place))
 
     def add(self, new: Format) -> None:
-        """Add a format that no module of this package lists."""
-        self._found = [*self, new]
+        """Add a format that no module of this package lists.
+
+        Raises
+        ------
+        ValueError
+            If an ending of its files, or the name of an option, is another one's already.
+        """
+        self._found = _unambiguous([*self, new])
 
     def remove(self, known: Format) -> None:
         """Take a format out again."""
@@ -173,6 +180,22 @@ class Registry:
     def read(self) -> tuple[Format, ...]:
         """Those that are read."""
         return tuple(each for each in self if each.kind)
+
+
+def _unambiguous(formats: list[Format]) -> list[Format]:
+    """Return formats of which no two write, or read, files of one ending, or name two options alike."""
+    known: dict[tuple[str, str], tuple[Format, object]] = {}
+    for each in formats:
+        said: list[tuple[str, str, object]] = [
+            ("write", ending, each) for ending in each.endings if each.write
+        ]
+        said += [("read", ending, each) for ending in each.endings if each.kind]
+        said += [("have an option", option.name, option) for option in each.options]
+        for verb, name, record in said:
+            other, of_other = known.setdefault((verb, name), (each, record))
+            if of_other is not record:
+                raise ValueError(f"“{other.title}” and “{each.title}” both {verb} “{name}”.")
+    return formats
 
 
 FORMATS = Registry()

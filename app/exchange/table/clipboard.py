@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Collection, Iterable, Sequence
 
@@ -34,7 +35,9 @@ class Block(msgspec.Struct, frozen=True):
     rows: list[list[float]]
 
 
-def read_titled_block(text: str, mark: str = ".", titles: Collection[str] = "xy") -> Block:
+def read_titled_block(
+    text: str, mark: str = ".", titles: Collection[str] = "xy", *, may_be_empty: bool = False
+) -> Block:
     """Return the numbers of a block of text, row by row.
 
     Parameters
@@ -47,6 +50,8 @@ def read_titled_block(text: str, mark: str = ".", titles: Collection[str] = "xy"
         as a decimal comma wherever it cannot be a group separator.
     titles
         The titles that there are, in lower case; a first row of anything else is no row of titles.
+    may_be_empty
+        Whether a cell between separators may have nothing in it; it is read as NaN.
 
     Raises
     ------
@@ -69,7 +74,10 @@ def read_titled_block(text: str, mark: str = ".", titles: Collection[str] = "xy"
     first = _titles(cells)
     skipped = 1 if len(cells) > 1 and set(first) <= {"#", *titles} else 0
     numbers = [
-        [_number(cell, row, column, "," if comma else mark) for column, cell in enumerate(line, start=1)]
+        [
+            math.nan if may_be_empty and not cell else _number(cell, row, column, "," if comma else mark)
+            for column, cell in enumerate(line, start=1)
+        ]
         for row, line in enumerate(cells[skipped:], start=1 + skipped)
     ]
     _refuse_ragged(numbers, skipped)

@@ -26,6 +26,8 @@ class BasisScene(QObject):
         All basis functions of the curve that is edited; the t-rail with the scrub line.
     basis
         The functions on screen, None without a curve.
+    with_estimates
+        Whether they say what each point does with the estimates that follow it.
 
     Signals
     -------
@@ -43,7 +45,6 @@ class BasisScene(QObject):
         self.basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
         self._held_domain: tuple[float, float] | None = None
-        self._with_estimates = False
         self.functions = FunctionLayer(plot)
         self.rail = RailLayer(plot)
         self._box.sigResized.connect(self.show_values)
@@ -52,7 +53,7 @@ class BasisScene(QObject):
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`; they are sampled again only if they are other ones."""
         self._view = view
-        shows_cardinals = self._with_estimates and view.source.family.derivatives > 0
+        shows_cardinals = self.with_estimates and view.source.family.derivatives > 0
         if _is_of(self.basis, view, shows_cardinals):
             return
         old = self.basis
@@ -66,13 +67,11 @@ class BasisScene(QObject):
         self._report_extent()
 
     def set_with_estimates(self, shown: bool) -> None:
-        """Show what each point does with the estimates that follow it, or the family's functions."""
-        self._with_estimates = shown
+        """Show cardinal functions, which contain estimates, or the family's own from the next view on."""
+        self.with_estimates = shown
         name, what = ("Cardinal functions", "What each point does") if shown else ("Basis functions", _WHAT)
         self._plot.setAccessibleName(name)
         self._plot.setAccessibleDescription(f"{what} over t; drag a tick at the foot to change t.")
-        if self._view is not None:
-            self.render_view(self._view)
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Draw the functions of these points thick."""

@@ -10,7 +10,6 @@ from app import __version__
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL, MENUS
 from app.features import help as help_feature
-from app.tools.add import ADD
 from app.workbench.context import WindowContext
 
 if TYPE_CHECKING:
@@ -36,7 +35,7 @@ class HelpCommands:
             self._sheet.dismiss()
             return
         moment = help_feature.shortcut_sheet.Moment(
-            adding=context.store.state.uses(ADD),
+            tool=context.store.state.tool,
             selected=len(context.session.selection),
             has_derivatives=context.session.active_curve.family.derivatives > 0,
             curves=len(context.session.selected.curves),

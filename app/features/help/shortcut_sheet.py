@@ -13,6 +13,8 @@ from app.appearance.icons import icon
 from app.appearance.theme import Theme
 from app.document.words import count_of
 from app.qt.labels import Label, html_of
+from app.tools.canvas.select import SELECT
+from app.tools.tool import TOOLS, GestureRow, ToolRecord
 from app.widgets.boxes import column_of, row_of
 from app.widgets.overlay_frame import OverlayFrame
 from app.widgets.tool_buttons import ICON, tool_button
@@ -27,8 +29,8 @@ class Moment(msgspec.Struct, frozen=True):
 
     Attributes
     ----------
-    adding
-        Whether the Add tool is in hand, rather than the Select tool.
+    tool
+        The tool in use.
     selected
         How many points are selected.
     has_derivatives
@@ -37,7 +39,7 @@ class Moment(msgspec.Struct, frozen=True):
         How many curves are chosen.
     """
 
-    adding: bool
+    tool: ToolRecord
     selected: int
     has_derivatives: bool
     curves: int = 1
@@ -45,118 +47,68 @@ class Moment(msgspec.Struct, frozen=True):
     @property
     def has_curves(self) -> bool:
         """Whether several curves are chosen and the transforms act on them: no point is selected."""
-        return self.curves > 1 and not self.selected and not self.adding
+        return self.curves > 1 and not self.selected
 
     @property
     def title(self) -> str:
         """Heading for the situation."""
-        if self.adding:
-            return "Now: adding points"
-        if self.has_curves:
+        if self.tool is SELECT and self.has_curves:
             return f"Now: {self.curves} curves chosen"
-        if not self.selected:
-            return "Now: selecting"
-        return f"Now: {count_of(self.selected, 'point')} selected"
+        if self.tool is SELECT and self.selected:
+            return f"Now: {count_of(self.selected, 'point')} selected"
+        return f"Now: {self.tool.doing}"
 
-
-class _Gesture(msgspec.Struct, frozen=True):
-    """One row of the sheet, and what it needs: a tool, selected points, several curves, derivatives."""
-
-    keys: str
-    what: str
-    adding: bool | None = None
-    selected: bool = False
-    needs_derivatives: bool = False
-    curves: bool = False
-
-    def applies(self, moment: Moment) -> bool:
-        return not self.condition(moment)
-
-    def condition(self, moment: Moment) -> str:
-        """Return what must be otherwise for it to apply; empty where it does."""
-        if self.adding is not None and self.adding != moment.adding:
-            return "when adding points" if self.adding else "when selecting"
-        if not self._has_subject(moment):
-            if not self.curves:
-                return "with points selected"
+    def missing(self, gesture: GestureRow) -> str:
+        """Return what must be otherwise for a gesture of any tool to apply; empty where it does."""
+        is_there = (gesture.selected and bool(self.selected)) or (gesture.curves and self.has_curves)
+        if not is_there and gesture.curves:
             curves = "several curves chosen and no point selected"
-            return f"with points selected, or {curves}" if self.selected else f"with {curves}"
-        return "on a Hermite curve" if self.needs_derivatives and not moment.has_derivatives else ""
+            return f"with points selected, or {curves}" if gesture.selected else f"with {curves}"
+        if not is_there and gesture.selected:
+            return "with points selected"
+        return "on a Hermite curve" if gesture.needs_derivatives and not self.has_derivatives else ""
 
-    def _has_subject(self, moment: Moment) -> bool:
-        """Whether there is what it is done to."""
-        if not self.selected and not self.curves:
-            return True
-        return (self.selected and bool(moment.selected)) or (self.curves and moment.has_curves)
+    def rows(self) -> tuple[Rows, Rows]:
+        """Return the gestures that apply, and the others, each with what must be otherwise."""
+        own = [*self.tool.gestures, *_WITH_ANY_TOOL]
+        if self.tool is not SELECT:
+            own.append(GestureRow("Escape", "back to selecting"))
+        now = [(each.keys, each.what) for each in own if not self.missing(each)]
+        rest = {each: missing for each in own if (missing := self.missing(each))}
+        for tool in TOOLS:
+            for each in tool.gestures:
+                if each not in own:
+                    rest.setdefault(each, f"when {tool.doing}")
+        return now, [(each.keys, f"{each.what}, {missing}") for each, missing in rest.items()]
 
 
-_GESTURES = (
-    _Gesture("Click", "add a point", adding=True),
-    _Gesture(
-        "Press and drag",
-        "add a point and set its velocity; Shift: 15° steps",
-        adding=True,
-        needs_derivatives=True,
-    ),
-    _Gesture("Click the curve", "insert a point between its neighbours", adding=True),
-    _Gesture("Drag a chosen curve", "move all chosen curves", adding=False, curves=True),
-    _Gesture("G, S, R, arrows, Del, the box", "act on all chosen curves", adding=False, curves=True),
-    _Gesture("Escape, a click beside them", "choose only the one edited", adding=False, curves=True),
-    _Gesture("Shift+click", "add a point at the end, also on the curve or a closed one", adding=True),
-    _Gesture("Enter", "finish the curve; a click on its last point goes on with it", adding=True),
-    _Gesture("Click beside a closed or finished curve", "begin another curve", adding=True),
-    _Gesture("Drag a point", "move it; Shift keeps to one axis"),
-    _Gesture("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
-    _Gesture("Escape, right button", "during a drag: take it back"),
-    _Gesture("Click a point", "select it alone", adding=False),
-    _Gesture("Shift+click a point", "select it too, or no longer", adding=False),
-    _Gesture("Drag beside the curve", "select with a rubber band; Shift adds", adding=False),
-    _Gesture("Drag the curve", "bend it; Ctrl changes points only, Alt derivatives only", adding=False),
-    _Gesture("Click the curve", "tell t and c(t) there", adding=False),
-    _Gesture(
-        "Drag a grip of the box",
-        "scale (Shift keeps proportions, Alt the centre) or rotate (Shift: 15° steps)",
-        adding=False,
-        selected=True,
-        curves=True,
-    ),
-    _Gesture(
+_WITH_ANY_TOOL = (
+    GestureRow("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
+    GestureRow("Escape, right button", "during a drag: take it back"),
+    GestureRow(
         "Moving, scaling, rotating",
         "G, S, R: what is selected, else all points. X or Y locks an axis, digits type the amount, "
         "Tab (or ;) goes from x to y, Enter ends",
     ),
-    _Gesture("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
-    _Gesture(
-        "Drag a handle",
-        "set velocity (square) or acceleration (diamond); Shift: 15° steps, Alt: length",
-        selected=True,
-        needs_derivatives=True,
-    ),
-    _Gesture(
+    GestureRow(
         "Arrow keys",
         "nudge the points, or ticks in the t-rail; Shift: ten, Ctrl: a tenth",
         selected=True,
         curves=True,
     ),
-    _Gesture("Tab, Shift+Tab", "select the next or previous point", adding=False),
-    _Gesture("Escape", "back to selecting", adding=True),
-    _Gesture("Escape", "select nothing", adding=False, selected=True),
-    _Gesture("Drag a tick of the t-rail", "change t; the parameters become manual"),
-    _Gesture("Hold E, dragging a tick", "all ticks on the side you move to go along"),
-    _Gesture("Shift+click ticks", "select several; dragging one moves all"),
-    _Gesture("Double-click a tick", "type its t; right-click for more"),
-    _Gesture("Drag in the basis panel", "scrub: every point shows its weight at t; Escape puts it away"),
-    _Gesture("Click a basis function", "select its point"),
-    _Gesture("Drag, measuring", "distance and angle; Shift: 15° steps; Escape puts it away"),
-    _Gesture("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
-    _Gesture("Press another curve", "edit it; drag to bend it or move a point", adding=False),
-    _Gesture("Shift+click another curve", "choose it too, or no longer", adding=False),
-    _Gesture("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
-    _Gesture("F2, Del", "in the list of curves: rename, delete"),
-    _Gesture("Right button, Menu key", "what can be done there"),
-    _Gesture("Drop a file", "open a document, or trace a picture"),
-    _Gesture("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
-    _Gesture("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
+    GestureRow("Drag a tick of the t-rail", "change t; the parameters become manual"),
+    GestureRow("Hold E, dragging a tick", "all ticks on the side you move to go along"),
+    GestureRow("Shift+click ticks", "select several; dragging one moves all"),
+    GestureRow("Double-click a tick", "type its t; right-click for more"),
+    GestureRow("Drag in the basis panel", "scrub: every point shows its weight at t; Escape puts it away"),
+    GestureRow("Click a basis function", "select its point"),
+    GestureRow("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
+    GestureRow("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
+    GestureRow("F2, Del", "in the list of curves: rename, delete"),
+    GestureRow("Right button, Menu key", "what can be done there"),
+    GestureRow("Drop a file", "open a document, or trace a picture"),
+    GestureRow("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
+    GestureRow("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
 )
 
 
@@ -190,12 +142,7 @@ class ShortcutSheet(OverlayFrame):
 
     def open(self, moment: Moment, menus: Sequence[tuple[str, Rows]]) -> None:
         """Show what applies at `moment`, then the other gestures, then the keys of each menu."""
-        now = [(each.keys, each.what) for each in _GESTURES if each.applies(moment)]
-        rest = [
-            (each.keys, f"{each.what}, {each.condition(moment)}")
-            for each in _GESTURES
-            if not each.applies(moment)
-        ]
+        now, rest = moment.rows()
         self._area.setWidget(_grid([(moment.title, now), ("Otherwise", rest), *menus]))
         self.place()
         self._focus_before = QApplication.focusWidget()

@@ -10,7 +10,7 @@ from typing import Any, Generic
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
 
 from app.document.expression import ExpressionError, parse_number
-from app.exchange.options import Check, OneOf, Option, SomeOf, Tolerance, Value, Whole
+from app.exchange.options import Check, OneOf, Option, Real, SomeOf, Value, Whole
 from app.widgets.controls import check_box, choice_box
 from app.widgets.field_edit import FieldEdit
 from app.widgets.number_text import decimal_mark, exact_text
@@ -139,14 +139,14 @@ class SomeOfField(Field[tuple[str, ...]]):
         return "" if self.value() else self._needed
 
 
-@field_for.register(Tolerance)
-class ToleranceField(Field[float | None]):
-    """A field for a number, or “automatic”."""
+@field_for.register(Real)
+class RealField(Field[float | None]):
+    """A field for a number, or “automatic” where there need not be one."""
 
     widget: FieldEdit
 
-    def __init__(self, option: Tolerance, change: Callable[[], object]) -> None:
-        self._value, self._change = option.default, change
+    def __init__(self, option: Real, change: Callable[[], object]) -> None:
+        self._option, self._value, self._change = option, option.default, change
         self.widget = FieldEdit(option.widget, option.title, option.tip)
         self.widget.committed.connect(self._type)
 
@@ -161,20 +161,19 @@ class ToleranceField(Field[float | None]):
 
     def _type(self, text: str) -> None:
         try:
-            self.show(_tolerance_of(text))
+            self.show(self._number(text))
         except ExpressionError:
             self.widget.keep()
         else:
             self._change()
 
-
-def _tolerance_of(text: str) -> float | None:
-    if text.strip().casefold() in ("", _AUTOMATIC):
-        return None
-    value = parse_number(text, decimal_mark())
-    if not value > 0:
-        raise ExpressionError("The tolerance must be greater than 0.")
-    return value
+    def _number(self, text: str) -> float | None:
+        if self._option.default is None and text.strip().casefold() in ("", _AUTOMATIC):
+            return None
+        value = parse_number(text, decimal_mark())
+        if self._option.checked(value) != value:
+            raise ExpressionError("It is beyond the limits.")
+        return value
 
 
 def _check(name: str, text: str, tip: str, change: Callable[[], object]) -> QCheckBox:

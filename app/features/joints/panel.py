@@ -16,6 +16,7 @@ from app.qt.keys import ClaimsKeys
 from app.qt.labels import Label
 from app.view_model.analysis.joints import Certificate, JointKind, JointRow
 from app.widgets.boxes import column_of, row_of
+from app.widgets.controls import named
 from app.widgets.number_text import decimal_mark
 from app.widgets.tool_buttons import action_button
 
@@ -41,8 +42,7 @@ class JointsView(ClaimsKeys, QTableView):
 
     def __init__(self, model: JointsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("jointsTable")
-        self.setAccessibleName("Joints")
+        named(self, "jointsTable", "Joints")
         self.setModel(model)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from itertools import compress
 
 import numpy as np
 
-from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document
 from app.document.words import count_of
-from app.features.point_table.edits import fill_cells, keepers, paste_block, reset_name
+from app.features.point_table.edits import fill_cells, keepers, passed_over, paste_block, reset_name
 from app.features.point_table.panel import PointTable
 from app.session import Session
 from app.view_model.point_columns import POSITION, Column
@@ -62,18 +62,23 @@ class PointTableController:
     def _fill(self, cells: Mapping[Column, Sequence[int]], value: float) -> None:
         """Put one number into cells, the rows of each column."""
         session = self._session
+        passed = passed_over(cells)
+        cells = {column: rows for column, rows in cells.items() if column.set is not None} or cells
         what = count_of(sum(map(len, cells.values())), "cell")
         change = session.change(
             f"Fill {what}",
             lambda document: fill_cells(document, session.active_index, session.active_view, cells, value),
         )
         if not self._is_refused(change.refusal):
-            session.say(f"Filled {what}.")
+            session.say(f"Filled {what}{passed}.")
             self._show_points()
 
     def _paste(self, top: int, columns: Sequence[Column], numbers: np.ndarray) -> None:
         """Put a block of numbers into the rows from `top` on."""
         session, view = self._session, self._session.active_view
+        passed, can_be_set = passed_over(columns), [column.set is not None for column in columns]
+        if any(can_be_set):
+            columns, numbers = list(compress(columns, can_be_set)), numbers[:, can_be_set]
         height, width = numbers.shape
         whole = [column.order for column in columns].count(POSITION) == 2
         what = count_of(height, "point") if whole else count_of(height * width, "value")
@@ -83,16 +88,19 @@ class PointTableController:
         )
         if self._is_refused(change.refusal):
             return
-        session.say(f"Pasted {what}.")
+        session.say(f"Pasted {what}{passed}.")
         overwritten = range(top, min(top + height, len(view.source.points)))
         session.selected.set_points(range(top, top + height))
         self._panel.tell_who_kept(*keepers(view, overwritten, columns))
         self._show_points()
 
-    def _reset(self, rows: Collection[int], orders: Collection[int]) -> None:
-        """Leave derivatives to the rules again."""
-        session = self._session
-        session.change(
-            reset_name(rows, orders),
-            lambda document: edits.estimate_derivatives(document, session.active_index, rows, orders),
-        )
+    def _reset(self, rows: Collection[int], columns: Sequence[Column]) -> None:
+        """Leave numbers to the rules again."""
+
+        def edit(document: Document) -> Document:
+            for column in columns:
+                if column.reset is not None:
+                    document = column.reset(document, self._session.active_index, rows)
+            return document
+
+        self._session.change(reset_name(rows, columns), edit)

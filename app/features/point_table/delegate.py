@@ -192,7 +192,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
     def needed_widths(self, digits: int, of_derivatives: int, metrics: QFontMetrics) -> list[int]:
         """Return how wide the columns are at least that hold so many digits."""
         return [
-            self._widths.of(numbers.extent, of_derivatives if column.is_derivative else digits, metrics)
+            self._widths.of(numbers.extent, of_derivatives if column.derivatives else digits, metrics)
             for column, numbers in zip(self._model.columns, self._model.numbers_of_columns, strict=True)
         ]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec.structs import replace
 
@@ -61,6 +61,12 @@ def paste_block(
     return document
 
 
+def passed_over(columns: Iterable[Column]) -> str:
+    """Return what a paste says of the computed ones among columns: "; kappa is computed"."""
+    names = [column.name for column in columns if column.set is None]
+    return f"; {' and '.join(names)} {'are' if len(names) > 1 else 'is'} computed" if names else ""
+
+
 def _by_row(top: int, numbers: FloatArray) -> dict[int, float]:
     return dict(enumerate(numbers.tolist(), start=top))
 
@@ -105,6 +111,8 @@ def _append(document: Document, curve: int, view: CurveView, new: Sequence[Point
 
 # Back to the rules
 
+_ORDER_NAMES = {1: "velocity", 2: "acceleration"}
+
 
 def explicit_orders(points: Sequence[Point], indices: Collection[int], orders: Collection[int]) -> set[int]:
     """Return which of the derivatives `orders` the person set at any of `indices`."""
@@ -131,16 +139,18 @@ def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -
 
 def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
     """Return "Point 8 keeps its own velocity"."""
-    names = [name for order, name in ((1, "velocity"), (2, "acceleration")) if order in orders]
+    names = [name for order, name in _ORDER_NAMES.items() if order in orders]
     if len(indices) == 1:
         return f"Point {indices[0]} keeps its own {' and '.join(names)}"
     plural = " and ".join({"velocity": "velocities", "acceleration": "accelerations"}[name] for name in names)
     return f"{len(indices)} points keep their own {plural}"
 
 
-def reset_name(indices: Collection[int], orders: Collection[int]) -> str:
+def reset_name(indices: Collection[int], columns: Sequence[Column]) -> str:
     """Return the name of a reset in the history."""
-    what = "derivatives" if len(orders) > 1 else "velocity" if 1 in orders else "acceleration"
+    names = dict.fromkeys(_ORDER_NAMES.get(column.order or 0, column.name) for column in columns)
+    both = set(_ORDER_NAMES.values()) >= names.keys()
+    what = "derivatives" if both and len(names) > 1 else " and ".join(names)
     if len(indices) == 1:
         return f"Reset {what} of point {next(iter(indices))}"
     return f"Reset {what} of {len(indices)} points"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -41,7 +42,7 @@ class PointTable(Guarded, QWidget):
     paste_requested
         A block of numbers is to be put into the table: (row, columns, numbers).
     reset_requested
-        Derivatives are to be estimated again: (rows, orders).
+        Numbers are to be estimated again: (rows, columns).
     said, refused
         A sentence for the status line: what was done, or why something cannot be.
 
@@ -69,7 +70,7 @@ class PointTable(Guarded, QWidget):
         self._rendering = False
         # The view shown last, and whether it was one of a gesture.
         self._fitted: tuple[CurveView, bool] | None = None
-        self._to_reset: tuple[list[int], set[int]] = ([], set())
+        self._to_reset: tuple[list[int], list[Column]] = ([], [])
         self.model = PointTableModel(self)
         self.view = PointTableView(self.model, self)
         self._message = Label(name="pointTableMessage", wordWrap=True, is_html=True)
@@ -195,10 +196,10 @@ class PointTable(Guarded, QWidget):
         self.view.viewport().update()
 
     def _render_footer(self) -> None:
-        has_derivatives = any(column.is_derivative for column in self.model.columns)
+        has_derivatives = any(column.reset for column in self.model.columns)
         self._footer.setVisible(has_derivatives)
         self._reset.setVisible(has_derivatives)
-        can_reset = has_derivatives and bool(self._orders_to_reset())
+        can_reset = has_derivatives and bool(self._columns_to_reset())
         self._reset_button.setEnabled(can_reset)
         self._reset.setEnabled(can_reset)
 
@@ -237,20 +238,34 @@ class PointTable(Guarded, QWidget):
         if new is not None and not self.isAncestorOf(new):
             self._clear_message()
 
-    def _orders_to_reset(self) -> set[int]:
-        """Return which derivatives of the selected points a reset would change.
+    def _columns_to_reset(self) -> list[Column]:
+        """Return which columns of the selected points a reset would change.
 
-        Those whose cells are selected; both where none is.
+        Those whose cells are selected; all derivatives where none is.
         """
-        rows, columns = self.view.selected_rows(), self.view.selected_columns()
-        shown = self.model.columns
-        orders = _derivatives_of(shown[column] for column in columns) or _derivatives_of(shown)
-        return explicit_orders(self.model.points, rows, orders)
+        rows, shown = self.view.selected_rows(), self.model.columns
+        chosen = [shown[place] for place in sorted(self.view.selected_columns()) if shown[place].reset]
+        return [
+            column
+            for column in chosen or [each for each in shown if each.is_derivative]
+            if self._is_set(column, rows)
+        ]
+
+    def _is_set(self, column: Column, rows: frozenset[int]) -> bool:
+        """Whether the person set a number of the column, on either side of a corner."""
+        if column.is_derivative and column.order is not None:
+            return bool(explicit_orders(self.model.points, rows, (column.order,)))
+        return not self.model.estimated[sorted(rows), self.model.columns.index(column)].all()
 
     def reset_to_estimated(self) -> None:
-        """Ask for the selected velocities and accelerations to be left to the rules again."""
-        if orders := self._orders_to_reset():
-            self.reset_requested.emit(self.view.selected_rows(), orders)
+        """Ask for the selected numbers to be left to the rules again."""
+        if columns := self._columns_to_reset():
+            self.reset_requested.emit(self.view.selected_rows(), columns)
+            return
+        chosen = [self.model.columns[place] for place in sorted(self.view.selected_columns())]
+        if not any(column.reset for column in chosen):
+            names = " and ".join(column.name for column in chosen)
+            self._report_refusal(f"No rule estimates {names}; Delete on t, x or y deletes the point.")
 
     def copy(self) -> None:
         """Put the selected cells on the clipboard, whole numbers and tab-separated."""
@@ -269,7 +284,8 @@ class PointTable(Guarded, QWidget):
     def paste(self) -> None:
         """Ask for the numbers on the clipboard in the cells from the current one on; all or none."""
         try:
-            block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark(), known_titles())
+            text = QGuiApplication.clipboard().text()
+            block = read_titled_block(text, decimal_mark(), known_titles(), may_be_empty=True)
             cells = self.view.selected_cells()
             if len(cells) > 1 and len(block.rows) == len(block.rows[0]) == 1:
                 self._request_fill(cells, block.rows[0][0])
@@ -298,7 +314,9 @@ class PointTable(Guarded, QWidget):
                 raise EditError(
                     f"These are {width} columns; from {shown[left].name} on there is room for {room}."
                 )
-            return list(shown[left : left + width]), numbers
+            columns, places = list(shown[left : left + width]), list(range(width))
+            _refuse_gaps(block, columns, places)
+            return columns, numbers
         titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
         if len(titled) + block.titles.count("#") < width:
             raise EditError("A title stands twice.")
@@ -308,7 +326,9 @@ class PointTable(Guarded, QWidget):
             raise EditError(f"A curve of this family has no {missing[0]}.")
         if not columns:
             raise EditError("There is no column of the table in what was copied.")
-        return columns, numbers[:, [titled[column.title] for column in columns]]
+        places = [titled[column.title] for column in columns]
+        _refuse_gaps(block, columns, places)
+        return columns, numbers[:, places]
 
     def _paste_row(self) -> int:
         current = self.view.currentIndex()
@@ -326,7 +346,7 @@ class PointTable(Guarded, QWidget):
         """Say whose velocities are still those of the old places, and offer to have them estimated."""
         if not indices:
             return
-        self._to_reset = (indices, orders)
+        self._to_reset = indices, [column for column in self.model.columns if column.order in orders]
         sentence = keeping_sentence(indices, orders)
         self._tell(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
         self.said.emit(f"{sentence}; “Reset to estimated” has the rules estimate again.")
@@ -335,6 +355,10 @@ class PointTable(Guarded, QWidget):
         self.reset_requested.emit(*self._to_reset)
 
 
-def _derivatives_of(columns: Iterable[Column]) -> set[int]:
-    """Return which derivatives some columns hold."""
-    return {column.order for column in columns if column.order is not None and column.is_derivative}
+def _refuse_gaps(block: Block, columns: Sequence[Column], places: Sequence[int]) -> None:
+    """Raise EditError if a number is missing, unless its column is computed: there may be none to copy."""
+    needed = [place for column, place in zip(columns, places, strict=True) if column.set is not None]
+    for row, numbers in enumerate(block.rows, start=2 if block.titles else 1):
+        for place in needed:
+            if math.isnan(numbers[place]):
+                raise EditError(f"Row {row}, column {place + 1} is empty.")

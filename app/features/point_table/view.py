@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, Q
 from app.features.point_table.delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
 from app.features.point_table.model import PointTableModel
 from app.qt.keys import ClaimsKeys
+from app.widgets.controls import named
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
@@ -34,7 +35,7 @@ class PointTableView(ClaimsKeys, QTableView):
     Signals
     -------
     reset_requested
-        Delete was pressed while nothing but velocities and accelerations was selected.
+        Delete was pressed while nothing was selected that says where a point is.
     copy_requested, paste_requested
         The keys for it were pressed.
     """
@@ -45,8 +46,7 @@ class PointTableView(ClaimsKeys, QTableView):
 
     def __init__(self, model: PointTableModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("pointTable")
-        self.setAccessibleName("Points")
+        named(self, "pointTable", "Points")
         self.numbers = model
         self.cell_delegate = PointTableDelegate(model, self)
         self.setModel(model)
@@ -83,9 +83,7 @@ class PointTableView(ClaimsKeys, QTableView):
         down.setStyleSheet("QHeaderView::section { padding: 0 6px 0 2px; border: none }")
         corner = self.findChild(QAbstractButton)
         if corner is not None:
-            corner.setObjectName("selectAllPoints")
-            corner.setAccessibleName("Select all points")
-            corner.setToolTip("Select all points")
+            named(corner, "selectAllPoints", "Select all points", "Select all points")
 
     # How the numbers are laid out
 
@@ -169,10 +167,10 @@ class PointTableView(ClaimsKeys, QTableView):
             self.selectionModel().setCurrentIndex(current, flags.NoUpdate)
             self.scrollTo(current)
 
-    def only_derivatives_selected(self) -> bool:
-        """Whether the selected cells are velocities and accelerations and nothing else."""
+    def no_places_selected(self) -> bool:
+        """Whether the selected cells are velocities and whatever else does not say where a point is."""
         columns = self.selected_columns()
-        return bool(columns) and all(self.numbers.columns[column].is_derivative for column in columns)
+        return bool(columns) and not any(self.numbers.columns[column].is_of_the_place for column in columns)
 
     # Keys
 
@@ -187,7 +185,7 @@ class PointTableView(ClaimsKeys, QTableView):
         return self.paste_requested if event.matches(QKeySequence.StandardKey.Paste) else None
 
     def _is_reset(self, event: QKeyEvent) -> bool:
-        return event.key() in _DELETE and self.only_derivatives_selected()
+        return event.key() in _DELETE and self.no_places_selected()
 
     def _is_typing(self, event: QKeyEvent) -> bool:
         text = event.text()

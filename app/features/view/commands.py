@@ -19,9 +19,8 @@ from app.actions.strips import CANVAS_MENU, TOOLBAR
 from app.appearance.theme import ThemeMode
 from app.plotting.scrolling import ZOOM_STEP
 from app.state.window_state import WindowState
-from app.tools.registry import TOOLS
-from app.tools.select import SELECT
-from app.tools.tool import ToolRecord
+from app.tools.canvas.select import SELECT
+from app.tools.tool import TOOLS, ToolRecord
 from app.workbench.context import WindowContext
 from app.workbench.dock import LateDock
 from app.workbench.dock_room import hide_idle_docks

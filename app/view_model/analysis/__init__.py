@@ -1,7 +1,6 @@
 """Analysis of a curve: overlays, plots and tables as arrays to draw and words.
 
 - ``settings``: the overlays, plots and ghosts that are switched on; no part of the document.
-- ``records``: registries that read their records off the modules of a package.
 - ``overlay``, ``overlays``: the record of an overlay; one file for each or two.
   ``picture``: the figures of those that are switched on, live or once things have settled.
 - ``figures``: lines, arrows, marks and areas of the plane, each in a style that has a meaning.

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from app.view_model.analysis.figures import Figure
-from app.view_model.analysis.records import Records
 from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
 from app.view_model.line_styles import LineStyle
+from app.view_model.records import Records
 
 if TYPE_CHECKING:
     from app.view_model.analysis.scene import Scene

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from app.view_model.analysis.plot_lines import PlotData, Scale
-from app.view_model.analysis.records import Records
+from app.view_model.records import Records
 from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
@@ -54,7 +54,8 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     orders
         Orders of the derivatives that it needs.
     values
-        Computes its values (m,).
+        Computes its values (m,), each from the view and its own t alone: the t are those in sight, or the one
+        of the scrub line. What adds up along the curve begins at the start of its domain.
     follows_points
         Whether it changes where points move and parameters stay.
     finish

@@ -1,5 +1,1 @@
-"""The plots over t: one record a module or several, with all that is known of them.
-
-- ``lengths``: speed, acceleration and jerk.
-- ``curvature``, ``lebesgue``: the bend of the curve; the growth of errors of its points.
-"""
+"""The plots over t, one or several a module, with all that is known of them: `PLOTS` finds the records."""

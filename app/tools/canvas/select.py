@@ -10,9 +10,9 @@ from app.tools.curve_picker import CurvePicker
 from app.tools.drags import BendCurve
 from app.tools.marks import GestureMarks
 from app.tools.marquee import Marquee
-from app.tools.parts import press_on_part, unless_locked
+from app.tools.parts import GESTURES, press_on_part, unless_locked
 from app.tools.pointer import Cursor, Hint, Hit, Part
-from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
 from app.tools.transform import TransformKind
 from app.tools.transform_box import Grip, TransformBox
 
@@ -104,6 +104,29 @@ SELECT = ToolRecord(
     name="select",
     make=SelectTool,
     hint="Drag points and handles; P adds points.",
+    doing="selecting",
+    gestures=(
+        GestureRow("Drag a chosen curve", "move all chosen curves", curves=True),
+        GestureRow("G, S, R, arrows, Del, the box", "act on all chosen curves", curves=True),
+        GestureRow("Escape, a click beside them", "choose only the one edited", curves=True),
+        *GESTURES,
+        GestureRow("Click a point", "select it alone"),
+        GestureRow("Shift+click a point", "select it too, or no longer"),
+        GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
+        GestureRow("Drag the curve", "bend it; Ctrl changes points only, Alt derivatives only"),
+        GestureRow("Click the curve", "tell t and c(t) there"),
+        GestureRow(
+            "Drag a grip of the box",
+            "scale (Shift keeps proportions, Alt the centre) or rotate (Shift: 15° steps)",
+            selected=True,
+            curves=True,
+        ),
+        GestureRow("Tab, Shift+Tab", "select the next or previous point"),
+        GestureRow("Escape", "select nothing", selected=True),
+        GestureRow("Press another curve", "edit it; drag to bend it or move a point"),
+        GestureRow("Shift+click another curve", "choose it too, or no longer"),
+    ),
+    place=10,
     action="selectTool",
     title="Select",
     full_name="Select Tool",

@@ -11,7 +11,7 @@ from app.tools.drags import in_steps
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Hint, Pointer
 from app.tools.snapping import with_snap
-from app.tools.tool import Gesture, Tool, ToolContext, ToolRecord
+from app.tools.tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
 
 _KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
 """Effects of the modifier keys while something is measured."""
@@ -93,6 +93,9 @@ MEASURE = ToolRecord(
     name="measure",
     make=MeasureTool,
     hint="Drag to measure; V or Escape goes back to selecting.",
+    doing="measuring",
+    gestures=(GestureRow("Drag", "distance and angle; Shift: 15° steps; Escape puts it away"),),
+    place=30,
     action="measureTool",
     title="Measure",
     full_name="Measure Tool",

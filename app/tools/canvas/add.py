@@ -10,10 +10,10 @@ from app.document.model import Vector
 from app.tools import hints
 from app.tools.drag_machine import EditingHost
 from app.tools.marks import GestureMarks
-from app.tools.parts import press_on_part
+from app.tools.parts import GESTURES, press_on_part
 from app.tools.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
 from app.tools.pointer import Hint, Hit
-from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
 from app.view_model.appending import closed_by_pen, view_with_point
 from app.view_model.curve_view import CurveView, view_of
 
@@ -195,6 +195,19 @@ ADD = ToolRecord(
     name="add",
     make=AddTool,
     hint="Click to add points; Enter finishes the curve; V or Escape goes back to selecting.",
+    doing="adding points",
+    gestures=(
+        GestureRow("Click", "add a point"),
+        GestureRow(
+            "Press and drag", "add a point and set its velocity; Shift: 15° steps", needs_derivatives=True
+        ),
+        GestureRow("Click the curve", "insert a point between its neighbours"),
+        GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
+        GestureRow("Enter", "finish the curve; a click on its last point goes on with it"),
+        GestureRow("Click beside a closed or finished curve", "begin another curve"),
+        *GESTURES,
+    ),
+    place=20,
     action="addTool",
     title="Add Points",
     key="P",

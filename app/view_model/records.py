@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pkgutil
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cached_property
 from importlib import import_module
@@ -12,6 +12,11 @@ from typing import Any, Protocol, TypeVar
 
 class Record(Protocol):
     """A member of a registry."""
+
+    @property
+    def name(self) -> str:
+        """Its name in the program."""
+        ...
 
     @property
     def order(self) -> tuple[int, ...]:
@@ -49,7 +54,7 @@ class Records(Collection[_Record]):
     def with_record(self, record: _Record) -> Iterator[None]:
         """Have one record more for a while."""
         before = self._records
-        self.__dict__["_records"] = self._sorted({*before, record})
+        self.__dict__["_records"] = self._sorted([*before, record])
         try:
             yield
         finally:
@@ -60,8 +65,9 @@ class Records(Collection[_Record]):
         package = import_module(self._package)
         names = [each.name for each in pkgutil.iter_modules(package.__path__, f"{self._package}.")]
         members: list[Any] = [value for name in names for value in vars(import_module(name)).values()]
-        return self._sorted({each for each in members if isinstance(each, self._kind)})
+        return self._sorted(each for each in members if isinstance(each, self._kind))
 
     @staticmethod
-    def _sorted(records: set[_Record]) -> list[_Record]:
-        return sorted(records, key=lambda each: each.order)
+    def _sorted(records: Iterable[_Record]) -> list[_Record]:
+        # Each once, also where another module imports it.
+        return sorted(set(records), key=lambda each: (each.order, each.name))

@@ -1,0 +1,161 @@
+"""Fields of the dialog of preferences: one for each kind of setting that has a label."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Collection, Sequence
+from functools import singledispatch
+from typing import Any, Generic
+
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
+
+from app.appearance.theme import theme_of
+from app.document.expression import ExpressionError
+from app.document.words import NamedEnum
+from app.qt.labels import Label
+from app.settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
+from app.widgets.controls import check_box, choice_box
+from app.widgets.field_edit import NumberEdit, read_number
+from app.widgets.number_text import typed_text
+
+Change = Callable[[Any], object]
+"""Is given what the person chose."""
+
+
+class PreferenceField(ABC, Generic[Value]):
+    """What shows the value of a setting.
+
+    Attributes
+    ----------
+    rows
+        Its rows in the form: labels and widgets.
+    """
+
+    rows: Sequence[tuple[str, QWidget]]
+
+    @abstractmethod
+    def show(self, value: Value) -> None:
+        """Show a value."""
+
+
+@singledispatch
+def field_of(setting: Setting[Any], _change: Change) -> PreferenceField[Any]:
+    """Return a field for a setting."""
+    raise NotImplementedError(f"{type(setting).__name__} has no field")
+
+
+@field_of.register(Switch)
+class SwitchPreference(PreferenceField[bool]):
+    """A check box."""
+
+    def __init__(self, setting: Switch, change: Change) -> None:
+        self._check = check_box(setting.widget, setting.label, setting.tip)
+        self._check.clicked.connect(lambda: change(self._check.isChecked()))
+        self.rows = [("", self._check)]
+
+    def show(self, value: bool) -> None:
+        """Show a value."""
+        self._check.setChecked(value)
+
+
+@field_of.register(Choice)
+class ChoicePreference(PreferenceField[NamedEnum]):
+    """A box with the labels of an enumeration."""
+
+    def __init__(self, setting: Choice[NamedEnum], change: Change) -> None:
+        self._members = list(type(setting.default))
+        labels = (each.label for each in self._members)
+        self._box = choice_box(setting.widget, setting.label, setting.tip, labels)
+        self._box.activated.connect(lambda row: change(self._members[row]))
+        self.rows = [(setting.label, self._box)]
+
+    def show(self, value: NamedEnum) -> None:
+        """Show a value."""
+        self._box.setCurrentIndex(self._members.index(value))
+
+
+@field_of.register(Several)
+class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
+    """A check box for each member of an enumeration."""
+
+    def __init__(self, setting: Several[NamedEnum], change: Change) -> None:
+        self._checks = {each: _check_of(setting, each) for each in setting.kind}
+        for check in self._checks.values():
+            check.clicked.connect(
+                lambda: change(frozenset(each for each, check in self._checks.items() if check.isChecked()))
+            )
+        labels = [setting.label, *[""] * (len(self._checks) - 1)]
+        self.rows = list(zip(labels, self._checks.values(), strict=True))
+
+    def show(self, value: Collection[NamedEnum]) -> None:
+        """Show a value."""
+        for each, check in self._checks.items():
+            check.setChecked(each in value)
+
+
+@field_of.register(Text)
+class TextPreference(PreferenceField[str]):
+    """A box with the usual texts, in which others may be typed; the first of them stands for none."""
+
+    def __init__(self, setting: Text, change: Change) -> None:
+        self._none, self._change, self._shown = setting.usual[0], change, ""
+        line = QLineEdit(maxLength=setting.longest)
+        self._box = choice_box(setting.widget, setting.label, setting.tip, setting.usual)
+        self._box.setEditable(True)
+        self._box.setLineEdit(line)
+        self._box.textActivated.connect(self._choose)
+        line.editingFinished.connect(lambda: self._choose(line.text()))
+        self.rows = [(setting.label, self._box)]
+
+    def show(self, value: str) -> None:
+        """Show a value."""
+        self._shown = value
+        self._box.setCurrentText(value or self._none)
+
+    def _choose(self, text: str) -> None:
+        name = text.strip()
+        name = "" if name == self._none else name
+        if name != self._shown:
+            self._shown = name
+            self._change(name)
+
+
+@field_of.register(Distance)
+class DistancePreference(PreferenceField[float]):
+    """A number, or the word for none; what cannot be used is explained below it."""
+
+    def __init__(self, setting: Distance, change: Change) -> None:
+        self._setting, self._change = setting, change
+        self._edit = NumberEdit(setting.widget, setting.label, setting.tip, self._distance_of)
+        self._problem = Label(name="preferencesProblem", wordWrap=True)
+        self._edit.entered.connect(self._enter)
+        self._edit.refused.connect(self._complain)
+        self._edit.left.connect(lambda: self._complain(""))
+        self.rows = [(setting.label, self._edit), ("", self._problem)]
+
+    def show(self, value: float) -> None:
+        """Show a value."""
+        self._edit.show_text(typed_text(value) if value else self._setting.none)
+
+    def _distance_of(self, text: str) -> float:
+        if text.strip().casefold() in ("", self._setting.none):
+            return 0.0
+        distance = read_number(text)
+        if not distance > 0:
+            raise ExpressionError(self._setting.refusal)
+        return distance
+
+    def _enter(self, distance: float) -> None:
+        self._complain("")
+        self._change(distance)
+        self.show(distance)
+
+    def _complain(self, text: str) -> None:
+        self._problem.setStyleSheet(f"color: {theme_of(self._problem.palette()).warning.name()}")
+        self._problem.setText(f"⚠ {text}" if text else "")
+
+
+def _check_of(setting: Several[Any], member: NamedEnum) -> QCheckBox:
+    text = member.label
+    tip = setting.tip.format(f"{text[0].lower()}{text[1:]}")
+    return check_box(setting.widget.format(member.value), text, tip)
