@@ -269,7 +269,8 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
 def _as_text(facts: CurveFacts) -> str:
     rows = [("family", facts.family.full_title)]
     if facts.degree is not None:
-        rows.append(("degree", f"{facts.degree}" + (" on every segment" if facts.family.derivatives else "")))
+        where = "" if facts.family.is_one_polynomial else " on every segment"
+        rows.append(("degree", f"{facts.degree}{where}"))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))

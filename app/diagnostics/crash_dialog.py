@@ -9,12 +9,13 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QPlainTextEdit,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.appearance.theme import theme_of
 from app.qt.labels import Label
+from app.widgets.boxes import column_of
+from app.widgets.controls import named
 from app.widgets.fitting import FittedDialog
 
 _SAFE = "Your work is safe: a backup has just been written."
@@ -39,28 +40,22 @@ class CrashDialog(FittedDialog):
         # Also above a dialog that waits for an answer already.
         self.setWindowModality(Qt.WindowModality.ApplicationModal)
         self._report = QPlainTextEdit(report)
-        self._report.setObjectName("crashReport")
-        self._report.setAccessibleName("Report")
-        self._report.setToolTip("What to send to the makers; it holds no names of files or folders")
+        tip = "What to send to the makers; it holds no names of files or folders"
+        named(self._report, "crashReport", "Report", tip)
         self._report.setReadOnly(True)
         self._report.setTabChangesFocus(True)
         self._report.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self._report.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self._report.setMinimumHeight(150)
-        layout = QVBoxLayout(self.body)
-        layout.setContentsMargins(20, 18, 20, 0)
-        layout.setSpacing(10)
-        layout.addWidget(self._title())
-        layout.addWidget(_wrapped(f"{_SAFE if is_safe else _NOT_SAFE} You can go on."))
-        hint = _wrapped("This report helps to mend it. It holds no names of files or folders.")
+        safety = Label(f"{_SAFE if is_safe else _NOT_SAFE} You can go on.", wordWrap=True)
+        hint = Label("This report helps to mend it. It holds no names of files or folders.", wordWrap=True)
         hint.setStyleSheet(f"color: {theme_of(QApplication.palette()).muted.name()}")
-        layout.addWidget(hint)
-        layout.addWidget(self._report, 1)
+        parts = (self._title(), safety, hint, (self._report, 1))
+        column_of(*parts, margins=(20, 18, 20, 0), spacing=10, parent=self.body)
         self.hold(self._buttons(), wished=QSize(560, 0))
 
     def _title(self) -> Label:
-        title = Label("Something went wrong inside Curvebench.")
-        title.setObjectName("crashTitle")
+        title = Label("Something went wrong inside Curvebench.", name="crashTitle")
         font = title.font()
         font.setBold(True)
         font.setPointSizeF(font.pointSizeF() * 1.15)
@@ -83,11 +78,7 @@ class CrashDialog(FittedDialog):
         return box
 
     def _button(self, name: str, text: str, tip: str) -> QPushButton:
-        button = QPushButton(text, self)
-        button.setObjectName(name)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
-        return button
+        return named(QPushButton(text, self), name, tip, tip)
 
     def _save_and_quit(self) -> None:
         self.accept()
@@ -96,9 +87,3 @@ class CrashDialog(FittedDialog):
     def _copy_report(self) -> None:
         QGuiApplication.clipboard().setText(self._report.toPlainText())
         self._copy.setText("Copied")
-
-
-def _wrapped(text: str) -> Label:
-    label = Label(text)
-    label.setWordWrap(True)
-    return label

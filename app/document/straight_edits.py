@@ -16,8 +16,12 @@ def why_not_straight(family: Family) -> str:
     """Return why a curve of a family has no straight segments, as a sentence; empty if it can have some."""
     if family.derivatives:
         return ""
-    is_so = "is one polynomial and" if family.is_one_polynomial else "has no tangents at its points and"
-    return f"{family.subject} {is_so} has no segments of its own; choose {titles_with_derivatives()}."
+    is_so = (
+        "is one polynomial and has no segments of its own"
+        if family.is_one_polynomial
+        else "has no velocities at its points, of which a straight segment is made"
+    )
+    return f"{family.subject} {is_so}; choose {titles_with_derivatives()}."
 
 
 def straighten(

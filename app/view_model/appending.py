@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from app.document.edits import EditError, append_point, insert_points, set_closed, stretched
 from app.document.model import Curve, Document, Point, Vector
 from app.view_model.curve_view import CurveView, parameters_of, view_of
+from app.view_model.jets import explicit_sides
 from app.view_model.plane import at_knots, polygon_length
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
@@ -125,11 +126,10 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
 
 def _is_set(curve: Curve, index: int) -> bool:
     """Whether the person set a derivative that the family uses at a point."""
-    point = curve.points[index] if 0 <= index < len(curve.points) else None
-    if point is None or not curve.family.derivatives:
+    if not (curve.family.derivatives and 0 <= index < len(curve.points)):
         return False
-    given = (point.velocity, point.velocity_after, point.acceleration, point.acceleration_after)
-    return any(value is not None for value in given)
+    point = curve.points[index]
+    return any(side is not None for order in (1, 2) for side in explicit_sides(point, order))
 
 
 def scale_of(before: CurveView, after: Curve) -> float:

@@ -105,6 +105,19 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """The parameters of the knots of `curve`, empty without one."""
         return self.curve.parameters if self.curve is not None else np.empty(0)
 
+    @cached_property
+    def ticks(self) -> FloatArray:
+        """The parameters that the present rule gives, one for each knot; empty where it gives none.
+
+        The family may refuse them: then `curve` has other ones, or there is none.
+        """
+        if self.is_current:
+            return self.parameters
+        try:
+            return _checked_parameters(self.source, self.at_knots, self.arrays)
+        except CurveError:
+            return np.empty(0)
+
     @property
     def pieces(self) -> tuple[CoreCurve, ...]:
         """The curves that `curve` is a chain of; one, unless it has corners."""
@@ -225,14 +238,17 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
 def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CurveView:
     points = arrays.positions
     knots = at_knots(points, closed=curve.is_closed)
-    parameters = parameters_of(curve, knots, arrays.times)
-    # Refused as a whole: a piece between two corners would count from its own beginning.
-    parameter_array(parameters, len(knots))
+    parameters = _checked_parameters(curve, knots, arrays)
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
     core, sides = _core_curve(curve, knots, parameters, arrays, frozen)
     return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
+
+
+def _checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) -> FloatArray:
+    # Refused as a whole: a piece between two corners would count from its own beginning.
+    return parameter_array(parameters_of(curve, knots, arrays.times), len(knots))
 
 
 def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView | None) -> CoreCurve | None:

@@ -167,10 +167,9 @@ def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> C
 
 def _factor_at(factors: FloatArray, place: int, inserted: int, *, is_closed: bool) -> float:
     """Return the factor of time at a point: that of a segment beside it, if possible one that was not cut."""
-    beside = [place - 1, place]
-    if is_closed and place == 0:
-        beside[0] = len(factors) - 1
-    beside = [segment for segment in beside if 0 <= segment < len(factors)]
+    last = len(factors) - 1
+    before = last if is_closed and place == 0 else place - 1
+    beside = [segment for segment in (before, place) if 0 <= segment <= last]
     whole = [segment for segment in beside if segment not in (inserted - 1, inserted)]
     return float(np.mean(factors[whole or beside]))
 

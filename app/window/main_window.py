@@ -156,7 +156,7 @@ class MainWindow(Guarded, QMainWindow):
         session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
-        self.canvas.pointed_at.connect(self.status_line.show_place)
+        self.canvas.pointed_at.connect(self.status_line.readouts.show_place)
         self.menus.fill_with_files(self.preferences, files.open, files.open_example)
         for end in (files.release, self.commands.close, self._remember_layout, self._close_dialogs):
             self.closed.connect(end)
@@ -189,7 +189,7 @@ class MainWindow(Guarded, QMainWindow):
             return
         self._theme = theme
         self.actions_by_name.set_theme(theme)
-        for part in (self.canvas, self.message_bar, self.commands):
+        for part in (self.canvas, self.commands):
             part.set_theme(theme)
 
     def changeEvent(self, event: QEvent) -> None:

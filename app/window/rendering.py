@@ -79,7 +79,7 @@ class Rendering(QObject):
 
     def _render_scrub(self, t: float | None) -> None:
         self._canvas.drawing.set_scrub(t)
-        self._context.status_line.show_scrub(t)
+        self._context.status_line.readouts.show_scrub(t)
         self._commands.follow_scrub(t)
 
     def _render_file(self) -> None:

@@ -6,7 +6,7 @@
 - ``docks``: panels at the sides.  ``dock``: one of them; many are built when they are first shown.
   ``dock_room``: room for one that needs more than its share.
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
-- ``status_line``: hints, messages and places.  ``clipboard``: what is put there.
+- ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
   ``form_edits``: changes by a form.
 """

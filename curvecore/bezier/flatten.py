@@ -215,6 +215,8 @@ def _uniform_pieces(curve: Curve, arcs: _Division) -> Pieces:
     segment = np.minimum(position.astype(np.intp), len(breaks) - 2)
     t = breaks[segment] + (position - segment) * (breaks[segment + 1] - breaks[segment])
     t = np.append(np.minimum(t, breaks[segment + 1]), breaks[-1])
+    deviation = (arcs.bound / need**2)[arc]
     distinct = t[1:] > t[:-1]
-    t = np.append(t[:-1][distinct], t[-1])
-    return Pieces(t, points_at(curve, t), (arcs.bound / need**2)[arc][distinct])
+    if not distinct.all():
+        t, deviation = np.append(t[:-1][distinct], t[-1]), deviation[distinct]
+    return Pieces(t, points_at(curve, t), deviation)

@@ -183,6 +183,6 @@ class BasisCurve(Curve):
         if off[j, i] > _AS_GOOD_AS_EQUAL:
             raise CurveError(
                 f"function {i} of {self._scheme.name} must be {int(i == j)} at parameter {j}, "
-                f"t = {self._parameters[j]}, not {found[j, i]}",
+                f"t = {self._parameters[j]}, not {found[j, i]:.10g}",
                 (int(j),),
             )

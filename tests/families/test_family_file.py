@@ -18,6 +18,7 @@ from app.families.family import families_of_module
 from app.families.family_file import FamilyFileError, families_in, families_of_files
 from app.storage.format import encode
 from curvecore import families
+from tests.own_families import FILES
 
 GAUSSIAN = '''"""Bells that are made cardinal.
 
@@ -191,6 +192,17 @@ def document(tmp_path):
     curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 3)], family=Family("my_gaussian", None))
     path.write_bytes(encode(Document((curve,))))
     return path
+
+
+def test_info_says_that_a_degree_is_that_of_every_segment(tmp_path, capsys):
+    """It said so only of families with derivatives."""
+    curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 3)], family=Family("tests_natural_spline", None))
+    path = tmp_path / "spline.curve.json"
+    path.write_bytes(encode(Document((curve,))))
+    (file,) = (each for each in FILES if each.stem == "natural_spline")
+    assert main(["info", "--families", str(file), str(path)]) == 0
+    rows = {line[2:18].rstrip(): line[19:] for line in capsys.readouterr().out.splitlines()[1:]}
+    assert rows["degree"] == "3 on every segment"
 
 
 @pytest.mark.parametrize("place", ["before the verb", "behind it", "with ="])

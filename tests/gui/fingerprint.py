@@ -32,7 +32,7 @@ PASSING = {
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
     *("Cardinals._key", "FunctionLines._shown"),
-    *("CrestNames._crests_of", "CrestNames._made_of", "CurveLayer.error", "FunctionLines._basis"),
+    *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(
         "PlotLayer._strokes_of",

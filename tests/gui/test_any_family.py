@@ -7,6 +7,7 @@ with breaks. The built-in families go the same way.
 from __future__ import annotations
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -91,7 +92,7 @@ def test_it_is_offered_wherever_families_are(editor):
         assert toolbar.widgetForAction(action) is not None
         assert action.text() == family.label
         assert not action.icon().isNull()
-        assert action.shortcut().toString() == str(place)
+        assert action.shortcut().toString() == (str(place) if place <= 9 else "")
         assert editor.action(family.action_name.replace("family", "ghost")).isCheckable()
         assert family.label in editor.find_command(family.label)
         editor.key(Qt.Key.Key_Escape)
@@ -216,8 +217,38 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
         editor.trigger("closeCurve")
         assert f"{FAMILIES.named(own).a_curve} does not come back smoothly" in editor.status
     assert not editor.action("straightSegment").isEnabled()
+    # It used to say that the curve had no segments of its own, of those too that are made of pieces.
+    assert "has no velocities at its points" in editor.action("straightSegment").toolTip()
     assert not editor.action("tangentCorner").isEnabled()
     assert editor.session.document == before
+
+
+def test_a_tick_leads_back_from_parameters_that_the_family_refuses(drawn):
+    """The rail used to be empty there, and to say that the rule gave no parameters."""
+    editor = drawn("tests_gaussian")
+    panel = editor.window.basis_panel
+    times = [0.0, 0.2, 0.6 - 1e-7, 0.6, 0.8, 1.0]
+    crowded = edits.set_parametrization(editor.session.document, 0, ParametrizationKind.MANUAL, times)
+    editor.session.commit(crowded, "Crowd")
+    editor.settle()
+    view = editor.session.active_view
+    # Ten digits say how far it is off; it had seventeen.
+    assert re.search(r"must be [01] at parameter \d, t = \S+, not \S{1,16}\.$", view.problem)
+    assert not view.is_current
+    assert panel.drawing.basis is None
+    assert editor.window.findChild(QLabel, "basisDrawing").text() == (
+        "none while there is no curve with these parameters"
+    )
+    editor.drag_pixels(panel, panel.rail_pixel(0.6), panel.rail_pixel(0.7))
+    assert editor.session.undo_stack.undoText() == "Change t of point 3"
+    assert is_true(editor)
+    assert editor.parameters[:3] == times[:3]
+    assert editor.parameters[3] == pytest.approx(0.7, abs=2.0 / panel.pixel_map.sx)
+    editor.trigger("undo")
+    editor.session.selected.set_points([3])
+    panel.setFocus()
+    QTest.keyClick(panel, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert editor.session.active_view.ticks[3] > 0.6
 
 
 def test_two_of_them_are_joined_or_it_is_said_why_not(drawn, own):

@@ -21,8 +21,10 @@ from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.joints import as_text, certificate_of
 from app.view_model.analysis.laboratory import calculations, digits_at, try_methods
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
+from app.view_model.analysis.legend import legend_rows
 from app.view_model.analysis.overlay import OVERLAYS
 from app.view_model.analysis.overlays import marks
+from app.view_model.analysis.overlays.bezier import BEZIER
 from app.view_model.analysis.picture import live_picture, settled_picture, settling
 from app.view_model.analysis.plot import PLOTS
 from app.view_model.analysis.plots.curvature import CURVATURE
@@ -35,7 +37,7 @@ from app.view_model.appending import with_closed
 from app.view_model.basis_view import basis_view, weights_at
 from app.view_model.bend import Bend
 from app.view_model.curve_view import view_of
-from app.view_model.goals import MEASURES, parse_goal, standing_of
+from app.view_model.goals import MEASURES, parse_goal, result_of
 from app.view_model.growth import growth_of_points
 from app.view_model.hold import BendWith
 from app.view_model.motion import STATIONS, Course, Pace
@@ -330,6 +332,18 @@ def test_the_nearest_point_and_the_length_are_those_of_the_curve(name):
     assert np.median(steps) == pytest.approx(steps.max(), rel=2e-2)
 
 
+def test_the_legend_mutes_what_is_not_drawn(name):
+    """The Bézier polygon of a family without one used to have a line like any other."""
+    view = view_of(curve_of(name))
+    settings = AnalysisSettings(overlays=frozenset([BEZIER]))
+    pictures = live_picture(view, settings), settled_picture(view, settings)
+    (row,) = legend_rows(view, settings, (), [figure for each in pictures for figure in each.figures], ())
+    is_drawn = view.curve.bezier_pieces() is not None or FAMILIES.named(name).is_one_polynomial
+    assert is_drawn or name not in ("lagrange", "hermite", "quintic_hermite")
+    assert row.is_muted is not is_drawn
+    assert any("Not drawn" in each.notes.get(BEZIER, "") for each in pictures) is not is_drawn
+
+
 def test_the_joints_are_told(name):
     view = view_of(curve_of(name))
     certificate = certificate_of(view)
@@ -389,11 +403,11 @@ def test_the_rest_of_what_is_said_holds_for_it(name):
 def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
     view = view_of(curve_of(name))
     for measure in MEASURES:
-        assert "now" in standing_of(parse_goal(f"{measure} < 1"), view).text
+        assert "now" in result_of(parse_goal(f"{measure} < 1"), view).text
     everything = parse_goal("points > 3", kept="points, family, rule")
-    assert standing_of(everything, view, view.source).is_met
-    assert standing_of(parse_goal(f"family = {name}"), view).is_met
-    assert not standing_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
+    assert result_of(everything, view, view.source).is_met
+    assert result_of(parse_goal(f"family = {name}"), view).is_met
+    assert not result_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
 
 
 def test_too_many_points_are_refused_in_words_and_not_computed(own):

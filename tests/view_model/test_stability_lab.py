@@ -7,13 +7,13 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
-from app.families import FAMILIES
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.lessons.lesson import load_lesson
 from app.storage.files import load
 from app.tasks.progress import Cancelled
 from app.view_model.analysis.cost import cost_chart, cost_of
 from app.view_model.analysis.cures import CURES, cures_of
-from app.view_model.analysis.laboratory import digits_at, try_methods
+from app.view_model.analysis.laboratory import calculations, digits_at, try_methods
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
 from app.view_model.analysis.laboratory_words import trial_words
 from app.view_model.analysis.teaching import Topic, warnings_of
@@ -32,7 +32,18 @@ def ring(family):
     return view_of(replace(closed, points=tuple(points)))
 
 
+WITH_METHODS = [family for family in FAMILIES if calculations(view_of(make_curve(POINTS, family=family)))]
+
+
 @pytest.mark.parametrize("family", FAMILIES)
+def test_a_family_without_methods_is_refused_in_words(family):
+    assert {LAGRANGE, HERMITE, QUINTIC_HERMITE} <= set(WITH_METHODS)
+    trial = try_methods(ring(family), ALL)
+    assert isinstance(trial, str) is (family not in WITH_METHODS)
+    assert family in WITH_METHODS or trial.endswith(f"{family.a_curve} is made of other functions.")
+
+
+@pytest.mark.parametrize("family", WITH_METHODS)
 def test_sixteen_digits_are_as_good_as_the_curve(family):
     view = ring(family)
     trial = try_methods(view, replace(ALL, digits=16))
@@ -45,7 +56,7 @@ def test_sixteen_digits_are_as_good_as_the_curve(family):
         assert outcome.lost < 6
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", WITH_METHODS)
 @pytest.mark.parametrize("shift", [100.0, -3.25])
 def test_a_shift_changes_nothing_but_the_powers_of_t(family, shift):
     view = ring(family)

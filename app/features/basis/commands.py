@@ -13,7 +13,6 @@ from app.actions.keymap import action_name
 from app.actions.needs import TWO_POINTS, Need
 from app.actions.sections import CURVE_PARAMETERS, CURVE_STARTS
 from app.actions.strips import RAIL_MENU
-from app.appearance.theme import Theme
 from app.document import edits
 from app.document.model import ParametrizationKind
 from app.features.basis.pane import BasisPane
@@ -67,14 +66,14 @@ class BasisCommands:
         context, session = self._context, self._session
         panel = self._panel = BasisPanel(Toolbox(session, RAIL))
         pane = self._pane = BasisPane(panel, context.actions["toggleEstimates"], parent)
-        pane.set_with_estimates(context.store.state.with_estimates)
+        panel.drawing.set_with_estimates(context.store.state.with_estimates)
         context.store.changed.connect(self._show_state)
         context.connect_plot(panel)
         context.central.t_camera = panel.camera
         session.hovered_changed.connect(panel.drawing.set_hovered)
         session.selection_changed.connect(panel.drawing.set_selection)
         session.scrub_changed.connect(panel.drawing.set_scrub)
-        panel.pointed_at.connect(context.status_line.show_t)
+        panel.pointed_at.connect(context.status_line.readouts.show_t)
         panel.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         panel.tick_edit.typed.connect(self._set_parameter)
         panel.tick_pointed.connect(self._select)
@@ -90,20 +89,16 @@ class BasisCommands:
 
     def render(self, view: CurveView) -> None:
         """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
-        if self._session.is_previewing and view.source.family.derivatives and len(view.points) > _MOST_LIVE:
-            self._context.status_line.wait_for_lebesgue()
-        else:
-            self._context.status_line.show_lebesgue(growth_of_points(view, self._panel.drawing.basis))
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._pane.set_theme(theme)
+        is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
+        waits = self._session.is_previewing and is_dear
+        growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
+        self._context.status_line.readouts.show_lebesgue(growth)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:
             self._pane.setVisible(after.basis)
         if after.with_estimates != before.with_estimates:
-            self._pane.set_with_estimates(after.with_estimates)
+            self._panel.drawing.set_with_estimates(after.with_estimates)
             self.follow(self._session.active_view)
 
     # At the t-rail
@@ -111,11 +106,11 @@ class BasisCommands:
     def _set_parameter(self, knot: int, t: float) -> None:
         """Set the t that was typed at a tick; where it is refused, say why there."""
         session, view = self._session, self._session.active_view
-        if knot < len(view.parameters):
+        if knot < len(view.ticks):
             change = session.change(
                 f"Change t of point {view.owner(knot)}",
                 lambda document: edits.set_parameter(
-                    document, session.active_index, knot, t, session.active_view.parameters.tolist()
+                    document, session.active_index, knot, t, view.ticks.tolist()
                 ),
             )
             if change.refusal:

@@ -7,9 +7,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from pyqtgraph.Qt.internals import PrimitiveArray
-from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
+from PySide6.QtCore import QPointF, QRectF, QSizeF, QTimer
+from PySide6.QtGui import QFontMetricsF, QPainter
 
 from app.appearance.colours import point_colours
 from app.appearance.theme import Theme
@@ -67,7 +66,7 @@ class Room(NamedTuple):
 
 
 class CrestNames:
-    """Writes the numbers; a sheet with pictures of them is kept, and stamped in one call.
+    """Writes the numbers.
 
     Parameters
     ----------
@@ -78,11 +77,9 @@ class CrestNames:
     """
 
     def __init__(self, plot: PlotWidget, again: Callable[[], None]) -> None:
-        self._font = QFont(plot.font())
-        self._made_of: tuple[object, ...] = ()
-        self._sheet = QPixmap()
+        self._halos = tuple(Halo() for _ in range(MOST))
         self._cell = QSizeF()
-        self._fragments = PrimitiveArray(QPainter.PixmapFragment, 10)
+        self._written = np.empty((0, 2))
         self._crests_of: tuple[BasisView, list[int]] | None = None
         self._owners, self._places = np.empty(0, dtype=np.intp), np.empty((0, 2))
         # On which side of their crests the numbers stand, in pixels, and which of them there are.
@@ -105,23 +102,17 @@ class CrestNames:
         if basis.count * len(kinds) > MOST:
             return
         self._find_crests(basis, kinds)
-        device = painter.device()
-        ratio = device.devicePixelRatioF() if device is not None else 1.0
-        self._draw_sheet(basis.point_count, theme, scale, ratio)
+        self._measure(painter, scale)
         crests = np.column_stack([shown.x(self._places[:, 0]), shown.y(self._places[:, 1])])
         self._choose_sides(crests, Room(shown, basis, kinds, painter.clipBoundingRect().bottom(), scale))
         places, clear = crests + self._asides, np.flatnonzero(self._is_clear)
         kept = clear[apart(places[clear], self._cell)]
-        self._fragments.resize(len(kept))
-        data = self._fragments.ndarray()
-        data[:, :2] = np.round(places[kept])
-        data[:, 2] = self._owners[kept] * round(self._cell.width() * ratio)
-        data[:, 3] = 0.0
-        data[:, 4], data[:, 5] = round(self._cell.width() * ratio), round(self._cell.height() * ratio)
-        data[:, 6:8] = 1.0 / ratio
-        data[:, 8], data[:, 9] = 0.0, 1.0
-        fragments, length = self._fragments.drawargs()
-        painter.drawPixmapFragments(fragments, length, self._sheet)
+        self._written = np.round(places[kept])
+        colours, rim = point_colours(basis.point_count, theme), _RIM * scale
+        box = QRectF(QPointF(), self._cell).adjusted(rim, rim, -rim, -rim)
+        for owner, place in zip(self._owners[kept].tolist(), self._written.tolist(), strict=True):
+            box.moveCenter(QPointF(*place))
+            self._halos[owner].write(painter, box, str(owner), theme.paper, colours[owner], rim)
 
     def _find_crests(self, basis: BasisView, kinds: list[int]) -> None:
         known = self._crests_of
@@ -171,28 +162,12 @@ class CrestNames:
             places[better], is_clear[better] = tried[better], True
         return places, is_clear
 
-    def _draw_sheet(self, count: int, theme: Theme, scale: float, ratio: float) -> None:
-        """Draw the numbers of all points side by side, each in its colour with a halo of paper."""
-        if self._made_of == (count, theme, scale, ratio):
-            return
-        self._made_of = (count, theme, scale, ratio)
-        font = QFont(self._font)
-        font.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0) * scale)
-        metrics, rim = QFontMetricsF(font), _RIM * scale
+    def _measure(self, painter: QPainter, scale: float) -> None:
+        """Find out how much room a number takes, with its halo of paper."""
+        metrics, rim = QFontMetricsF(painter.font()), _RIM * scale
         # Even numbers of pixels: their middles are whole, and letters are sharp.
         width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
         self._cell = QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
-        size = QSizeF(count * self._cell.width(), self._cell.height()) * ratio
-        self._sheet = QPixmap(math.ceil(size.width()), math.ceil(size.height()))
-        self._sheet.setDevicePixelRatio(ratio)
-        self._sheet.fill(Qt.GlobalColor.transparent)
-        drawing = QPainter(self._sheet)
-        drawing.setFont(font)
-        for index, colour in enumerate(point_colours(count, theme)):
-            cell = QRectF(QPointF(index * self._cell.width(), 0.0), self._cell)
-            inner = cell.adjusted(rim, rim, -rim, -rim)
-            Halo().write(drawing, inner, str(index), theme.paper, colour, rim)
-        drawing.end()
 
 
 class Lines:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from enum import Enum, auto
+from enum import Enum
 
 import numpy as np
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
@@ -27,11 +27,11 @@ _THINNED = 0.05
 
 
 class FunctionDrawing(Enum):
-    """Drawing of the functions of a curve."""
+    """Drawing of the functions of a curve, and the word for it."""
 
-    EACH = auto()
-    SPANS = auto()
-    ENVELOPE = auto()
+    EACH = ""
+    SPANS = "outlines"
+    ENVELOPE = "envelope"
 
 
 def way_to_draw(basis: BasisView) -> FunctionDrawing:
@@ -45,13 +45,10 @@ def way_to_draw(basis: BasisView) -> FunctionDrawing:
 
 def note_on_drawing(basis: BasisView) -> str:
     """Return what a person must know of a drawing that does not show every function; empty where it does."""
-    match way_to_draw(basis):
-        case FunctionDrawing.EACH:
-            return ""
-        case FunctionDrawing.SPANS:
-            return f"{basis.count} functions: outlines + selection"
-        case FunctionDrawing.ENVELOPE:
-            return f"{basis.count} functions: envelope + selection"
+    drawing = way_to_draw(basis)
+    if drawing is FunctionDrawing.EACH:
+        return ""
+    return f"{basis.count} functions: {drawing.value} + selection"
 
 
 class FunctionLines:
@@ -63,8 +60,8 @@ class FunctionLines:
 
     def __init__(self, basis: BasisView, shown: PixelMap, before: FunctionLines | None = None) -> None:
         self._basis, self._shown = basis, shown
-        self._x = np.clip(shown.x(basis.t), -_LIMIT, _LIMIT)
-        self._y = np.clip(shown.y(basis.values), -_LIMIT, _LIMIT) if _needs_all(basis) else np.empty(0)
+        needs_all = way_to_draw(basis) is not FunctionDrawing.ENVELOPE
+        self._x, self._y = self._pixels(basis.t, basis.values if needs_all else np.empty(0))
         self._polygons: dict[tuple[int, int], QPolygonF] = {}
         self._made: dict[tuple[int, int], tuple[QPolygonF, FloatArray]] = (
             before._made if before is not None else {}
@@ -74,6 +71,13 @@ class FunctionLines:
         self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._spans: dict[int, Segments] = {}
         self._envelopes: dict[int, tuple[FloatArray, FloatArray, FloatArray]] = {}
+
+    def _pixels(self, t: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return t and values in pixels, no farther away than Qt can draw."""
+        # Functions of a polynomial through 2000 points reach 1e306.
+        with np.errstate(over="ignore"):
+            x, y = self._shown.x(t), self._shown.y(values)
+        return np.clip(x, -_LIMIT, _LIMIT), np.clip(y, -_LIMIT, _LIMIT)
 
     def _refine(self) -> dict[int, tuple[FloatArray, FloatArray]]:
         """Return x (m,) and y (m, 2, R) of each segment in sight that its samples would show as a polygon.
@@ -91,8 +95,7 @@ class FunctionLines:
         if not len(wide):
             return {}
         t, values = basis.fine_segments(wide, min(chords, _MOST_CHORDS))
-        x = np.clip(shown.x(t), -_LIMIT, _LIMIT)
-        y = np.clip(shown.y(values), -_LIMIT, _LIMIT)
+        x, y = self._pixels(t, values)
         return {int(segment): (x[place], y[place]) for place, segment in enumerate(wide)}
 
     def are_of(self, basis: BasisView, shown: PixelMap) -> bool:
@@ -103,64 +106,40 @@ class FunctionLines:
         """Return one function."""
         key = (index, kind)
         if key not in self._polygons:
-            self._polygons[key] = self._make(index, kind)
+            xs, ys = zip(*self._pieces(index, kind), strict=True)
+            size = sum(map(len, xs))
+            made = self._made.get(key)
+            if made is None or len(made[1]) != size:
+                fresh: QPolygonF = create_qpolygonf(size)
+                made = self._made[key] = (fresh, ndarray_from_qpolygonf(fresh))
+            np.concatenate(xs, out=made[1][:, 0])
+            np.concatenate(ys, out=made[1][:, 1])
+            self._polygons[key] = made[0]
         return self._polygons[key]
 
-    def _make(self, index: int, kind: int) -> QPolygonF:
-        first = self._basis.first
-        if not _needs_all(self._basis):
-            return self._make_fine(index, kind)
-        if first is None:
-            result, view = self._empty(index, kind, len(self._x))
-            view[:, 0] = self._x
-            view[:, 1] = self._y[:, index, kind]
-            return result
-        if index - 1 in self._refined or index in self._refined:
-            return self._make_refined(index, kind)
-        here = first[index]
-        start, end = first[max(index - 1, 0)], first[min(index + 1, self._basis.count - 1)]
-        result, view = self._empty(index, kind, int(end - start))
-        view[:, 0] = self._x[start:end]
-        view[: here - start, 1] = self._y[start:here, 1, kind]
-        view[here - start :, 1] = self._y[here:end, 0, kind]
-        return result
+    def _pieces(self, index: int, kind: int) -> list[tuple[FloatArray, FloatArray]]:
+        """Return x and y of what one function is drawn of: on each side of its knot, or all at once."""
+        basis = self._basis
+        if len(self._y) and basis.first is None:
+            return [(self._x, self._y[:, index, kind])]
+        if len(self._y):
+            sides = [(index - 1, 1), (index, 0)]
+            return [self._piece(*side, kind) for side in sides if 0 <= side[0] < basis.count - 1]
+        if not basis.is_coarse:
+            return [self._pixels(basis.t, basis.values[:, index, kind])]
+        if index not in self._fine:
+            self._fine[index] = self._pixels(*basis.fine_functions(index))
+        x, all_kinds = self._fine[index]
+        return [(x, all_kinds[:, kind])]
 
-    def _make_refined(self, index: int, kind: int) -> QPolygonF:
-        """Return one function of which a piece is drawn with more chords than it has samples."""
-        sides = [(index - 1, 1), (index, 0)]
-        pieces = [self._piece(*side, kind) for side in sides if 0 <= side[0] < self._basis.count - 1]
-        points = np.concatenate(pieces)
-        result, view = self._empty(index, kind, len(points))
-        view[:] = points
-        return result
-
-    def _piece(self, segment: int, side: int, kind: int) -> FloatArray:
-        """Return the points (m, 2) of the function of the point before (0) or after (1) a segment."""
+    def _piece(self, segment: int, side: int, kind: int) -> tuple[FloatArray, FloatArray]:
+        """Return x and y of the function of the point before (0) or after (1) a segment."""
         if segment in self._refined:
             x, y = self._refined[segment]
-            return np.column_stack([x, y[:, side, kind]])
+            return x, y[:, side, kind]
         assert self._basis.first is not None
         here = slice(*self._basis.first[segment : segment + 2])
-        return np.column_stack([self._x[here], self._y[here, side, kind]])
-
-    def _empty(self, index: int, kind: int, size: int) -> tuple[QPolygonF, FloatArray]:
-        """Return a polygon to fill, and its points (size, 2) as an array."""
-        made = self._made.get((index, kind))
-        if made is None or len(made[1]) != size:
-            result: QPolygonF = create_qpolygonf(size)
-            made = self._made[index, kind] = (result, ndarray_from_qpolygonf(result))
-        return made
-
-    def _make_fine(self, index: int, kind: int) -> QPolygonF:
-        if self._basis.first is None and not self._basis.is_coarse:
-            x, y = self._x, self._shown.y(self._basis.values[:, index, kind])
-            return polygon(x, np.clip(y, -_LIMIT, _LIMIT))
-        if index not in self._fine:
-            t, values = self._basis.fine_functions(index)
-            x = np.clip(self._shown.x(t), -_LIMIT, _LIMIT)
-            self._fine[index] = (x, np.clip(self._shown.y(values), -_LIMIT, _LIMIT))
-        x, all_kinds = self._fine[index]
-        return polygon(x, all_kinds[:, kind])
+        return self._x[here], self._y[here, side, kind]
 
     def stroke(self, index: int, kind: int) -> Stroke:
         """Return one function to be drawn wide and solid."""
@@ -212,7 +191,7 @@ class FunctionLines:
             x = self._shown.x(t)
             columns = np.arange(max(x[0], 0.0), min(x[-1], self._shown.width), 1.0)
             edges = [
-                np.clip(self._shown.y(_at_columns(x, values, columns, reduce)), -_LIMIT, _LIMIT)
+                self._pixels(t, _at_columns(x, values, columns, reduce))[1]
                 for values, reduce in ((low, np.minimum), (high, np.maximum))
             ]
             self._envelopes[kind] = (columns, edges[0], edges[1])
@@ -225,10 +204,6 @@ def _chords(x: FloatArray, y: FloatArray) -> FloatArray:
     ends[..., 0], ends[..., 2] = x[:, :-1, None], x[:, 1:, None]
     ends[..., 1], ends[..., 3] = y[:, :-1], y[:, 1:]
     return ends
-
-
-def _needs_all(basis: BasisView) -> bool:
-    return way_to_draw(basis) is not FunctionDrawing.ENVELOPE
 
 
 def _at_columns(x: FloatArray, values: FloatArray, columns: FloatArray, reduce: np.ufunc) -> FloatArray:

@@ -18,28 +18,30 @@ _SCRUB_REACH = 4.0
 
 
 def hit_test(
-    pointer: Pointer, shown: PixelMap, basis: BasisView, rail: RailLayer, kinds: frozenset[int]
+    pointer: Pointer, shown: PixelMap, basis: BasisView | None, rail: RailLayer, kinds: frozenset[int]
 ) -> Hit | None:
     """Return what lies under the pointer: on the rail a tick, above it the scrub line before functions."""
     if pointer.pixel[1] > shown.height - rail_height(rail.scale) - 2:
-        return _hit_tick(pointer, shown, basis, rail.selection)
+        return _hit_tick(pointer, shown, rail)
     scrub = rail.scrub
     if scrub is not None and abs(shown.point(scrub, 0)[0] - pointer.pixel[0]) <= _SCRUB_REACH:
         return Hit(Part.SCRUB, -1, (scrub, 0.0))
-    return _hit_function(pointer, shown, basis, kinds)
+    return _hit_function(pointer, shown, basis, kinds) if basis is not None else None
 
 
-def _hit_tick(pointer: Pointer, shown: PixelMap, basis: BasisView, selection: frozenset[int]) -> Hit | None:
-    parameters = basis.curve.parameters
+def _hit_tick(pointer: Pointer, shown: PixelMap, rail: RailLayer) -> Hit | None:
+    parameters = rail.parameters
+    if not len(parameters):
+        return None
     distances = np.abs(shown.x(parameters) - pointer.pixel[0])
     # A selected tick wins over its neighbours.
-    for index, owner in enumerate(basis.owners):
-        if owner in selection and distances[index] <= TICK_REACH:
+    for index in np.flatnonzero(distances <= TICK_REACH).tolist():
+        if rail.owner(index) in rail.selection:
             distances[index] -= TICK_REACH
     index = int(np.argmin(distances))
     if distances[index] > TICK_REACH:
         return None
-    return Hit(Part.TICK, basis.owners[index], (float(parameters[index]), 0.0), knot=index)
+    return Hit(Part.TICK, rail.owner(index), (float(parameters[index]), 0.0), knot=index)
 
 
 def _hit_function(pointer: Pointer, shown: PixelMap, basis: BasisView, kinds: frozenset[int]) -> Hit | None:

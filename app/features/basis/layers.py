@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -21,6 +22,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.view_model.basis_view import BasisView
+from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import KIND_DASHES
 from curvecore.arrays import FloatArray, IntArray
 
@@ -51,7 +53,6 @@ class FunctionLayer(Layer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self._pens: dict[tuple[int, float, int], QPen] = {}
         self.kinds: frozenset[int] = frozenset((0, 1, 2))
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
@@ -76,6 +77,7 @@ class FunctionLayer(Layer):
         if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.shown_of(self.kinds)
+            painter.setFont(self.fonts.less(1.5, self.scale))
             self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
         else:
             self._paint_together(painter, self._basis)
@@ -147,21 +149,12 @@ class FunctionLayer(Layer):
             # Mixed with the paper beforehand: Qt draws opaque lines a third faster than translucent ones.
             colour = mix(colours[owner], self.theme.paper, opacity)
             for kind in kinds:
-                painter.setPen(self._pen(colour.rgb(), width * self.scale, kind))
+                painter.setPen(_pen(colour.rgb(), width * self.scale, kind))
                 if kind == 0 and width * self.scale > 1:
                     # Qt takes many times as long for one long line that is wide.
                     self._lines.stroke(knot, kind).draw(painter)
                 else:
                     painter.drawPolyline(self._lines.function(knot, kind))
-
-    def _pen(self, colour: int, width: float, kind: int) -> QPen:
-        """Return the pen of a function; pens are kept, for a drag needs sixty of them every frame."""
-        key = (colour, width, kind)
-        if key not in self._pens:
-            if len(self._pens) > _MOST_PENS:
-                self._pens.clear()
-            self._pens[key] = with_dashes(QPen(QColor.fromRgb(colour), width), KIND_DASHES[kind])
-        return self._pens[key]
 
 
 class RailLayer(Layer):
@@ -174,20 +167,21 @@ class RailLayer(Layer):
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
-        self._parameters: FloatArray = np.empty(0)
+        self.parameters: FloatArray = np.empty(0)
         self._stamps = Stamps(_tick)
-        self._owners: Sequence[int] = ()
         self._count = 0
 
-    def render(self, basis: BasisView | None) -> None:
+    def render(self, view: CurveView) -> None:
         """Draw a tick at every knot from the next paint on."""
-        self._parameters = basis.curve.parameters if basis is not None else np.empty(0)
-        self._owners = basis.owners if basis is not None else ()
-        self._count = basis.point_count if basis is not None else 0
+        self.parameters = view.ticks
+        self._count = len(view.source.points)
         self.update()
 
+    def owner(self, knot: int) -> int:
+        """Return the point that a knot belongs to: of a closed curve, to the last one the first."""
+        return knot % self._count
+
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw rail, ticks and scrub line."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         top = shown.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
@@ -198,17 +192,17 @@ class RailLayer(Layer):
 
     def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
         count = self._count
-        x = shown.x(self._parameters)
+        x = shown.x(self.parameters)
         visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
         if len(visible) > _MARKED_ONE_BY_ONE:
             visible = self._stamp_ticks(painter, x, visible, count, top)
         colours = point_colours(count, self.theme)
         last = self.selection | {self.hovered}
-        order = sorted(visible.tolist(), key=lambda knot: self._owners[knot] in last)
+        order = sorted(visible.tolist(), key=lambda knot: self.owner(knot) in last)
         numbers_right_of = -np.inf
         painter.setFont(self.fonts.less(1.5, self.scale))
         for index in order:
-            place, owner = float(x[index]), self._owners[index]
+            place, owner = float(x[index]), self.owner(index)
             self._paint_tick(painter, place, top, owner, colours[owner])
             chosen = owner in last
             if chosen or (len(x) <= _NUMBERED_UP_TO and place > numbers_right_of):
@@ -263,6 +257,12 @@ class RailLayer(Layer):
         box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
+
+
+@lru_cache(maxsize=_MOST_PENS)
+def _pen(colour: int, width: float, kind: int) -> QPen:
+    """Return the pen of a function; pens are kept, for a drag needs sixty of them every frame."""
+    return with_dashes(QPen(QColor.fromRgb(colour), width), KIND_DASHES[kind])
 
 
 def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:

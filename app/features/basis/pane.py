@@ -4,25 +4,29 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.document.words import number
 from app.features.basis.function_lines import note_on_drawing
 from app.features.basis.panel import BasisPanel
 from app.plotting.pens import SIGN, sign_pixmap
 from app.qt.labels import Label
-from app.qt.overrides import Guarded
-from app.view_model.basis_view import basis_formulas
+from app.view_model.basis_view import BasisView, basis_formulas
 from app.view_model.curve_view import CurveView
 from app.view_model.line_styles import KIND_DASHES, LineStyle
 from app.widgets.action_switch import mirror
+from app.widgets.boxes import Part, column_of, row_of
 from app.widgets.choice_style import choice_style
+from app.widgets.controls import named
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.fitting import Scrolled
+from app.widgets.tool_buttons import tool_button
 from app.workbench.central_pane import CentralPane
 
-_NOTHING = "none while the rule gives no parameters"
+_NO_PARAMETERS = "none while the rule gives no parameters"
+_NO_CURVE = "none while there is no curve with these parameters"
 _NAMES = ("position", "velocity", "acceleration")
 
 _TITLES = (("Basis functions", "Basis functions"), ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)"))
@@ -37,25 +41,23 @@ _LEAST_HEADER = QSize(260, 100)
 """Largest minimum size of the header."""
 
 
-class BasisPane(Guarded, CentralPane):
+class BasisPane(FollowsTheme, CentralPane):
     """The lower third of the window."""
 
     def __init__(self, panel: BasisPanel, estimates: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.plot = self._panel = panel
-        self._title = Label("Basis functions")
-        self._title.setObjectName("basisTitle")
-        self._estimates = self._estimates_button(estimates)
-        self._with_estimates = self._shows_cardinals = False
+        self._title = named(Label("Basis functions"), "basisTitle")
+        words = "Show what each point does with its estimates"
+        self._estimates = tool_button("withEstimates", words, "", text="With estimates")
+        mirror(self._estimates, estimates)
+        self._shows_cardinals = False
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._formulas: tuple[str, ...] = ()
         self._reach: tuple[float, float] | None = None
-        self._drawing = ElidedLabel()
-        self._drawing.setObjectName("basisDrawing")
-        self._extent = ElidedLabel()
-        self._extent.setObjectName("basisExtent")
+        self._drawing = named(ElidedLabel(), "basisDrawing")
+        self._extent = named(ElidedLabel(), "basisExtent")
         self._fit = self._fit_button()
-        self._wants_all = False
         # How many words are left out of the header, from 0 to 2.
         self._brevity = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
@@ -63,40 +65,23 @@ class BasisPane(Guarded, CentralPane):
         self._lay_out()
         panel.drawing.extent_changed.connect(self._show_extent)
         self._write_reach()
-
-    def set_with_estimates(self, shown: bool) -> None:
-        """Show what each point does with the estimates that follow it, or the family's functions."""
-        self._with_estimates = shown
-        self._panel.drawing.set_with_estimates(shown)
-
-    def _estimates_button(self, action: QAction) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName("withEstimates")
-        button.setText("With estimates")
-        button.setAccessibleName("Show what each point does with its estimates")
-        mirror(button, action)
-        return button
+        self.follow_theme()
 
     def _kind_button(self, kind: int) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName(f"{_NAMES[kind]}Functions")
+        name, scaled = _NAMES[kind], "; h is the longer segment beside the point" if kind else ""
+        tip = f"Show or hide the {name} functions{scaled}"
+        button = tool_button(f"{name}Functions", f"Show {name} functions", tip)
         button.setCheckable(True)
         button.setChecked(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setIconSize(SIGN)
-        button.setAccessibleName(f"Show {_NAMES[kind]} functions")
-        scaled = "; h is the longer segment beside the point" if kind else ""
-        button.setToolTip(f"Show or hide the {_NAMES[kind]} functions{scaled}")
         button.clicked.connect(self._choose_kinds)
         return button
 
     def _fit_button(self) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName("fitBasis")
+        tip = "Show the functions from their least to their greatest value"
+        button = tool_button("fitBasis", "Fit the basis functions", tip, text="Fit")
         button.setCheckable(True)
-        button.setText("Fit")
-        button.setAccessibleName("Fit the basis functions")
-        button.setToolTip("Show the functions from their least to their greatest value")
         button.clicked.connect(self._fit_or_calm)
         # Its room stays when it is hidden, or the drawing below would jump.
         policy = button.sizePolicy()
@@ -106,28 +91,15 @@ class BasisPane(Guarded, CentralPane):
 
     def _lay_out(self) -> None:
         row = _row_that_scrolls(self)
-        row.content.setObjectName("basisHeader")
-        header = QHBoxLayout(row.content)
-        header.setContentsMargins(10, 4, 8, 2)
-        header.setSpacing(6)
-        header.addWidget(self._title)
-        header.addSpacing(8)
-        for button in self._kinds:
-            header.addWidget(button)
-        header.addWidget(self._estimates)
-        header.addWidget(self._drawing)
-        header.addStretch(1)
-        header.addWidget(self._extent)
-        self._header = header
-        header.addWidget(self._fit)
-        for button in (*self._kinds, self._estimates):
+        named(row.content, "basisHeader")
+        switches = (*self._kinds, self._estimates)
+        parts: tuple[Part, ...] = (self._title, *switches, self._drawing, 1, self._extent, self._fit)
+        self._header = row_of(*parts, margins=(10, 4, 8, 2), spacing=6, parent=row.content)
+        self._header.insertSpacing(1, 8)
+        for button in switches:
             # Until there is a curve: else the window is built with room for all of them.
             button.hide()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(row)
-        layout.addWidget(self._panel, 1)
+        column_of(row, (self._panel, 1), margins=0, spacing=0, parent=self)
 
     @property
     def stop(self) -> QWidget:
@@ -139,11 +111,11 @@ class BasisPane(Guarded, CentralPane):
         basis = self._panel.drawing.basis
         has_estimates = view.source.family.derivatives > 0
         self._estimates.setVisible(has_estimates)
-        shows_cardinals = self._with_estimates and has_estimates
+        shows_cardinals = self._panel.drawing.with_estimates and has_estimates
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-        drawing = note_on_drawing(basis) if basis is not None else _NOTHING if len(view.points) > 1 else ""
+        drawing = _note(basis, view)
         # Laying the header out costs more than drawing the curve: only when it says something else.
         if (formulas, drawing) != (self._formulas, self._drawing.text()):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
@@ -185,28 +157,15 @@ class BasisPane(Guarded, CentralPane):
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")
 
-    def fit(self) -> None:
-        """Show the whole interval and the usual range of values."""
-        self._wants_all = False
+    def fit(self, *, whole: bool) -> None:
+        drawing = self._panel.drawing
         self._fit.setChecked(False)
+        drawing.calm_values()
+        drawing.fit_domain()
         self._fit.setVisible(self._reach is not None)
-        self._panel.drawing.calm_values()
-        self._panel.drawing.fit_domain()
-
-    def fit_all(self) -> None:
-        """Show the whole interval and all functions: the usual range where it holds them."""
-        self.fit()
-        self._wants_all = True
-        if self._reach is not None:
+        if whole and self._reach is not None:
             self._fit.setChecked(True)
-            self._panel.drawing.fit_values()
-
-    def fit_again(self) -> None:
-        """Fit what was fitted last: the pane has its size only now."""
-        if self._wants_all:
-            self.fit_all()
-        else:
-            self.fit()
+            drawing.fit_values()
 
     def _choose_kinds(self) -> None:
         self._panel.drawing.set_kinds(
@@ -252,3 +211,12 @@ def _row_that_scrolls(parent: QWidget) -> Scrolled[QWidget]:
     area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
     return area
+
+
+def _note(basis: BasisView | None, view: CurveView) -> str:
+    """Return what is said of the functions drawn, or why there are none."""
+    if basis is not None:
+        return note_on_drawing(basis)
+    if len(view.ticks):
+        return _NO_CURVE
+    return _NO_PARAMETERS if len(view.points) > 1 else ""

@@ -72,8 +72,6 @@ class BasisPanel(ToolPlot):
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         drawing = self.drawing
-        if drawing.basis is None:
-            return None
         return hit_test(pointer, self.pixel_map, drawing.basis, drawing.rail, drawing.functions.kinds)
 
     def rail_pixel(self, t: float) -> QPointF:
@@ -102,13 +100,12 @@ class BasisPanel(ToolPlot):
 
     def edit_tick(self, point: int) -> None:
         """Let the person type the parameter of a point at its tick."""
-        if self.drawing.basis is not None:
-            self._edit_knot(self.drawing.basis.owners.index(point))
+        if len(self.drawing.rail.parameters):
+            self._edit_knot(point)
 
     def _edit_knot(self, knot: int) -> None:
-        assert self.drawing.basis is not None
         self.tools.cancel()
-        t = float(self.drawing.basis.curve.parameters[knot])
+        t = float(self.drawing.rail.parameters[knot])
         place = self.rail_pixel(t) - QPointF(0, 8)
         self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, place.toPoint())))
 

@@ -26,6 +26,8 @@ class BasisScene(QObject):
         All basis functions of the curve that is edited; the t-rail with the scrub line.
     basis
         The functions on screen, None without a curve.
+    with_estimates
+        Whether they say what each point does with the estimates that follow it.
 
     Signals
     -------
@@ -43,7 +45,6 @@ class BasisScene(QObject):
         self.basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
         self._held_domain: tuple[float, float] | None = None
-        self._with_estimates = False
         self.functions = FunctionLayer(plot)
         self.rail = RailLayer(plot)
         self._box.sigResized.connect(self.show_values)
@@ -52,27 +53,26 @@ class BasisScene(QObject):
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`; they are sampled again only if they are other ones."""
         self._view = view
-        shows_cardinals = self._with_estimates and view.source.family.derivatives > 0
+        shows_cardinals = self.with_estimates and view.source.family.derivatives > 0
         if _is_of(self.basis, view, shows_cardinals):
             return
-        old = self.basis
-        self.basis = cardinal_view(view) if shows_cardinals else basis_view(view, old)
+        before = self._domain_of_ticks()
+        self.basis = cardinal_view(view) if shows_cardinals else basis_view(view, self.basis)
         self.functions.render(self.basis)
-        self.rail.render(self.basis)
-        moved = self.basis is not None and (old is None or old.curve.domain != self.basis.curve.domain)
+        self.rail.render(view)
+        domain = self._domain_of_ticks()
+        moved = domain is not None and domain != before
         was_held = self._held_domain is not None and self._domain() == self._held_domain
         if (moved or not view.source.points) and not self._plot.is_dragging and not was_held:
             self.fit_domain()
         self._report_extent()
 
     def set_with_estimates(self, shown: bool) -> None:
-        """Show what each point does with the estimates that follow it, or the family's functions."""
-        self._with_estimates = shown
+        """Show cardinal functions, which contain estimates, or the family's own from the next view on."""
+        self.with_estimates = shown
         name, what = ("Cardinal functions", "What each point does") if shown else ("Basis functions", _WHAT)
         self._plot.setAccessibleName(name)
         self._plot.setAccessibleDescription(f"{what} over t; drag a tick at the foot to change t.")
-        if self._view is not None:
-            self.render_view(self._view)
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Draw the functions of these points thick."""
@@ -124,12 +124,15 @@ class BasisScene(QObject):
 
     def _domain(self) -> tuple[float, float] | None:
         """Return the interval of t; without points that which the rule is going to span, else None."""
-        if self.basis is not None:
-            return self.basis.curve.domain
-        if self._view is None or self._view.source.points:
-            return None
+        domain = self._domain_of_ticks()
+        if domain is not None or self._view is None or self._view.source.points:
+            return domain
         rule = self._view.source.parametrization
         return rule.start, rule.end
+
+    def _domain_of_ticks(self) -> tuple[float, float] | None:
+        ticks = self.rail.parameters
+        return (float(ticks[0]), float(ticks[-1])) if len(ticks) else None
 
     def fit_values(self) -> None:
         """Show the functions from their least to their greatest value, as far as an axis reaches."""

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLineEdit, QWidget
 
-from app.appearance.theme import mix, theme_of
+from app.appearance.theme import Theme, mix
+from app.appearance.themed import FollowsTheme
 from app.document.expression import ExpressionError, parse_number
 from app.qt.labels import Label
 from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of
+from app.widgets.controls import named
 from app.widgets.number_text import decimal_mark, exact_text
 
 _WIDTH, _WIDEST_REASON = 150, 320
 
 
-class TickEdit(Guarded, QFrame):
+class TickEdit(FollowsTheme, QFrame):
     """Takes a number or an expression; Enter sets it, Escape or a click elsewhere gives it up.
 
     What cannot be set is explained above the line, and stays there to be mended.
@@ -23,7 +26,7 @@ class TickEdit(Guarded, QFrame):
     Signals
     -------
     typed
-        (knot, t) was typed and confirmed; who hears it answers with `accept` or `refuse`.
+        (knot, t) was typed and confirmed; who hears it answers with `close_and_return` or `refuse`.
     """
 
     typed = Signal(int, float)
@@ -34,16 +37,11 @@ class TickEdit(Guarded, QFrame):
         self._panel = parent
         self._knot = -1
         self._tick = QPointF()
-        self._reason = Label()
-        self._reason.setObjectName("tickProblem")
+        self._reason = named(Label(), "tickProblem")
         self._reason.setWordWrap(True)
         self.line = _TickLine(self)
-        layout = self._rows = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.setSpacing(4)
-        layout.addWidget(self._reason)
-        layout.addWidget(self.line)
-        self._render_theme()
+        self._rows = column_of(self._reason, self.line, margins=6, spacing=4, parent=self)
+        self.follow_theme()
         self.hide()
 
     @property
@@ -90,29 +88,20 @@ class TickEdit(Guarded, QFrame):
         left = min(max(int(self._tick.x()) - width // 2, 0), parent.width() - width)
         self.setGeometry(left, max(int(self._tick.y()) - height - 4, 0), width, height)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "line"):
-            self._render_theme()
-
-    def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
+    def set_theme(self, theme: Theme) -> None:
         surface, line = theme.surface.name(), mix(theme.ink, theme.paper, 0.2).name()
-        sheet = (
+        self.setStyleSheet(
             f"#tickEdit {{ background: {surface}; border: 1px solid {line}; border-radius: 6px }}"
             f"#tickProblem {{ color: {theme.warning.name()} }}"
         )
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
 
 
 class _TickLine(Guarded, QLineEdit):
     def __init__(self, owner: TickEdit) -> None:
         super().__init__(owner)
         self._owner = owner
-        self.setObjectName("tickValue")
-        self.setAccessibleName("Parameter t")
-        self.setToolTip("A number or an expression such as 1/3; Enter sets it, Escape leaves it")
+        tip = "A number or an expression such as 1/3; Enter sets it, Escape leaves it"
+        named(self, "tickValue", "Parameter t", tip)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):

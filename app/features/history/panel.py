@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize
 from PySide6.QtGui import QPalette, QUndoStack
-from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem, QUndoView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem, QUndoView, QWidget
 
 from app.appearance.theme import mix, theme_of
 from app.qt.overrides import Guarded
+from app.widgets.boxes import column_of
+from app.widgets.controls import named
 
 _MARGIN = 6
 """Pixels between the edge and the text of a row, besides what the style leaves."""
@@ -54,16 +56,12 @@ class HistoryPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("historyPanel")
         self.view = QUndoView(steps, self)
-        self.view.setObjectName("historyView")
-        self.view.setAccessibleName("History")
-        self.view.setToolTip("Click a step to go back or forward to it (↑ ↓)")
+        named(self.view, "historyView", "History", "Click a step to go back or forward to it (↑ ↓)")
         self.view.setFrameShape(QUndoView.Shape.NoFrame)
         self.view.setUniformItemSizes(True)
         self._delegate = _StepDelegate(self.view)
         self.view.setItemDelegate(self._delegate)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.view)
+        column_of(self.view, margins=0, parent=self)
         self.name_beginning("Start")
 
     def name_beginning(self, text: str) -> None:

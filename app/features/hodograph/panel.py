@@ -41,8 +41,7 @@ class HodographPlot(ToolPlot):
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(tools, parent)
-        self.setObjectName("hodograph")
-        self.setAccessibleName("Hodograph")
+        named(self, "hodograph", "Hodograph")
         self.setAccessibleDescription("The velocity as a curve in the plane; drag along it to scrub.")
         self.getViewBox().setAspectLocked(True)
         self.hodograph: Hodograph | None = None

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
 from app.document.words import count_of
+from app.widgets.controls import named
 
 _DEEPEST = 6
 """Levels that are shown; what lies deeper is taken or left with the group around it."""
@@ -31,9 +32,8 @@ class GroupTree(QTreeWidget):
 
     def __init__(self, groups: Sequence[tuple[str, ...]]) -> None:
         super().__init__()
-        self.setObjectName("importGroups")
-        self.setAccessibleName("Groups of the drawing")
-        self.setToolTip("Take the curves of a group, or leave them out (Space)")
+        tip = "Take the curves of a group, or leave them out (Space)"
+        named(self, "importGroups", "Groups of the drawing", tip)
         self.setColumnCount(2)
         self.setHeaderLabels(["Group", "Holds"])
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 from app.appearance.theme import mix, theme_of
 from app.features.import_export.role_header import RoleHeader
 from app.qt.labels import tip_of
+from app.widgets.controls import named
 
 _FITTING = 12
 """Characters that a cell has room for, as many as a number with six digits and a power of ten."""
@@ -25,9 +26,8 @@ class TablePreview(QTableWidget):
 
     def __init__(self, roles: Sequence[str]) -> None:
         super().__init__()
-        self.setObjectName("tablePreview")
-        self.setAccessibleName("First rows of the table")
-        self.setToolTip("The first rows of the file; of long numbers the first six digits")
+        tip = "The first rows of the file; of long numbers the first six digits"
+        named(self, "tablePreview", "First rows of the table", tip)
         # What is no number is told by its end as much as by its beginning.
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 from app.document.words import number, with_minus
 from app.qt.labels import Label
 from app.view_model.analysis.laboratory import Digits
+from app.widgets.controls import named
 
 _USUAL_DIGITS = 9
 _SMALLER = 0.75
@@ -19,8 +20,7 @@ class DigitsTable(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("digitsTable")
-        self.setAccessibleName("Computed digits")
+        named(self, "digitsTable", "Computed digits")
         self._title = Label(name="digitsTitle")
         self._title.setToolTip("Put the scrub line (T) where you want to look; without it, the worst place")
         self._grid = QGridLayout(self)

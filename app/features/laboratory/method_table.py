@@ -16,7 +16,7 @@ from app.qt.labels import Label
 from app.view_model.analysis.laboratory import Trial
 from app.view_model.analysis.laboratory_settings import Calculation, RoundedPart
 from app.view_model.analysis.wording import short
-from app.widgets.controls import check_box
+from app.widgets.controls import check_box, named
 
 _HEADINGS = (
     ("Method", "Choose what is computed and drawn"),
@@ -46,8 +46,7 @@ class MethodTable(FollowsTheme, QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("laboratoryTable")
-        self.setAccessibleName("Methods and their errors")
+        named(self, "laboratoryTable", "Methods and their errors")
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(7)

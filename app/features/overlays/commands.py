@@ -69,9 +69,7 @@ class OverlayCommands:
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
         self._context.central.canvas.drawing.annotations.figure_layer.render(figures, ghosts)
-        rows = analysis.legend.legend_rows(
-            view, settings, ghosts, figures if settled is not None else (), busy
-        )
+        rows = analysis.legend.legend_rows(view, settings, ghosts, figures, busy)
         self._context.central.canvas.drawing.annotations.render_legend(_GROUP, rows)
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._context.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)

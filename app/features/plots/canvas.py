@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from app.features.plots.layers import PlotLayer, ScrubLayer, bands
+from app.features.plots.layers import PlotLayer, ScrubLayer
 from app.features.plots.value_scale import ValueScale
 from app.plotting.camera import CameraOverT
 from app.plotting.tool_plot import ToolPlot
@@ -60,7 +60,7 @@ class PlotCanvas(ToolPlot):
     @property
     def plots(self) -> Sequence[PlotData]:
         """Plots that are shown, from the top down."""
-        return self._lines.plots
+        return [plot for plot, _scale in self._lines.plots]
 
     @property
     def note(self) -> str:
@@ -85,7 +85,7 @@ class PlotCanvas(ToolPlot):
         moved = scales != self._scales
         self._scales = scales
         layer = self._lines
-        layer.plots, layer.scales, layer.knots = plots, list(scales.values()), knots
+        layer.plots, layer.knots = [(plot, scales[plot.title]) for plot in plots], knots
         layer.note, layer.waits = "", False
         if moved:
             self._number_axis()
@@ -94,7 +94,7 @@ class PlotCanvas(ToolPlot):
     def say(self, note: str) -> None:
         """Show a sentence in place of plots."""
         layer = self._lines
-        layer.plots, layer.scales, layer.knots, layer.note = (), (), np.empty(0), note
+        layer.plots, layer.knots, layer.note = (), np.empty(0), note
         self._scales = {}
         self._number_axis()
         self._refresh()
@@ -122,10 +122,10 @@ class PlotCanvas(ToolPlot):
         """Write the numbers of all plots at the one axis."""
         height, layer = max(self.getViewBox().rect().height(), 1.0), self._lines
         ticks = []
-        for band, scale in zip(bands(len(layer.plots), height, layer.scale), layer.scales, strict=True):
-            most = max(int(band.height / (_PIXELS_A_NUMBER * layer.scale)), 2)
-            for share, text in scale.ticks(most):
-                y = float(band.y(np.array([share]))[0])
+        for placed in layer.placed(height):
+            most = max(int(placed.height / (_PIXELS_A_NUMBER * layer.scale)), 2)
+            for share, text in placed.scale.ticks(most):
+                y = placed.foot - share * placed.height
                 ticks.append((1 - min(max(y, _EDGE), height - _EDGE) / height, text))
         if ticks != self._ticks:
             self._ticks = ticks

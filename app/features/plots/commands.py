@@ -142,7 +142,7 @@ class PlotCommands:
         canvas.set_scale(context.store.state.scale)
         canvas.camera.range_asked.connect(context.central.t_camera.show_t)
         canvas.scrub_nudged.connect(self._nudge_scrub)
-        canvas.pointed_at.connect(context.status_line.show_t)
+        canvas.pointed_at.connect(context.status_line.readouts.show_t)
         context.connect_plot(canvas)
         choices = [(plot.symbol, context.actions[plot.action_name]) for plot in PLOTS]
         pane = plots.pane.PlotPane(canvas, choices)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QFont, QPainter, QPen
+from PySide6.QtGui import QPainter, QPen
 
 from app.features.plots.value_scale import ValueScale
 from app.plotting.drawing import Segments, Stroke, cut_segments
@@ -34,10 +34,11 @@ _FAR = 1e5
 _WIDTH = 1.5
 
 
-@dataclass(frozen=True)
-class PlotBand:
-    """Band of one of the plots, in pixels: its title above, its foot below."""
+class PlacedPlot(NamedTuple):
+    """A plot in its band of the height: pixels where its title begins, where it has its head and its foot."""
 
+    plot: PlotData
+    scale: ValueScale
     top: float
     head: float
     foot: float
@@ -47,17 +48,9 @@ class PlotBand:
         """The height of the plot without its title."""
         return self.foot - self.head
 
-    def y(self, shares: FloatArray) -> FloatArray:
-        """Return vertical pixels of shares of the height."""
-        return self.foot - shares * self.height
-
-
-def bands(count: int, height: float, scale: float) -> list[PlotBand]:
-    """Divide a height among plots."""
-    each = height / max(count, 1)
-    strip = min(_STRIP * scale, _LARGEST_STRIP * each)
-    foot = min(_FOOT, 0.1 * each)
-    return [PlotBand(i * each, i * each + strip, (i + 1) * each - foot) for i in range(count)]
+    def y(self, values: FloatArray) -> FloatArray:
+        """Return the vertical pixels of values."""
+        return self.foot - self.scale.shares(values) * self.height
 
 
 class PlotLayer(Layer):
@@ -65,20 +58,16 @@ class PlotLayer(Layer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self.plots: Sequence[PlotData] = ()
-        self.scales: Sequence[ValueScale] = ()
+        self.plots: Sequence[tuple[PlotData, ValueScale]] = ()
         self.knots: FloatArray = np.empty(0)
         self.note = ""
         self.waits = False
         self._strokes: list[list[Stroke | Segments]] = []
-        self._strokes_of: tuple[object, ...] = ()
-        self._font = QFont(plot.font())
+        self._strokes_of: tuple[object, object, float] = ((), None, 0.0)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw every plot: levels and joints, lines, title."""
-        font = QFont(self._font)
-        font.setPointSizeF(max(self._font.pointSizeF() - 1.0, 7.0) * self.scale)
-        painter.setFont(font)
+        painter.setFont(self.fonts.less(1.0, self.scale))
         if self.note:
             painter.setPen(self.theme.muted)
             area = QRectF(0, 0, shown.width, shown.height)
@@ -86,53 +75,57 @@ class PlotLayer(Layer):
             return
         self._prepare(shown)
         self._paint_joints(painter, shown)
-        places = bands(len(self.plots), shown.height, self.scale)
-        for index, (plot, band, scale) in enumerate(zip(self.plots, places, self.scales, strict=True)):
-            self._paint_ground(painter, band, scale, shown.width, first=index == 0)
+        for placed, strokes in zip(self.placed(shown.height), self._strokes, strict=True):
+            self._paint_ground(painter, placed, shown.width)
             painter.save()
-            painter.setClipRect(QRectF(0, band.head - 1, shown.width, band.height + 2))
-            self._paint_levels(painter, plot, band, scale, shown.width)
+            painter.setClipRect(QRectF(0, placed.head - 1, shown.width, placed.height + 2))
+            self._paint_levels(painter, placed, shown.width)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-            for line, stroke in zip(plot.lines, self._strokes[index], strict=True):
+            for line, stroke in zip(placed.plot.lines, strokes, strict=True):
                 pen = self._pen(line)
                 if len(line.t) > _MOST_A_COLUMN * shown.width:
                     # Side by side, wider ones would make a bar.
                     pen.setWidthF(self.scale)
                 painter.setPen(pen)
                 stroke.draw(painter)
-                self._paint_jumps(painter, line, band, scale, shown)
+                self._paint_jumps(painter, line, placed, shown)
             painter.restore()
-            self._paint_title(painter, plot, band, shown.width)
+            self._paint_title(painter, placed, shown.width)
+
+    def placed(self, height: float) -> list[PlacedPlot]:
+        """Divide a height among the plots."""
+        each = height / max(len(self.plots), 1)
+        strip = min(_STRIP * self.scale, _LARGEST_STRIP * each)
+        foot = min(_FOOT, 0.1 * each)
+        return [
+            PlacedPlot(plot, scale, i * each, i * each + strip, (i + 1) * each - foot)
+            for i, (plot, scale) in enumerate(self.plots)
+        ]
 
     # Lines
 
     def _prepare(self, shown: PixelMap) -> None:
         """Turn the values into pixels, unless they are already."""
-        key = (self.plots, self.scales, shown, self.scale)
-        if len(key) == len(self._strokes_of) and all(
-            a is b for a, b in zip(key, self._strokes_of, strict=True)
-        ):
+        plots, where, scale = self._strokes_of
+        if plots is self.plots and where is shown and scale == self.scale:
             return
-        self._strokes_of = key
-        places = bands(len(self.plots), shown.height, self.scale)
+        self._strokes_of = (self.plots, shown, self.scale)
         self._strokes = [
-            [_stroke(line, band, scale, shown, _WIDTH * self.scale) for line in plot.lines]
-            for plot, band, scale in zip(self.plots, places, self.scales, strict=True)
+            [_stroke(line, placed, shown, _WIDTH * self.scale) for line in placed.plot.lines]
+            for placed in self.placed(shown.height)
         ]
 
     def _pen(self, line: PlotLine) -> QPen:
         return QPen(colour_of(line.style, self.theme, 0.4 if self.waits else 1.0), _WIDTH * self.scale)
 
-    def _paint_jumps(
-        self, painter: QPainter, line: PlotLine, band: PlotBand, scale: ValueScale, shown: PixelMap
-    ) -> None:
+    def _paint_jumps(self, painter: QPainter, line: PlotLine, placed: PlacedPlot, shown: PixelMap) -> None:
         """Mark both ends of every jump."""
         gaps = np.flatnonzero(np.isnan(line.values[1:-1])) + 1
         if not 0 < len(gaps) <= _MOST_JUMPS:
             return
         ends = np.concatenate([gaps - 1, gaps + 1])
-        x, y = shown.x(line.t[ends]), band.y(scale.shares(line.values[ends]))
-        near = (x > -9) & (x < shown.width + 9) & (y > band.top - 9) & (y < band.foot + 9)
+        x, y = shown.x(line.t[ends]), placed.y(line.values[ends])
+        near = (x > -9) & (x < shown.width + 9) & (y > placed.top - 9) & (y < placed.foot + 9)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour_of(line.style, self.theme))
         for place in np.column_stack([x, y])[near].tolist():
@@ -141,16 +134,14 @@ class PlotLayer(Layer):
 
     # What stands behind and beside them
 
-    def _paint_ground(
-        self, painter: QPainter, band: PlotBand, scale: ValueScale, width: float, *, first: bool
-    ) -> None:
+    def _paint_ground(self, painter: QPainter, placed: PlacedPlot, width: float) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
-        zero = scale.share(0.0) if scale.low < 0 else 0.0
-        y = round(float(band.y(np.array([zero]))[0]))
+        zero = 0.0 if placed.scale.low < 0 else placed.scale.low
+        y = round(float(placed.y(np.array([zero]))[0]))
         painter.drawLine(0, y, int(width), y)
-        if not first:
-            painter.drawLine(0, round(band.top), int(width), round(band.top))
+        if placed.top:
+            painter.drawLine(0, round(placed.top), int(width), round(placed.top))
 
     def _paint_joints(self, painter: QPainter, shown: PixelMap) -> None:
         x = shown.x(self.knots)
@@ -162,17 +153,15 @@ class PlotLayer(Layer):
         for place in np.rint(x).astype(int).tolist():
             painter.drawLine(place, 0, place, int(shown.height))
 
-    def _paint_levels(
-        self, painter: QPainter, plot: PlotData, band: PlotBand, scale: ValueScale, width: float
-    ) -> None:
-        for level in plot.levels:
-            y = float(band.y(np.array([scale.share(level.value)]))[0])
-            painter.setPen(with_dashes(QPen(self.theme.muted, 1), DASHED))
-            painter.drawLine(QPointF(0, round(y)), QPointF(width, round(y)))
+    def _paint_levels(self, painter: QPainter, placed: PlacedPlot, width: float) -> None:
+        painter.setPen(with_dashes(QPen(self.theme.muted, 1), DASHED))
+        for y in np.rint(placed.y(np.array([level.value for level in placed.plot.levels]))).tolist():
+            painter.drawLine(QPointF(0, y), QPointF(width, y))
 
-    def _paint_title(self, painter: QPainter, plot: PlotData, band: PlotBand, width: float) -> None:
+    def _paint_title(self, painter: QPainter, placed: PlacedPlot, width: float) -> None:
         """Write what the plot shows; where it has several lines, a sample and the name of each."""
-        strip = QRectF(4, band.top, width - 8, max(band.head - band.top, 11.0))
+        plot = placed.plot
+        strip = QRectF(4, placed.top, width - 8, max(placed.head - placed.top, 11.0))
         middle = int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
         title = f"{plot.title} …" if self.waits else plot.title
         painter.setPen(self.theme.ink)
@@ -202,12 +191,10 @@ class PlotLayer(Layer):
         return left
 
 
-def _stroke(
-    line: PlotLine, band: PlotBand, scale: ValueScale, shown: PixelMap, width: float
-) -> Stroke | Segments:
+def _stroke(line: PlotLine, placed: PlacedPlot, shown: PixelMap, width: float) -> Stroke | Segments:
     with np.errstate(over="ignore"):
         x = np.clip(shown.x(line.t), -_FAR, _FAR)
-    y = band.y(scale.shares(line.values))
+    y = placed.y(line.values)
     if len(x) > _MOST_A_COLUMN * shown.width:
         return _by_columns(x, y, shown)
     return line_in_pixels(np.column_stack([x, y]), line.style.dashes, width, shown)
@@ -247,18 +234,15 @@ class ScrubLayer(Layer):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         x = shown.point(self.scrub, 0.0)[0]
-        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
         painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
-        plots = self._plots
-        if plots.note:
+        if self._plots.note:
             return
-        places = bands(len(plots.plots), shown.height, self.scale)
-        for plot, band, scale in zip(plots.plots, places, plots.scales, strict=True):
-            for line in plot.lines:
-                share = scale.share(line.value_at(self.scrub))
+        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        for placed in self._plots.placed(shown.height):
+            for line in placed.plot.lines:
+                share = placed.scale.share(line.value_at(self.scrub))
                 if 0 <= share <= 1:
-                    y = float(band.y(np.array([share]))[0])
-                    painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+                    y = placed.foot - share * placed.height
                     painter.setBrush(colour_of(line.style, self.theme))
                     painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)
         painter.setBrush(Qt.BrushStyle.NoBrush)

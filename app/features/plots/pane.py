@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from app.appearance.icons import icon
-from app.appearance.theme import theme_of
+from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.document.words import number
 from app.features.plots.canvas import PlotCanvas
-from app.qt.overrides import Guarded
 from app.widgets.action_switch import mirror
+from app.widgets.boxes import column_of, row_of
 from app.widgets.choice_style import choice_style
+from app.widgets.controls import named
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.number_text import decimal_mark
 from app.widgets.tool_buttons import tool_button
@@ -23,7 +25,7 @@ _HEIGHT_A_PLOT = 64
 """Pixels that a plot should have at least where there is room."""
 
 
-class PlotPane(Guarded, QWidget):
+class PlotPane(FollowsTheme, QWidget):
     """Header and plots.
 
     Signals
@@ -40,32 +42,18 @@ class PlotPane(Guarded, QWidget):
         super().__init__(parent)
         self.setObjectName("plotPane")
         self.canvas = canvas
-        self._values = ElidedLabel()
-        self._values.setObjectName("plotValues")
-        self._values.setAccessibleName("Values at the scrub line")
+        self._values = named(ElidedLabel(), "plotValues", "Values at the scrub line")
         self._values.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._values.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._close = tool_button("closePlots", "Close the plots", "Put all plots away", flat=True)
         self._close.clicked.connect(self.close_asked)
         self._choices = QWidget()
-        row = QHBoxLayout(self._choices)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        for symbol, action in choices:
-            row.addWidget(_choice(symbol, action))
-        header = QHBoxLayout()
-        header.setContentsMargins(10, 4, 8, 4)
-        header.setSpacing(4)
-        header.addWidget(self._choices)
-        header.addSpacing(6)
-        header.addWidget(self._values, 1)
-        header.addWidget(self._close)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addLayout(header)
-        layout.addWidget(canvas, 1)
-        self._render_theme()
+        buttons = (_choice(symbol, action) for symbol, action in choices)
+        row_of(*buttons, margins=0, spacing=4, parent=self._choices)
+        header = row_of(self._choices, (self._values, 1), self._close, margins=(10, 4, 8, 4), spacing=4)
+        header.insertSpacing(1, 6)
+        column_of(header, (canvas, 1), margins=0, spacing=0, parent=self)
+        self.follow_theme()
 
     @property
     def values_text(self) -> str:
@@ -88,17 +76,11 @@ class PlotPane(Guarded, QWidget):
         rest = self.height() - self.canvas.getViewBox().rect().height()
         return int(min(max(rest, 40), 90)) + count * _HEIGHT_A_PLOT
 
-    def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
+    def set_theme(self, theme: Theme) -> None:
         self.canvas.set_theme(theme)
         self._values.setStyleSheet(f"color: {theme.muted.name()}")
         self._choices.setStyleSheet(choice_style(theme))
         self._close.setIcon(icon("close", theme))
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_choices"):
-            self._render_theme()
 
 
 def _choice(symbol: str, action: QAction) -> QToolButton:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from app.document.model import ParametrizationKind
 from app.qt.labels import Label
 from app.view_model.curve_view import CurveView
+from app.widgets.boxes import row_of
+from app.widgets.controls import choice_box, named
 from app.widgets.live_slider import LiveSlider
 from app.widgets.toolbar_widget import ToolbarWidget
 
@@ -39,18 +41,16 @@ class ParametrizationBar(ToolbarWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._view: CurveView | None = None
-        self.box = QComboBox()
-        self.box.setObjectName("parametrizationBox")
-        self.box.setAccessibleName("Parametrization")
-        self.box.setToolTip("The rule that gives the parameters t")
-        self.box.addItems([each.label for each in ParametrizationKind])
+        kinds, tip = (each.label for each in ParametrizationKind), "The rule that gives the parameters t"
+        self.box = choice_box("parametrizationBox", "Parametrization", tip, kinds)
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._label = Label("Parameters")
         self.slider = self._make_slider()
-        self._alpha = Label()
-        self._alpha.setObjectName("alphaValue")
+        self._alpha = Label(name="alphaValue")
         self._alpha.setMinimumWidth(self._alpha.fontMetrics().horizontalAdvance("α 0.00"))
-        self._lay_out()
+        parts = (self._label, self.box, self.slider, self._alpha)
+        row_of(*parts, margins=(4, 0, 4, 0), spacing=6, parent=self)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.box.activated.connect(self._choose_kind)
         self.slider.sliderPressed.connect(lambda: self.drag_changed.emit(True))
         self.slider.drag_ended.connect(self._end_drag)
@@ -58,22 +58,11 @@ class ParametrizationBar(ToolbarWidget):
     @staticmethod
     def _make_slider() -> LiveSlider:
         slider = LiveSlider(Qt.Orientation.Horizontal)
-        slider.setObjectName("alphaSlider")
-        slider.setAccessibleName("Exponent α of the power rule")
-        slider.setToolTip("Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length")
+        tip = "Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length"
+        named(slider, "alphaSlider", "Exponent α of the power rule", tip)
         slider.setRange(0, STEPS)
         slider.setFixedWidth(_SLIDER_WIDTH)
         return slider
-
-    def _lay_out(self) -> None:
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(4, 0, 4, 0)
-        layout.setSpacing(6)
-        layout.addWidget(self._label)
-        layout.addWidget(self.box)
-        layout.addWidget(self.slider)
-        layout.addWidget(self._alpha)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
     def set_compact(self, compact: bool) -> None:
         self._label.setVisible(not compact)

@@ -24,7 +24,7 @@ class SnapCommands:
         canvas.change_tool_settings(snapping=snapping, unit=state.unit_name)
         canvas.drawing.grid.set_spacing(state.grid_spacing)
         canvas.drawing.units.render(state.unit_name)
-        self._context.status_line.unit = state.unit_name
+        self._context.status_line.readouts.unit = state.unit_name
 
     @action("toggleSnap", "Snap", VIEW_DRAWING, "Shift+S", "magnet", checked=lambda now: now.state.snap_on)
     @also(TOOLBAR(62), CANVAS_MENU(32))

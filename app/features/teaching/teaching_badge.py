@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QToolButton, QWidget
 
-from app.appearance.theme import theme_of
+from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.qt.labels import Label, tip_of
 from app.qt.overrides import Guarded
 from app.view_model.analysis.teaching import Warned
+from app.widgets.boxes import column_of, row_of
+from app.widgets.controls import push_button
 
 _WIDTH = 340
 
 
-class TeachingBadge(Guarded, QToolButton):
+class TeachingBadge(FollowsTheme, QToolButton):
     """A warning that teaches; hidden while there is none.
 
     Signals
@@ -38,7 +41,7 @@ class TeachingBadge(Guarded, QToolButton):
         self._popup = _Popup(self)
         self.clicked.connect(self._open)
         self.hide()
-        self._apply_theme()
+        self.follow_theme()
 
     @property
     def sentence(self) -> str:
@@ -64,16 +67,8 @@ class TeachingBadge(Guarded, QToolButton):
         popup.show()
         popup.laboratory.setFocus(Qt.FocusReason.PopupFocusReason)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._apply_theme()
-
-    def _apply_theme(self) -> None:
-        colour = theme_of(self.palette()).warning.name()
-        sheet = f"QToolButton {{ color: {colour}; padding: 0px 8px }}"
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
+    def set_theme(self, theme: Theme) -> None:
+        self.setStyleSheet(f"QToolButton {{ color: {theme.warning.name()}; padding: 0px 8px }}")
 
 
 class _Popup(Guarded, QFrame):
@@ -86,18 +81,12 @@ class _Popup(Guarded, QFrame):
         self.setObjectName("teachingPopup")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setFixedWidth(_WIDTH)
-        self.sentence = Label()
-        self.sentence.setObjectName("teachingSentence")
-        self.sentence.setWordWrap(True)
-        self.laboratory = self._button(
+        self.sentence = Label(name="teachingSentence", wordWrap=True)
+        self.laboratory = _link(
             "openLaboratory", "Open the laboratory", "Compute with few digits and see what gets lost"
         )
-        self.explain = self._button(
-            "openExplanation", "Show a cure", "Explain the widest swing, and try cures"
-        )
-        self.away = self._button(
-            "putBadgeAway", "Put away", "Say no more of this until there is a new reason"
-        )
+        self.explain = _link("openExplanation", "Show a cure", "Explain the widest swing, and try cures")
+        self.away = _link("putBadgeAway", "Put away", "Say no more of this until there is a new reason")
         for button, signal in (
             (self.laboratory, badge.laboratory_wanted),
             (self.explain, badge.explanation_wanted),
@@ -105,25 +94,15 @@ class _Popup(Guarded, QFrame):
         ):
             button.clicked.connect(self.hide)
             button.clicked.connect(signal)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(12, 10, 12, 10)
-        layout.addWidget(self.sentence)
-        row = QHBoxLayout()
-        for button in (self.laboratory, self.explain, self.away):
-            row.addWidget(button)
-        layout.addLayout(row)
-
-    @staticmethod
-    def _button(name: str, text: str, tip: str) -> QPushButton:
-        button = QPushButton(text)
-        button.setObjectName(name)
-        button.setAutoDefault(False)
-        button.setAccessibleName(text)
-        button.setToolTip(tip)
-        return button
+        links = row_of(self.laboratory, self.explain, self.away)
+        column_of(self.sentence, links, margins=(12, 10, 12, 10), parent=self)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             self.hide()
             return
         super().keyPressEvent(event)
+
+
+def _link(name: str, text: str, tip: str) -> QPushButton:
+    return push_button(name, text, tip, text)

@@ -13,6 +13,7 @@ from app.appearance.theme import theme_of
 from app.qt.overrides import Guarded
 from app.view_model.analysis.wiggle import MOST_PULLS, Pull
 from app.view_model.analysis.wording import short
+from app.widgets.controls import named
 
 _ROW = 19
 _NAMES = ("", "velocity ", "acceler. ")
@@ -23,9 +24,8 @@ class WeightBars(Guarded, QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("weightBars")
-        self.setAccessibleName("Weights of the points here")
-        self.setToolTip("The weight of each point here: to the right it pulls, to the left it pushes away")
+        tip = "The weight of each point here: to the right it pulls, to the left it pushes away"
+        named(self, "weightBars", "Weights of the points here", tip)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.pulls: Sequence[Pull] = ()
         self._count = 0

@@ -41,18 +41,22 @@ def legend_rows(
     view: CurveView,
     settings: AnalysisSettings,
     ghosts: Iterable[GhostView],
-    settled: Collection[Figure],
+    figures: Collection[Figure],
     busy: Collection[Overlay],
 ) -> list[LegendRow]:
     """Return the lines of the legend: what cannot be understood without one."""
     if not view.is_current:
         return []
     shown = sorted(settings.overlays, key=lambda each: each.order)
-    rows = [LegendRow(style, text) for each in shown for style, text in each.legend(settings)]
+    drawn = {id(figure.style) for figure in figures}
+    rows = [
+        LegendRow(style, text, is_muted=each not in busy and id(style) not in drawn)
+        for each in shown
+        for style, text in each.legend(settings)
+    ]
     # What is known later stands last, so that nothing moves when it comes.
     for each in shown:
-        drawn = (entry for entry in each.finds if any(figure.style is entry[0] for figure in settled))
-        rows += [LegendRow(style, text) for style, text in drawn]
+        rows += [LegendRow(style, text) for style, text in each.finds if id(style) in drawn]
         if each.finds and each in busy:
             rows.append(LegendRow(each.finds[0][0], f"{each.name.capitalize()} …", is_muted=True))
     # A ghost that is the curve itself needs no line of its own.

@@ -89,9 +89,6 @@ def plot_of(title: str, lines: Sequence[PlotLine], scale: Scale, symbol: str = "
 
 def extent_of(values: Sequence[FloatArray], scale: Scale) -> tuple[float, float]:
     """Return the least and the greatest value that can be shown on a scale; (1, 1) for none."""
-    least, greatest = np.inf, -np.inf
-    for each in values:
-        shown = each[np.isfinite(each) & ((each > 0) | (scale is Scale.LINEAR))]
-        if len(shown):
-            least, greatest = min(least, float(shown.min())), max(greatest, float(shown.max()))
-    return (least, greatest) if least <= greatest else (1.0, 1.0)
+    every = np.concatenate([np.empty(0), *values])
+    shown = every[np.isfinite(every) & ((every > 0) | (scale is Scale.LINEAR))]
+    return (float(shown.min()), float(shown.max())) if len(shown) else (1.0, 1.0)

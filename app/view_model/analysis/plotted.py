@@ -7,7 +7,7 @@ from collections.abc import Collection
 import numpy as np
 
 from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import PlotData, PlotLine, extent_of
+from app.view_model.analysis.plot_lines import PlotData, PlotLine, plot_of
 from app.view_model.analysis.plot_samples import PlotSamples, derivatives_of, samples_over
 from app.view_model.curve_view import CurveView
 
@@ -45,8 +45,7 @@ def values_at(view: CurveView, plots: Collection[Plot], t: float) -> dict[Plot, 
 def _plotted(plot: Plot, sampled: Sampled, samples: PlotSamples) -> PlotData:
     values = plot.values(sampled) if len(sampled.t) else np.empty(0)
     line = PlotLine(plot.title, *samples.broken_at_jumps(values))
-    extent = extent_of([line.values], plot.scale)
-    return plot.finish(PlotData(plot.title, plot.symbol, plot.scale, (line,), extent), sampled)
+    return plot.finish(plot_of(plot.title, [line], plot.scale, plot.symbol), sampled)
 
 
 def _in_order(plots: Collection[Plot]) -> list[Plot]:

@@ -1,0 +1,89 @@
+"""Numbers at the right of the status line: the pointer's place, t and the Lebesgue constant."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QStatusBar
+
+from app.document.model import Vector
+from app.document.words import number
+from app.widgets.controls import named
+from app.widgets.elided_label import SteadyLabel
+
+_LEBESGUE_TIP = (
+    "Lebesgue constant: how much errors in the points can grow on the curve, "
+    "with the velocities and accelerations that are estimated from them"
+)
+
+_SOON_MS = 33
+"""Milliseconds after which numbers are written that change with every move: nobody reads faster."""
+
+
+class Readouts:
+    """The numbers of a status line.
+
+    Attributes
+    ----------
+    unit
+        What is written behind the place.
+    """
+
+    def __init__(self, line: QStatusBar) -> None:
+        self._place_label = named(SteadyLabel(), "pointerPlace")
+        self._t_label = named(SteadyLabel(), "pointerT")
+        self._lebesgue_label = named(SteadyLabel(), "lebesgueConstant", tip=_LEBESGUE_TIP)
+        for label in (self._place_label, self._t_label, self._lebesgue_label):
+            line.addPermanentWidget(label)
+        self._place_now: Vector | None = None
+        self._t_here: float | None = None
+        self._t_scrub: float | None = None
+        self._lebesgue: float | None = math.nan
+        self.unit = ""
+        self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._render)
+
+    def show_place(self, place: Vector | None) -> None:
+        """Show where the pointer is on the canvas."""
+        self._place_now = place
+        self._render_soon()
+
+    def show_t(self, t: float | None) -> None:
+        """Show the t under the pointer; None when the pointer is elsewhere."""
+        self._t_here = t
+        self._render_soon()
+
+    def show_scrub(self, t: float | None) -> None:
+        """Show the t of the scrub line while the pointer is elsewhere; None without one."""
+        self._t_scrub = t
+        self._render_soon()
+
+    def show_lebesgue(self, constant: float | None) -> None:
+        """Show the Lebesgue constant of the points; NaN without a curve, None while it changes."""
+        self._lebesgue = constant
+        self._render_soon()
+
+    def _render_soon(self) -> None:
+        if not self._soon.isActive():
+            self._soon.start()
+
+    def _render(self) -> None:
+        self._place_label.setText(self._place_text())
+        t = self._t_scrub if self._t_here is None else self._t_here
+        self._t_label.setText("" if t is None else f"t {number(t)}")
+        self._lebesgue_label.setText(self._lebesgue_text())
+
+    def _place_text(self) -> str:
+        if self._place_now is None:
+            return ""
+        x, y = self._place_now
+        unit = f" {self.unit}" if self.unit else ""
+        return f"x {number(x)}{unit}   y {number(y)}{unit}"
+
+    def _lebesgue_text(self) -> str:
+        if self._lebesgue is None:
+            return "Λ …"
+        if math.isnan(self._lebesgue):
+            return ""
+        return f"Λ {'∞' if math.isinf(self._lebesgue) else number(self._lebesgue, 3)}"
