@@ -66,6 +66,10 @@ class Actions:
     def __contains__(self, name: str) -> bool:
         return name in self._actions
 
+    def declared_by(self, commands: type) -> list[QAction]:
+        """Return the actions that a command set declares."""
+        return [self[each.action.name] for each in self._handlers if each.commands is commands]
+
     def in_section(self, section: Section) -> list[QAction]:
         """Return the actions of a section of a menu, in order."""
         return [self._actions[name] for name, each in self._declared.items() if each.section is section]

@@ -31,7 +31,7 @@ _GHOST_MS, _WIDTH = 900, 2.0
 
 
 class CurveLayer(Layer):
-    """Draws the active curve within a tenth of a pixel, or says by how much it is off.
+    """Layer of the active curve: within a tenth of a pixel, or with a word about how much it is off.
 
     Attributes
     ----------

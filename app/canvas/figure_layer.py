@@ -39,7 +39,7 @@ _FAR, _FARTHEST = 1e5, 1e30
 
 
 class FigureLayer(Layer):
-    """Draws figures of the plane, each in the pen of its style, and ghosts over them.
+    """Layer of figures of the plane, each in the pen of its style, with ghosts over them.
 
     Lines and areas lie under the curve, marks over it and under the points.
     """

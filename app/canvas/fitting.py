@@ -65,7 +65,7 @@ def way_back_inside(pixel: float, size: float) -> float:
 
 
 class Framing:
-    """Fits the drawing into the view of the canvas.
+    """Ways to bring the drawing into the view of the canvas.
 
     Attributes
     ----------

@@ -27,7 +27,7 @@ _MOST_DIGITS = 15
 
 
 class GridLayer(Layer):
-    """Fine and coarse lines that adapt to the zoom."""
+    """Layer of fine and coarse lines that adapt to the zoom."""
 
     z = -10.0
     is_still = True

@@ -21,7 +21,7 @@ _ALLOCATION_MB = 512
 
 
 class ImageFileError(ValueError):
-    """A picture cannot be shown; the message says why."""
+    """Refusal to show a picture; the message says why."""
 
 
 def read_image(path: str) -> QImage:

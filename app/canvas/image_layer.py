@@ -27,7 +27,7 @@ _MARGIN = 4.0
 
 
 class ImageLayer(Layer):
-    """Draws a picture at its place; a dashed frame where its file is not there."""
+    """Layer of a picture at its place; a dashed frame where its file is not there."""
 
     z = -6.0
     is_still = True

@@ -25,7 +25,7 @@ FIRST = "overlays"
 
 
 class Legend(OverlayFrame):
-    """Lies in the lower right corner; what is pressed beside its buttons is meant for the drawing below.
+    """Legend in the lower right corner; what is pressed beside its buttons is meant for the drawing below.
 
     Signals
     -------

@@ -33,7 +33,7 @@ _CLEAR = 18.0
 
 
 class MarksLayer(Layer):
-    """Draws `GestureMarks` on top of everything.
+    """Layer of `GestureMarks`, on top of everything.
 
     Attributes
     ----------

@@ -28,7 +28,7 @@ _SHORTEST = 3.0
 
 
 class MotionLayer(Layer):
-    """Draws dots that run; the scrub line's own dot lies on top of them."""
+    """Layer of dots that run; the scrub line's own dot lies on top of them."""
 
     z = 9.0
 

@@ -36,7 +36,7 @@ _AT_ONCE = 400
 
 
 class OtherCurvesLayer(Layer):
-    """Draws the visible curves that are neither edited nor selected, and tells which of them a pixel is on.
+    """Layer of the visible curves that are neither edited nor selected; it finds which of them a pixel is on.
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are.
@@ -154,7 +154,7 @@ class OtherCurvesLayer(Layer):
 
 
 class FileLayer(OtherCurvesLayer):
-    """Draws the curves of the file behind those of the document, out of the reach of the mouse."""
+    """Layer of the curves of the file, behind those of the document, out of the reach of the mouse."""
 
     z = -2.0
 

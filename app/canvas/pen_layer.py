@@ -13,7 +13,7 @@ from app.view_model.curve_view import CurveView
 
 
 class PenLayer(Layer):
-    """Draws a thin line below the curve, so that only what would change is seen."""
+    """Layer of a thin line below the curve, so that only what would change is seen."""
 
     z = -0.5
 

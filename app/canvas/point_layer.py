@@ -40,7 +40,7 @@ _HIDDEN = 0.35
 
 
 class PointLayer(Layer):
-    """Draws the points of the active curve; corners are squares, over the discs."""
+    """Layer of the points of the active curve; corners are squares, over the discs."""
 
     z = 10.0
 

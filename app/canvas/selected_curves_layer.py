@@ -27,7 +27,7 @@ _MOST_RINGS = 400
 
 
 class SelectedCurvesLayer(OtherCurvesLayer):
-    """Draws selected curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
+    """Layer of selected curves, painted like the others from a picture that is kept while they stay.
 
     Hidden ones are faint, as the active curve is: they are moved with the others.
     """

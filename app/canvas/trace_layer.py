@@ -28,7 +28,7 @@ class Trace(msgspec.Struct, frozen=True, eq=False):
 
 
 class TraceLayer(Layer):
-    """Draws groups of traces."""
+    """Layer of groups of traces."""
 
     z = 0.5
 

@@ -11,7 +11,7 @@ from app.plotting.plot_widget import PlotWidget
 
 
 class UnitLayer(Layer):
-    """Writes the unit at the right end of the x axis and the upper end of the y axis."""
+    """Layer of the unit's name, at the right end of the x axis and the upper end of the y axis."""
 
     z = -5.0
     is_still = True

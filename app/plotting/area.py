@@ -14,7 +14,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath
 
 
 class AreaFill:
-    """Fills areas one after the other, in a picture that is kept for the next frame."""
+    """Filling of areas one after the other, in a picture that is kept for the next frame."""
 
     def __init__(self) -> None:
         self._picture = QImage()

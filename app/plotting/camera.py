@@ -17,7 +17,7 @@ GREATEST_SPAN = 1e13
 
 
 class Camera(QObject):
-    """Zooms and pans, and maps the plane to pixels.
+    """Part of the plane that is seen: it zooms and pans, and maps the plane to pixels.
 
     Attributes
     ----------

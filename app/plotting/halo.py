@@ -9,7 +9,7 @@ from app.plotting.pictures import transparent
 
 
 class Halo:
-    """Draws words with a halo; the last ones are kept as a picture.
+    """Words with a halo; the last ones are kept as a picture.
 
     Stroking the outlines of a few letters takes a millisecond, and words stay the same for many frames.
     """

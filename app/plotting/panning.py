@@ -10,7 +10,7 @@ from app.plotting.camera import Camera
 
 
 class Panning:
-    """Moves the drawing of a plot with the mouse, and shows by the pointer's shape that it would.
+    """Panning of a plot with the mouse; the pointer's shape shows that it would.
 
     Every method takes an event that the plot received; what concerns other gestures is left alone.
     """

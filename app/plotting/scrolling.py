@@ -21,7 +21,7 @@ _SHIFT, _CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlMo
 
 
 class Scrolling:
-    """Pans and zooms a plot by wheel and trackpad.
+    """Panning and zooming of a plot by wheel and trackpad.
 
     Which of the two it was is told by the phases of the event, and where the system sends none (X11) by the
     device. `QWheelEvent.pixelDelta` tells nothing: X11 sets it for some wheels, and not for libinput's

@@ -14,7 +14,7 @@ from app.tools.toolbox import Toolbox
 
 
 class ToolPlot(PlotWidget):
-    """Turns mouse and keys into events of a tool.
+    """Plot whose mouse and keys are events of a tool.
 
     Attributes
     ----------

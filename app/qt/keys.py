@@ -1,11 +1,17 @@
-"""Keys of a widget that are also shortcuts of its window."""
+"""Keys that have a name of their own here, and those of a widget that are also shortcuts of its window."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 
 from app.qt.overrides import Guarded, guard
+
+ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
+
+PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
+"""Ways to lose the focus of somebody who comes back to go on typing: another window, the field's own menu."""
 
 
 class ClaimsKeys(Guarded):

@@ -9,7 +9,7 @@ from app.tools.tool import ToolContext
 
 
 class CurvePicker:
-    """Makes the curve that is pressed the one edited, and selects several.
+    """Choice among curves: the one that is pressed is edited, and several are selected.
 
     Attributes
     ----------

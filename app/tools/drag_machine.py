@@ -106,7 +106,7 @@ class _Press(msgspec.Struct):
 
 
 class DragMachine:
-    """Turns press, move and release into preview, commit and cancel.
+    """State machine that turns press, move and release into preview, commit and cancel.
 
     A press becomes a drag after `THRESHOLD` pixels; before that a release is a click.
     """

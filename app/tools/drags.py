@@ -23,7 +23,7 @@ _TOLERANCE = 0.05
 
 
 class MovePoints(Drag, frozen=True):
-    """Move points, or whole curves, with the pointer; Shift keeps to one axis.
+    """Drag of points, or whole curves, with the pointer; Shift keeps to one axis.
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ class MovePoints(Drag, frozen=True):
 
 
 class NudgePoints(Drag, frozen=True):
-    """Move points by a key, wherever the pointer is.
+    """Move of points by a key, wherever the pointer is.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
 
 
 class DragHandle(CurveDrag, frozen=True):
-    """Set a velocity or an acceleration by its handle."""
+    """Drag of the handle of a velocity or an acceleration."""
 
     hit: Hit
     start: Vector
@@ -196,7 +196,7 @@ def in_steps(v: Vector) -> Vector:
 
 
 class PullVelocity(CurveDrag, frozen=True):
-    """Pull the velocity handle out of a point, wherever the handle lay before."""
+    """Drag that pulls the velocity handle out of a point, wherever the handle lay before."""
 
     index: int
     snapper: Snapper
@@ -224,7 +224,7 @@ class PullVelocity(CurveDrag, frozen=True):
 
 
 class BendCurve(CurveDrag, frozen=True):
-    """Change the data as little as makes the grabbed point follow: Ctrl points only, Alt derivatives only."""
+    """Bend: the least change of data by which the grabbed point follows; Ctrl: points, Alt: derivatives."""
 
     hit: Hit
     start: Vector

@@ -7,7 +7,7 @@ from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
 
 
 class ExplainTool(Tool):
-    """Puts the scrub line where the curve was clicked: what explains the curve stands there."""
+    """Tool that puts the scrub line where the curve was clicked: what explains the curve stands there."""
 
     def press(self, context: ToolContext) -> None:
         """Move the scrub line here."""

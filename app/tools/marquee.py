@@ -15,7 +15,7 @@ from app.view_model.curve_view import CurveView
 
 
 class Marquee(Gesture):
-    """Selects the points inside the band, live; while Shift is held, adds to what was selected before.
+    """Rubber band: selects the points inside, live; with Shift held, adds to what was selected before.
 
     Attributes
     ----------

@@ -23,7 +23,7 @@ def corner_of(image: ReferenceImage, corner: int) -> Vector:
 
 
 class MoveImage(Drag, frozen=True):
-    """Move the picture with the pointer; Shift keeps to one axis."""
+    """Drag of the picture with the pointer; Shift keeps to one axis."""
 
     start: Vector
 
@@ -36,7 +36,7 @@ class MoveImage(Drag, frozen=True):
 
 
 class ScaleImage(Drag, frozen=True):
-    """Scale the picture by a corner; the opposite corner stays, and so does the aspect."""
+    """Drag of a corner of the picture; the opposite corner stays, and so does the aspect."""
 
     corner: int
     start: Vector
@@ -57,7 +57,7 @@ class ScaleImage(Drag, frozen=True):
 
 
 class MoveImageTool(Tool):
-    """Moves and scales the picture to trace: points are out of reach meanwhile."""
+    """Tool that moves and scales the picture to trace: points are out of reach meanwhile."""
 
     cursor = Cursor.ARROW
     finds_image = True

@@ -49,7 +49,7 @@ def _is_away(pointer: Pointer, press: Pointer) -> bool:
 
 
 class AppendPoint(CurveDrag, frozen=True):
-    """Put a new last point at the press; dragging sets its velocity, or moves it where there is none."""
+    """New last point at the press; dragging sets its velocity, or moves it where there is none."""
 
     press: Pointer
     snapper: Snapper
@@ -110,7 +110,7 @@ class AppendPoint(CurveDrag, frozen=True):
 
 
 class BeginCurve(AppendPoint, frozen=True):
-    """Put the first point of another curve at the press; the document has the empty curve already."""
+    """First point of another curve at the press; the document has the empty curve already."""
 
     @property
     def name(self) -> str:
@@ -119,7 +119,7 @@ class BeginCurve(AppendPoint, frozen=True):
 
 
 class InsertPoint(CurveDrag, frozen=True, dict=True):
-    """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
+    """New point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
 
     hit: Hit
     press: Pointer

@@ -19,7 +19,7 @@ _LEAST_GAP = 1e-3
 
 
 class Scrubbing(Gesture):
-    """Lets the scrub line follow the pointer; a click on a function selects its point.
+    """Scrub line that follows the pointer; a click on a function selects its point.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class Scrubbing(Gesture):
 
 
 class ScrubTool(Tool):
-    """Moves the scrub line by a drag; the plots over t have no other gesture."""
+    """Tool that moves the scrub line by a drag; the plots over t have no other gesture."""
 
     cursor = Cursor.ARROW
 
@@ -81,7 +81,7 @@ class ScrubTool(Tool):
 
 
 class ScrubAlongTool(ScrubTool):
-    """Moves the scrub line to the nearest place of what is drawn."""
+    """Tool that moves the scrub line to the nearest place of what is drawn."""
 
     def t_at(self, context: ToolContext) -> float | None:
         """Return the parameter of what is nearest."""
@@ -90,7 +90,7 @@ class ScrubAlongTool(ScrubTool):
 
 
 class DragTicks(Drag, frozen=True):
-    """Drag parameters along the t-rail, all by the same way; their order is kept.
+    """Drag of parameters along the t-rail, all by the same way; their order is kept.
 
     Attributes
     ----------
@@ -161,7 +161,7 @@ class DragTicks(Drag, frozen=True):
 
 
 class RailTool(ScrubTool):
-    """Drags ticks along the t-rail; scrubs elsewhere."""
+    """Tool that drags ticks along the t-rail, and scrubs elsewhere."""
 
     def press(self, context: ToolContext) -> None:
         """Begin to drag the tick here, or else to scrub."""

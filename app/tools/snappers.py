@@ -23,7 +23,7 @@ from app.view_model.curve_view import CurveView
 
 
 class Snappers:
-    """Makes the snapper of each gesture.
+    """Snappers of the gestures, each made when one begins.
 
     Attributes
     ----------

@@ -198,7 +198,7 @@ def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[in
 
 
 class Snapper:
-    """Snaps one point to what is near, and remembers what it caught.
+    """Snapping of one point to what is near, with what it caught last.
 
     Attributes
     ----------

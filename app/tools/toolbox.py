@@ -20,7 +20,7 @@ HitTest = Callable[[Pointer, Tool], Hit | None]
 
 
 class Toolbox:
-    """Gives events to the tool in use, each with its context.
+    """Tools of one plot: events go to the one in use, each with its context.
 
     A tool may lie above the one that is chosen, for a while: the transform that a key has begun, or the one
     that moves the picture. Then the events are its own.

@@ -95,7 +95,7 @@ def box_of(views: Sequence[CurveView], group: PointGroup) -> TransformBox | None
 
 
 class ScaleBox(Drag, frozen=True):
-    """Scale the selected points, or selected curves, by a grip of their box.
+    """Drag of a grip of the box: it scales the selected points, or selected curves.
 
     What snaps is the corner or the side of the box that the grip moves: it lies
     on the outermost points, the grip beside them.

@@ -11,7 +11,7 @@ _KEYS = frozenset("0123456789.-xygsr") | {"backspace", "tab", "enter"}
 
 
 class TransformTool(Tool):
-    """Lets selected points or curves, or else all points, follow the pointer to Enter, a click or Escape.
+    """Tool in which selected points or curves, or else all points, follow the pointer until a key or a click.
 
     Parameters
     ----------

@@ -93,7 +93,7 @@ def parse_goal(text: str, curve: str = "", kept: str = "") -> Goal:
     return goal
 
 
-def standing_of(goal: Goal, view: CurveView, given: Curve | None = None) -> GoalResult:
+def result_of(goal: Goal, view: CurveView, given: Curve | None = None) -> GoalResult:
     """Return whether the curve of `view` meets `goal`, in words; `given` is the curve as it was given."""
     if goal.curve and view.source.name != goal.curve:
         return GoalResult(False, f"{_asked(goal)}; click on the curve “{goal.curve}”, which is meant")

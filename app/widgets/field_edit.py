@@ -10,12 +10,9 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from app.document.expression import ExpressionError, parse_number
 from app.document.words import number
-from app.qt.keys import ClaimsKeys
+from app.qt.keys import PASSING, ClaimsKeys
 from app.widgets.controls import named
 from app.widgets.number_text import decimal_mark, typed_text
-
-# Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
-_PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
 
 
 class FieldEdit(ClaimsKeys, QLineEdit):
@@ -87,7 +84,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        if event.reason() not in _PASSING:
+        if event.reason() not in PASSING:
             self.revert()
             self.left.emit()
 

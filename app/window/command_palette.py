@@ -31,6 +31,7 @@ from shiboken6 import isValid
 
 from app.actions.keymap import full_name_of, native, why_not
 from app.appearance.theme import Theme, mix, theme_of
+from app.qt.keys import ENTER
 from app.qt.labels import Label
 from app.qt.overrides import Guarded
 from app.widgets.boxes import column_of
@@ -231,7 +232,7 @@ class _SearchField(Guarded, QLineEdit):
         key = Qt.Key(event.key())
         if key in steps:
             self._owner.step(steps[key])
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        elif key in ENTER:
             self._owner.run_current()
         elif key == Qt.Key.Key_Escape:
             self._owner.close_and_return()

@@ -189,7 +189,7 @@ class MainWindow(Guarded, QMainWindow):
             return
         self._theme = theme
         self.actions_by_name.set_theme(theme)
-        for part in (self.canvas, self.message_bar, self.commands):
+        for part in (self.canvas, self.commands):
             part.set_theme(theme)
 
     def changeEvent(self, event: QEvent) -> None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialogButtonBox, QTabWidget, QWidget
 
 from app.actions.keymap import Keymap
+from app.qt.keys import ENTER
 from app.settings.kinds import settings_with_labels
 from app.settings.preferences import Preferences
 from app.widgets.boxes import column_of, form_of
@@ -77,5 +78,5 @@ class PreferencesDialog(FittedDialog):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # Enter confirms what was typed; it does not close.
-        if event.key() not in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        if event.key() not in ENTER:
             super().keyPressEvent(event)

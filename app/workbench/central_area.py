@@ -59,6 +59,7 @@ class CentralArea:
         self.under_canvas.setSpacing(0)
         self.under_canvas.addWidget(self.canvas, 1)
         self.panes: tuple[CentralPane, ...] = ()
+        self._fits_whole = False
         self.splitter.setStretchFactor(0, _STRETCH)
         self.splitter.setChildrenCollapsible(False)
         # Else what lies behind the window's middle is seen beside the thin line of a handle.
@@ -113,19 +114,18 @@ class CentralArea:
     def fit(self) -> None:
         """Show all curves, and what the panes usually show."""
         self.canvas.framing.fit()
-        for pane in self.panes:
-            pane.fit()
+        self.fit_panes(whole=False)
 
-    def fit_panes(self) -> None:
-        """Show all that is drawn below the canvas, however far it reaches."""
+    def fit_panes(self, *, whole: bool) -> None:
+        """Show in the panes what they usually show, or the whole, however far it reaches."""
+        self._fits_whole = whole
         for pane in self.panes:
-            pane.fit_all()
+            pane.fit(whole=whole)
 
     def fit_again(self) -> None:
         """Fit everything as it was fitted last: the window has another size."""
         self.canvas.framing.fit()
-        for pane in self.panes:
-            pane.fit_again()
+        self.fit_panes(whole=self._fits_whole)
 
     def make_room(self, pane: CentralPane, height: int) -> None:
         """Give a pane that height at least, first of the canvas, then of the other panes."""

@@ -30,14 +30,8 @@ class CentralPane(QWidget):
         """Stop of F6 on its way through the window."""
         return self
 
-    def fit(self) -> None:
-        """Show what a person usually sees."""
-
-    def fit_all(self) -> None:
-        """Show all that is drawn, however far it reaches."""
-
-    def fit_again(self) -> None:
-        """Fit as it was fitted last: the pane has another size."""
+    def fit(self, *, whole: bool) -> None:
+        """Show what a person usually sees, or the whole, however far it reaches."""
 
 
 _Builder = TypeVar("_Builder", bound=Callable[..., CentralPane])

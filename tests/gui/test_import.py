@@ -63,7 +63,7 @@ def dialog_of(editor, name):
 
 def opened(editor, path, name="importTableDialog"):
     """The dialog of an import, when nothing is going on any more."""
-    editor.window.commands[ExchangeCommands].import_file(path)
+    editor.window.commands[ExchangeCommands].import_files([path])
     editor.wait_for_work()
     dialog = dialog_of(editor, name)
     assert dialog is not None, editor.message
@@ -565,7 +565,7 @@ def test_another_document_comes_in_too(editor, tmp_path):
 @pytest.mark.usefixtures("drawings_read_here")
 def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reason):
     before = editor.session.document
-    editor.window.commands[ExchangeCommands].import_file(write(tmp_path / name, content))
+    editor.window.commands[ExchangeCommands].import_files([write(tmp_path / name, content)])
     editor.wait_for_work()
     assert editor.message.count(name) == 1
     assert reason in editor.message
@@ -573,7 +573,7 @@ def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reaso
 
 
 def test_a_file_that_is_not_there(editor, tmp_path):
-    editor.window.commands[ExchangeCommands].import_file(tmp_path / "gone.csv")
+    editor.window.commands[ExchangeCommands].import_files([tmp_path / "gone.csv"])
     editor.wait_for_work()
     assert "gone.csv" in editor.message
 
@@ -605,7 +605,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     assert not editor.session.files.is_modified
     assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
     # And one that is read for a document that has gone.
-    editor.window.commands[ExchangeCommands].import_file(path)
+    editor.window.commands[ExchangeCommands].import_files([path])
     editor.new()
     editor.wait_for_work()
     editor.settle()
@@ -649,7 +649,7 @@ def until_collected():
 
 def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     before, height = editor.session.document, editor.window.canvas.height()
-    editor.window.commands[ExchangeCommands].import_file(busy)
+    editor.window.commands[ExchangeCommands].import_files([busy])
     assert editor.window.context.work.jobs.is_busy
     bar = shown_bar(editor)
     assert bar.text == "Reading busy.svg"
@@ -671,9 +671,11 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     assert not editor.action("cancelWork").isEnabled()
 
 
-def test_one_thing_at_a_time(editor, busy, tmp_path):
-    editor.window.commands[ExchangeCommands].import_file(busy)
-    editor.window.commands[ExchangeCommands].import_file(tmp_path / "other.csv")
+def test_one_thing_at_a_time(editor, busy, tmp_path, monkeypatch):
+    editor.window.commands[ExchangeCommands].import_files([busy])
+    chosen = [str(tmp_path / "other.csv")]
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))
+    editor.trigger("importFile")
     assert editor.status == "Reading busy.svg is still going on; stop it first."
     shown_bar(editor)
     QTest.keyClick(editor.window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
@@ -697,7 +699,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
 
 
 def test_closing_the_window_drops_the_work(editor, busy):
-    editor.window.commands[ExchangeCommands].import_file(busy)
+    editor.window.commands[ExchangeCommands].import_files([busy])
     shown_bar(editor)
     editor.session.files.give_up_changes()
     task = editor.window.context.work.jobs._task
@@ -709,7 +711,7 @@ def test_closing_the_window_drops_the_work(editor, busy):
 
 
 def test_closing_the_dialog_of_a_table_drops_the_work(editor, tmp_path):
-    editor.window.commands[ExchangeCommands].import_file(spiral(tmp_path / "spiral.csv", 200_000))
+    editor.window.commands[ExchangeCommands].import_files([spiral(tmp_path / "spiral.csv", 200_000)])
     editor.wait_for_work()
     dialog = dialog_of(editor, "importTableDialog")
     assert dialog.jobs.is_busy
@@ -730,7 +732,7 @@ def test_very_many_rows_never_block_the_window(editor, tmp_path, record_property
     timer = QTimer(interval=1, timerType=Qt.TimerType.PreciseTimer)
     timer.timeout.connect(lambda: turns.append(time.thread_time()))
     timer.start()
-    editor.window.commands[ExchangeCommands].import_file(path)
+    editor.window.commands[ExchangeCommands].import_files([path])
     editor.wait_for_work()
     dialog = dialog_of(editor, "importTableDialog")
     settle(editor, dialog, 60)

@@ -26,7 +26,7 @@ from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.overlays.ensemble import COUNT
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
-from app.view_model.goals import standing_of
+from app.view_model.goals import result_of
 from app.window import MainWindow
 from app.window.connect import all_actions
 
@@ -44,7 +44,7 @@ def test_what_a_step_names_exists_and_its_goal_is_still_to_be_reached(name, numb
     (curve,) = [curve for curve in document.curves if curve.name == step.curve] or document.curves[:1]
     assert curve.name == step.curve or not step.curve
     if step.goal is not None:
-        assert not standing_of(step.goal, view_of(curve)).is_met
+        assert not result_of(step.goal, view_of(curve)).is_met
 
 
 def find(editor, kind, name):

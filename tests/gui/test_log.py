@@ -95,7 +95,7 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
         ("letters.csv", "71.25;;x"),
     ):
         (folder / name).write_text(text)
-        window.commands[ExchangeCommands].import_file(folder / name)
+        window.commands[ExchangeCommands].import_files([folder / name])
         editor.wait_for_work()
     window.commands[ExchangeCommands].export(folder / "letters.svg")
     editor.wait_for_work()

@@ -173,7 +173,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
         '<svg><style>.a{}</style><text/><path id="&lt;b>x&lt;/b>" d="M0 0L0 0"/><path d="M0 0L1 1"/></svg>',
         encoding="utf-8",
     )
-    planted.window.commands[ExchangeCommands].import_file(drawing)
+    planted.window.commands[ExchangeCommands].import_files([drawing])
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importDrawingDialog")
     remarks = dialog.findChild(QLabel, "importRemarks")
@@ -186,7 +186,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     table = tmp_path / "a.csv"
     table.write_text(f"x;y\n1;2\n3;{SHORT} is too long for its cell\n", encoding="utf-8")
-    planted.window.commands[ExchangeCommands].import_file(table)
+    planted.window.commands[ExchangeCommands].import_files([table])
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importTableDialog")
     while dialog.jobs.is_busy:

@@ -37,7 +37,7 @@ from app.view_model.appending import with_closed
 from app.view_model.basis_view import basis_view, weights_at
 from app.view_model.bend import Bend
 from app.view_model.curve_view import view_of
-from app.view_model.goals import MEASURES, parse_goal, standing_of
+from app.view_model.goals import MEASURES, parse_goal, result_of
 from app.view_model.growth import growth_of_points
 from app.view_model.hold import BendWith
 from app.view_model.motion import STATIONS, Course, Pace
@@ -404,11 +404,11 @@ def test_the_rest_of_what_is_said_holds_for_it(name):
 def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
     view = view_of(curve_of(name))
     for measure in MEASURES:
-        assert "now" in standing_of(parse_goal(f"{measure} < 1"), view).text
+        assert "now" in result_of(parse_goal(f"{measure} < 1"), view).text
     everything = parse_goal("points > 3", kept="points, family, rule")
-    assert standing_of(everything, view, view.source).is_met
-    assert standing_of(parse_goal(f"family = {name}"), view).is_met
-    assert not standing_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
+    assert result_of(everything, view, view.source).is_met
+    assert result_of(parse_goal(f"family = {name}"), view).is_met
+    assert not result_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
 
 
 @pytest.mark.parametrize("unchanged", [*OWN, "tests_natural_spline"])

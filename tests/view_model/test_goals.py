@@ -15,7 +15,7 @@ from app.features.lessons.lesson import LessonError, find_lesson, lesson_names, 
 from app.storage.files import load
 from app.storage.format import encode
 from app.view_model.curve_view import view_of
-from app.view_model.goals import GoalError, parse_goal, standing_of
+from app.view_model.goals import GoalError, parse_goal, result_of
 
 ROOT = Path(__file__).parents[2]
 SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
@@ -28,7 +28,7 @@ def value(text):
 def test_the_lebesgue_constant_of_four_uniform_parameters():
     curve = make_curve(SQUARE)
     curve = Curve(curve.name, LAGRANGE, Parametrization(ParametrizationKind.UNIFORM), curve.points)
-    standing = standing_of(parse_goal("lebesgue < 2"), view_of(curve))
+    standing = result_of(parse_goal("lebesgue < 2"), view_of(curve))
     assert standing.is_met
     # Brutman, Annals of Numerical Mathematics 4 (1997) 111-127: 1.6311
     assert value(standing.text) == pytest.approx(1.631, abs=5e-4)
@@ -38,7 +38,7 @@ def test_a_parabola_leaves_its_box_by_an_eighth():
     """Through (0,0), (1,0), (1,1) under t = 0, 1/2, 1 the x-component is 3t - 2t², at most 9/8."""
     rule = Parametrization(ParametrizationKind.UNIFORM)
     curve = Curve("p", LAGRANGE, rule, tuple(Point(*place) for place in SQUARE[:3]))
-    assert value(standing_of(parse_goal("overshoot > 10"), view_of(curve)).text) == pytest.approx(
+    assert value(result_of(parse_goal("overshoot > 10"), view_of(curve)).text) == pytest.approx(
         12.5, abs=1e-3
     )
 
@@ -47,13 +47,13 @@ def test_a_parabola_leaves_its_box_by_an_eighth():
 def test_joints_are_as_smooth_as_their_family(family, order):
     points = tuple(Point(*place, velocity=(1.0, 2.0)) for place in SQUARE)
     curve = Curve("s", family, Parametrization(), points)
-    assert value(standing_of(parse_goal("smoothness >= 2"), view_of(curve)).text) == order
+    assert value(result_of(parse_goal("smoothness >= 2"), view_of(curve)).text) == order
 
 
 def test_the_distance_from_chord_lengths():
     points = tuple(Point(*place, t=t) for place, t in zip(SQUARE, (0.0, 0.3, 0.7, 1.0), strict=True))
     curve = Curve("m", LAGRANGE, Parametrization(ParametrizationKind.MANUAL), points)
-    text = standing_of(parse_goal("chord_gap < 0.01"), view_of(curve)).text
+    text = result_of(parse_goal("chord_gap < 0.01"), view_of(curve)).text
     assert value(text) == pytest.approx(1 / 3 - 0.3, rel=1e-3)
 
 
@@ -109,10 +109,10 @@ DETOURS = {
 def test_a_goal_is_not_reached_by_a_way_that_misses_the_point(detour):
     name, number, change, words = DETOURS[detour]
     goal, curve = given(name, number)
-    assert standing_of(
+    assert result_of(
         parse_goal(f"{goal.measure} {goal.comparison} {goal.value}"), view_of(change(curve))
     ).is_met
-    standing = standing_of(goal, view_of(change(curve)), curve)
+    standing = result_of(goal, view_of(change(curve)), curve)
     assert not standing.is_met
     assert words in standing.text
 
@@ -120,7 +120,7 @@ def test_a_goal_is_not_reached_by_a_way_that_misses_the_point(detour):
 def test_a_goal_is_about_its_curve():
     goal, curve = given("02_three_parameter_sets", 4)
     other = load(load_lesson("02_three_parameter_sets").document).curves[0]
-    standing = standing_of(goal, view_of(other), curve)
+    standing = result_of(goal, view_of(other), curve)
     assert not standing.is_met
     assert "click on the curve “Careless”" in standing.text
 
@@ -129,11 +129,11 @@ def test_a_point_that_was_moved_a_little_does_not_count_as_another():
     goal, curve = given("03_chord_length", 3)
     points = (replace(curve.points[0], y=0.3), *curve.points[1:])
     moved = replace(rule_of(curve, ParametrizationKind.CENTRIPETAL), points=points)
-    assert standing_of(goal, view_of(moved), curve).is_met
+    assert result_of(goal, view_of(moved), curve).is_met
 
 
 def test_a_curve_that_is_none_meets_nothing():
-    standing = standing_of(parse_goal("lebesgue > 0"), view_of(make_curve(SQUARE[:1])))
+    standing = result_of(parse_goal("lebesgue > 0"), view_of(make_curve(SQUARE[:1])))
     assert not standing.is_met
     assert "no curve" in standing.text
 

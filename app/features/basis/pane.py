@@ -58,7 +58,6 @@ class BasisPane(FollowsTheme, CentralPane):
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
         self._fit = self._fit_button()
-        self._wants_all = False
         # How many words are left out of the header, from 0 to 2.
         self._brevity = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
@@ -158,28 +157,15 @@ class BasisPane(FollowsTheme, CentralPane):
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")
 
-    def fit(self) -> None:
-        """Show the whole interval and the usual range of values."""
-        self._wants_all = False
+    def fit(self, *, whole: bool) -> None:
+        drawing = self._panel.drawing
         self._fit.setChecked(False)
+        drawing.calm_values()
+        drawing.fit_domain()
         self._fit.setVisible(self._reach is not None)
-        self._panel.drawing.calm_values()
-        self._panel.drawing.fit_domain()
-
-    def fit_all(self) -> None:
-        """Show the whole interval and all functions: the usual range where it holds them."""
-        self.fit()
-        self._wants_all = True
-        if self._reach is not None:
+        if whole and self._reach is not None:
             self._fit.setChecked(True)
-            self._panel.drawing.fit_values()
-
-    def fit_again(self) -> None:
-        """Fit what was fitted last: the pane has its size only now."""
-        if self._wants_all:
-            self.fit_all()
-        else:
-            self.fit()
+            drawing.fit_values()
 
     def _choose_kinds(self) -> None:
         self._panel.drawing.set_kinds(

@@ -38,8 +38,6 @@ from app.workbench.context import WindowContext
 POINTS = "application/x-curvebench-points"
 """MIME type of points: a document of one curve that has these points only."""
 
-_ON_CANVAS = ("cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDerivatives", "pasteDerivatives")
-
 
 class _Pasted(msgspec.Struct, frozen=True):
     """Content of the clipboard: points, whether they came as text, and the row they begin in.
@@ -60,10 +58,10 @@ class ClipboardCommands:
         self._context = context
         self._session = context.session
         self._curves = CurveClipboard(context)
-        for name in _ON_CANVAS:
+        for each in context.actions.declared_by(ClipboardCommands):
             # The point table and the fields of the panels use the same keys for what they show.
-            context.actions[name].setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-            context.central.canvas.addAction(context.actions[name])
+            each.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            context.central.canvas.addAction(each)
 
     # Points
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from app.appearance.colours import CURVE_COLOURS, curve_colour
 from app.appearance.swatches import swatch
-from app.appearance.theme import Theme, theme_of
+from app.appearance.theme import theme_of
 from app.document.model import Document
 from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.view import CurveListView, Spot
@@ -111,7 +111,3 @@ class CurveList(Guarded, QWidget):
         if row >= 0:
             self.row_meant.emit(row)
         self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self.view.viewport().update()

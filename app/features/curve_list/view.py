@@ -40,7 +40,7 @@ from app.appearance.colours import curve_colour
 from app.appearance.icons import icon
 from app.appearance.theme import mix, theme_of
 from app.features.curve_list.model import CurveListModel, Row
-from app.qt.keys import ClaimsKeys
+from app.qt.keys import DELETE, ENTER, ClaimsKeys
 from app.qt.labels import tip_of
 from app.qt.overrides import Guarded
 from app.view_model.palette import adjustment_of
@@ -49,8 +49,7 @@ from app.widgets.controls import named
 Index = QModelIndex | QPersistentModelIndex
 
 _ICON, _PAD, _SWATCH, _BAR = 16, 8, 12, 3
-_RENAME = (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter)
-_DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
+_RENAME = (Qt.Key.Key_F2, *ENTER)
 _STEPS = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
 """Steps to the next curve of the document: the list has the one in front at the top."""
 
@@ -380,4 +379,4 @@ class CurveListView(ClaimsKeys, QListView):
 
 def _deletes(event: QKeyEvent) -> bool:
     """Whether a key deletes; held with Shift or Ctrl it is an action's."""
-    return event.key() in _DELETE and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    return event.key() in DELETE and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier

@@ -79,11 +79,6 @@ class ExchangeCommands:
         if names and not self._work.refuse_second():
             self.import_files([Path(name) for name in names])
 
-    def import_file(self, path: Path) -> None:
-        """Read a file of another format and ask what is to become of it, or say why it cannot be read."""
-        if not self._work.refuse_second():
-            self.import_files([path])
-
     def import_files(self, paths: Iterable[Path]) -> None:
         """Import these one after the other, each when the one before has been answered."""
         if not self._series.is_busy:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QDialog, QDialogButtonBox, QLineEdit, QPushButton
 
+from app.qt.keys import ENTER
 from app.widgets.controls import choice_box, named
 
 INTO = ("This document", "A new document")
@@ -13,7 +13,7 @@ INTO = ("This document", "A new document")
 
 def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
     """Whether a key is the Enter that ends typing into a field, and no order to go ahead."""
-    is_enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+    is_enter = event.key() in ENTER
     return is_enter and isinstance(dialog.focusWidget(), QLineEdit | QAbstractSpinBox)
 
 

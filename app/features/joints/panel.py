@@ -12,7 +12,7 @@ from app.appearance.theme import Theme
 from app.appearance.themed import FollowsTheme
 from app.document.words import number
 from app.features.joints.model import JointsModel
-from app.qt.keys import ClaimsKeys
+from app.qt.keys import ENTER, ClaimsKeys
 from app.qt.labels import Label
 from app.view_model.analysis.joints import Certificate, JointKind, JointRow
 from app.widgets.boxes import column_of, row_of
@@ -20,7 +20,6 @@ from app.widgets.controls import named
 from app.widgets.number_text import decimal_mark
 from app.widgets.tool_buttons import action_button
 
-_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _PADDING = 5
 _DETAIL_LINES = 4
 _HOW = "Click a joint, or press Enter, to see it close up."
@@ -77,7 +76,7 @@ class JointsView(ClaimsKeys, QTableView):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Copy):
             self.copy_requested.emit()
-        elif event.key() in _ENTER and self.currentIndex().isValid():
+        elif event.key() in ENTER and self.currentIndex().isValid():
             self.visited.emit(self.currentIndex().row())
         else:
             super().keyPressEvent(event)

@@ -66,10 +66,10 @@ class LessonCommands:
         if goal is None or self._given is None:
             return
         given = next(curve for curve in self._given.curves if curve.name == goal.curve)
-        standing = view_model.goals.standing_of(goal, view, given)
-        if standing.is_met:
+        result = view_model.goals.result_of(goal, view, given)
+        if result.is_met:
             visit.reached.add(visit.step)
-        self._panel.show_standing(standing, reached=visit.step in visit.reached)
+        self._panel.show_result(result, reached=visit.step in visit.reached)
 
     @property
     def _visit(self) -> _Visit:
@@ -138,7 +138,7 @@ class LessonCommands:
         if self._context.session.document == self._given:
             self._activate(lesson.steps[step].curve)
         self._show(step)
-        self._context.central.fit_panes()
+        self._context.central.fit_panes(whole=True)
 
     def _go(self, step: int) -> None:
         """Go to a step of the lesson that is open; beyond its end, to the next lesson."""
@@ -155,7 +155,7 @@ class LessonCommands:
             return
         self._show(step)
         self._activate(self._lesson.steps[step].curve)
-        self._context.central.fit_panes()
+        self._context.central.fit_panes(whole=True)
 
     def _show(self, step: int) -> None:
         assert self._panel is not None

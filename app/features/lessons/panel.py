@@ -131,17 +131,17 @@ class LessonPanel(QWidget):
         at_end = step + 1 == len(lesson.steps)
         self.next_button.setText("Next Lesson" if at_end else "Next")
         self.next_button.setEnabled(not (at_end and is_last))
-        self.show_standing(None, reached=False)
+        self.show_result(None, reached=False)
 
-    def show_standing(self, standing: GoalResult | None, *, reached: bool) -> None:
+    def show_result(self, result: GoalResult | None, *, reached: bool) -> None:
         """Show whether the goal of the step is met; None where the step has none.
 
         A goal that was reached once stays ticked: what comes after may lead away from it.
         """
-        self.goal.setVisible(standing is not None)
-        if standing is not None:
+        self.goal.setVisible(result is not None)
+        if result is not None:
             sign = "✓ Reached" if reached else "○ Goal"
-            self.goal.setText(f"<b>{sign}</b><br>{html_of(standing.text)}")
+            self.goal.setText(f"<b>{sign}</b><br>{html_of(result.text)}")
 
 
 def _button(name: str, text: str, tip: str) -> QPushButton:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import Theme
 from app.features.point_table.controller import PointTableController
 from app.features.point_table.panel import PointTable
 from app.view_model.curve_view import CurveView
@@ -37,10 +36,6 @@ class PointTableCommands:
     def follow(self, view: CurveView) -> None:
         """Show the points of `view`, as soon as the table's pace allows."""
         self.panel.render_view(view, streaming=self._session.is_previewing)
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self.panel.set_theme(theme)
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""

@@ -28,6 +28,7 @@ from PySide6.QtWidgets import (
 
 from app.appearance.theme import LIGHT, Theme, mix
 from app.features.point_table.model import PointTableModel
+from app.qt.keys import ENTER, PASSING
 from app.qt.overrides import Guarded
 from app.widgets.number_text import (
     Extent,
@@ -56,10 +57,7 @@ _DIGITS = (6, 5, 4, 3)
 _MOST_KNOWN = 1000
 """Widths that are kept: of the columns as they have been of late."""
 
-_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-_LEAVING = (*_ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
-# Whoever looks up a number in another window, or in the editor's own menu, comes back to go on typing.
-_PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
+_LEAVING = (*ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 
 
 class ColumnFormat(msgspec.Struct, frozen=True):
@@ -266,7 +264,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
 
     def eventFilter(self, editor: QObject, event: QEvent) -> bool:
         if isinstance(editor, CellEditor) and isinstance(event, QFocusEvent) and event.lostFocus():
-            if event.reason() in _PASSING:
+            if event.reason() in PASSING:
                 return False
             if editor.text() != editor.opened_with:
                 self.given_up.emit(self._model.label(editor.index.row(), editor.index.column()))
@@ -279,7 +277,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
             if not self._set_typed(editor):
                 editor.selectAll()
                 return True  # it stays open, and the table says why
-            if event.key() in _ENTER:
+            if event.key() in ENTER:
                 self.closeEditor.emit(editor, QAbstractItemDelegate.EndEditHint.NoHint)
                 self.entered.emit()
                 return True

@@ -11,7 +11,8 @@ from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.appearance.icons import icon
-from app.appearance.theme import Theme, theme_of
+from app.appearance.theme import Theme
+from app.appearance.themed import FollowsTheme
 from app.document.edits import EditError
 from app.document.words import count_of
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
@@ -19,7 +20,6 @@ from app.features.point_table.edits import explicit_orders, keeping_sentence
 from app.features.point_table.model import PointTableModel
 from app.features.point_table.view import PointTableView
 from app.qt.labels import Label, html_of
-from app.qt.overrides import Guarded
 from app.view_model.curve_view import CurveView
 from app.view_model.point_columns import POSITION, Column, known_titles
 from app.widgets.boxes import column_of, row_of
@@ -30,7 +30,7 @@ INTERVAL_MS = 100
 """The table follows a drag at this pace; the canvas is what the eye is on."""
 
 
-class PointTable(Guarded, QWidget):
+class PointTable(FollowsTheme, QWidget):
     """The panel with the point table.
 
     Signals
@@ -89,7 +89,7 @@ class PointTable(Guarded, QWidget):
         self._add_actions()
         self._lay_out()
         self._connect()
-        self.set_theme(theme_of(self.palette()))
+        self.follow_theme()
 
     # Building
 

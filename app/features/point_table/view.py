@@ -18,11 +18,9 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, Q
 
 from app.features.point_table.delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
 from app.features.point_table.model import PointTableModel
-from app.qt.keys import ClaimsKeys
+from app.qt.keys import DELETE, ENTER, ClaimsKeys
 from app.widgets.controls import named
 
-_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-_DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 _PLAIN = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
 
 _EDGE = 8
@@ -185,7 +183,7 @@ class PointTableView(ClaimsKeys, QTableView):
         return self.paste_requested if event.matches(QKeySequence.StandardKey.Paste) else None
 
     def _is_reset(self, event: QKeyEvent) -> bool:
-        return event.key() in _DELETE and self.no_places_selected()
+        return event.key() in DELETE and self.no_places_selected()
 
     def _is_typing(self, event: QKeyEvent) -> bool:
         text = event.text()
@@ -196,7 +194,7 @@ class PointTableView(ClaimsKeys, QTableView):
         exchange = self._exchange(event)
         if exchange is not None:
             exchange.emit()
-        elif event.key() in _ENTER and self.currentIndex().flags() & Qt.ItemFlag.ItemIsEditable:
+        elif event.key() in ENTER and self.currentIndex().flags() & Qt.ItemFlag.ItemIsEditable:
             self.edit(self.currentIndex())
         elif self._is_reset(event):
             self.reset_requested.emit()

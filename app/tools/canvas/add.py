@@ -19,7 +19,7 @@ from app.view_model.curve_view import CurveView, view_of
 
 
 class AddTool(Tool):
-    """Adds points, and begins another curve beside one that is closed or finished.
+    """Tool that adds points, and begins another curve beside one that is closed or finished.
 
     Which curves are finished is neither in the document nor in its history: it only says what the next press
     means.

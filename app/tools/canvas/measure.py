@@ -55,7 +55,7 @@ class Measuring(Gesture):
 
 
 class MeasureTool(Tool):
-    """Measures from the press to the pointer; the ruler stays until it is dismissed."""
+    """Tool that measures from the press to the pointer; the ruler stays until it is dismissed."""
 
     def __init__(self) -> None:
         self._measured: Measuring | None = None

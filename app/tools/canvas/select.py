@@ -18,7 +18,7 @@ from app.tools.transform_box import Grip, TransformBox
 
 
 class SelectTool(Tool):
-    """Selects, drags and bends."""
+    """Tool that selects, drags and bends."""
 
     cursor = Cursor.ARROW
     finds_other_curves = True
