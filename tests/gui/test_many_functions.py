@@ -30,6 +30,20 @@ def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
     return Curve("Wave", family, Parametrization(kind), points, closed=closed)
 
 
+def test_functions_beyond_all_pixels_are_drawn_without_a_warning():
+    """Of 2000 points, 1.1e306 times 105 pixels was an overflow, told in a drag."""
+    view = view_of(
+        Curve("Steep", LAGRANGE, Parametrization(UNIFORM), tuple(Point(float(x), 0.0) for x in range(1045)))
+    )
+    basis = basis_view(view)
+    assert np.abs(basis.envelope(0)).max() > 1e304
+    lines = FunctionLines(basis, PixelMap.of_ranges((-0.05, 1.05), (-0.0006, 0.0013), 880, 200))
+    for polygon in (lines.edge(0, upper=True), lines.edge(0, upper=False), lines.function(3, 0)):
+        heights = [polygon[k].y() for k in range(polygon.size())]
+        assert np.isfinite(heights).all()
+        assert np.abs(heights).max() == 1e4
+
+
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize(
     ("n", "family", "way"),
