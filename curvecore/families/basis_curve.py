@@ -28,8 +28,6 @@ At a break the stencil lies to one side: its polynomial is off by the 7th deriva
 step, and values by their rounding over one.
 """
 _AS_GOOD_AS_EQUAL = 1e-9
-_MOST_POINTS = 2000
-"""All functions are asked for at all parameters to be checked: beyond, that alone takes hundreds of MB."""
 
 
 class Scheme(NamedTuple):
@@ -95,10 +93,8 @@ class BasisCurve(Curve):
         if scheme is None:
             raise CurveError("scheme must be given: this class has no basis functions of its own")
         super().__init__(points, parameters)
-        if len(self._jets) > _MOST_POINTS:
-            raise CurveError(
-                f"a curve of {scheme.name} can have {_MOST_POINTS} points, not {len(self._jets)}"
-            )
+        # All functions are asked for at all parameters to be checked.
+        self._check_count(len(self._jets), scheme.name)
         self._scheme = scheme
         self._breaks = self._checked_breaks()
         if self.interpolates:
@@ -181,8 +177,9 @@ class BasisCurve(Curve):
         off = np.abs(found - np.eye(len(found)))
         j, i = np.unravel_index(int(off.argmax()), off.shape)
         if off[j, i] > _AS_GOOD_AS_EQUAL:
+            value = float(f"{found[j, i]:.10g}")  # enough digits to show the difference
             raise CurveError(
                 f"function {i} of {self._scheme.name} must be {int(i == j)} at parameter {j}, "
-                f"t = {self._parameters[j]}, not {found[j, i]:.10g}",
+                f"t = {self._parameters[j]}, not {value}",
                 (int(j),),
             )

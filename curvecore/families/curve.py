@@ -127,6 +127,9 @@ class Curve(Immutable, ABC):
         Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
     is_one_polynomial : bool
         Whether it is the polynomial of degree n - 1 through its n points.
+    most_points : int or None
+        How many points a curve can have: what is derived from `basis` takes m * n numbers. None, any number,
+        in a family that overrides `evaluate`, `bezier_pieces` and whatever else it knows how to do with less.
     """
 
     __slots__ = ("_jets", "_parameters")
@@ -139,6 +142,7 @@ class Curve(Immutable, ABC):
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
+    most_points: ClassVar[int | None] = 2000
 
     _jets: FloatArray
     _parameters: FloatArray
@@ -220,9 +224,20 @@ class Curve(Immutable, ABC):
             Finite numbers; n >= 2.
         parameters : array_like, shape (n,)
             Finite and strictly increasing.
+
+        Raises
+        ------
+        CurveError
+            If they are no such numbers, or more than `most_points`.
         """
+        cls._check_count(np.shape(jets)[0] if np.ndim(jets) else 0, cls.name)
         data = jet_array(jets, (len(np.asarray(jets)), cls.derivatives + 1))
         return cls(*data.swapaxes(0, 1), parameters)  # type: ignore[call-arg]
+
+    @classmethod
+    def _check_count(cls, count: int, name: str) -> None:
+        if cls.most_points is not None and count > cls.most_points:
+            raise CurveError(f"a curve of {name} can have {cls.most_points} points, not {count}")
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
         """Return a curve of the same family with other data and parameters, as many as there may be."""

@@ -55,6 +55,7 @@ class LagrangeCurve(Curve):
     name = "lagrange"
     title = "Lagrange"
     is_one_polynomial = True
+    most_points = None
 
     _form: ProductForm | None
 

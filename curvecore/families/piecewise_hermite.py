@@ -37,6 +37,7 @@ class PiecewiseHermite(Curve):
 
     can_close = True
     is_local = True
+    most_points = None
     _functions: ClassVar[tuple[LeftFunctions, ...]]
 
     _columns: FloatArray | None  # weighted control points, made when first needed

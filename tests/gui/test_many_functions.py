@@ -8,8 +8,8 @@ from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QLabel
 
 from app.appearance.theme import LIGHT
+from app.document.edits import set_parameters
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
-from app.document.parameter_edits import set_parameters
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.features.basis.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.pixel_map import PixelMap
@@ -28,6 +28,20 @@ def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
     s = np.linspace(0, 1, n)
     points = tuple(Point(float(4 * x), float(np.sin(9 * x))) for x in s)
     return Curve("Wave", family, Parametrization(kind), points, closed=closed)
+
+
+def test_functions_beyond_all_pixels_are_drawn_without_a_warning():
+    """Of 2000 points, 1.1e306 times 105 pixels was an overflow, told in a drag."""
+    view = view_of(
+        Curve("Steep", LAGRANGE, Parametrization(UNIFORM), tuple(Point(float(x), 0.0) for x in range(1045)))
+    )
+    basis = basis_view(view)
+    assert np.abs(basis.envelope(0)).max() > 1e304
+    lines = FunctionLines(basis, PixelMap.of_ranges((-0.05, 1.05), (-0.0006, 0.0013), 880, 200))
+    for polygon in (lines.edge(0, upper=True), lines.edge(0, upper=False), lines.function(3, 0)):
+        heights = [polygon[k].y() for k in range(polygon.size())]
+        assert np.isfinite(heights).all()
+        assert np.abs(heights).max() == 1e4
 
 
 @pytest.mark.parametrize("closed", [False, True])

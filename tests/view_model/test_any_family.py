@@ -45,6 +45,7 @@ from app.view_model.motion_picture import jumps_in_words, rivals_of
 from app.view_model.nearest import NearestPoint
 from app.view_model.reshape import reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
+from curvecore import Curve
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance
 
@@ -410,8 +411,19 @@ def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
     assert not result_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
 
 
-def test_too_many_points_are_refused_in_words_and_not_computed(own):
+@pytest.mark.parametrize("unchanged", [*OWN, "tests_natural_spline"])
+def test_too_many_points_are_refused_in_words_and_not_computed(unchanged):
+    """A class in the core that overrides nothing had no limit: 5000 points took 23 s and 1 GB."""
     points = np.column_stack([np.arange(2001.0), np.sin(np.arange(2001.0))])
-    view = view_of(make_curve(points.tolist(), family=FAMILIES.named(own)))
+    view = view_of(make_curve(points.tolist(), family=FAMILIES.named(unchanged)))
     assert view.curve is None
-    assert view.problem == f"A curve of {own} can have 2000 points, not 2001."
+    assert view.problem == f"A curve of {unchanged} can have 2000 points, not 2001."
+
+
+def test_a_family_that_does_more_than_it_must_says_so(name):
+    """`most_points` is None only where the class has something of its own to draw many points with."""
+    kind = type(view_of(curve_of(name)).curve)
+    if kind.most_points is None:
+        assert kind.evaluate is not Curve.evaluate
+    if name in ("lagrange", "hermite", "quintic_hermite"):
+        assert kind.most_points is None
