@@ -21,7 +21,7 @@ GESTURES = (
         needs_derivatives=True,
     ),
 )
-"""What the sheet of keys and mouse says of them."""
+"""Rows of the sheet of keys and mouse."""
 
 
 def press_on_part(context: ToolContext, hit: Hit, click: Callable[[], None] | None = None) -> None:

@@ -286,7 +286,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Where it stands among the others."""
+        """The place among the others."""
         return (self.place,)
 
 

@@ -113,6 +113,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """
         if self.is_current:
             return self.parameters
+        if not self.source.points:
+            return np.empty(0)
         try:
             return _checked_parameters(self.source, self.at_knots, self.arrays)
         except CurveError:

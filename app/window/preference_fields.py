@@ -23,7 +23,7 @@ Change = Callable[[Any], object]
 
 
 class PreferenceField(ABC, Generic[Value]):
-    """What shows the value of a setting.
+    """Rows of the dialog that show the value of a setting.
 
     Attributes
     ----------

@@ -98,4 +98,4 @@ class Toolbar(Guarded, QToolBar):
         for button in self._in_words:
             action = button.defaultAction()
             action.setIconText(self._actions.words_of(action, short=step.short))
-            button.setToolButtonStyle(step.in_use if action.isChecked() else step.others)
+            button.setToolButtonStyle(step.in_use if button.isChecked() else step.others)
