@@ -28,6 +28,8 @@ class Annotations(QObject):
     ----------
     figure_layer
         Combs, vectors, bands and the like, and variants of the curve.
+    trace_layer
+        Other versions of the curve, over it.
     legend
         None until there is something to explain.
     file_version
@@ -47,7 +49,7 @@ class Annotations(QObject):
         self._plot = plot
         self.figure_layer = FigureLayer(plot)
         self._file_layer = FileLayer(plot)
-        self._traces = TraceLayer(plot)
+        self.trace_layer = TraceLayer(plot)
         self.legend: Legend | None = None
         self.file_version = ""
 
@@ -63,13 +65,9 @@ class Annotations(QObject):
         self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False
     ) -> None:
         """Show other versions of the curve over it, explained; none take the group away."""
-        self._traces.render(group, traces, faded=faded)
+        self.trace_layer.render(group, traces, faded=faded)
         named = [(trace.style, trace.label) for trace in traces]
         self._explain_lines(group, named, heading, muted=faded)
-
-    def traces(self, group: str) -> tuple[Sequence[Trace], bool]:
-        """Return the traces of a group, and whether they are shown faded."""
-        return self._traces.groups.get(group, ((), False))
 
     # The legend
 

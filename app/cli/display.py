@@ -31,7 +31,7 @@ _PACKAGES: Final = {
 }
 """Libraries that Qt needs of the system, and the packages of Debian and Ubuntu that have them."""
 
-_NONE = "There is no display to open a window on."
+NO_DISPLAY = "There is no display to open a window on."
 
 
 def has_display() -> bool:
@@ -54,7 +54,7 @@ def why_no_window(plugins: Path) -> Iterator[str]:
         Where Qt's platforms lie.
     """
     if not has_display():
-        yield _NONE
+        yield NO_DISPLAY
     elif not _is_x11():
         yield ""
     elif problem := _loading_problem(plugins / "libqxcb.so"):

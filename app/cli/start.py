@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app import cli
-from app.cli.display import has_display, missing_library
+from app.cli.display import NO_DISPLAY, has_display, missing_library
 from app.cli.documents import load_document
 from app.cli.refusals import RefusalError
 from app.families import FAMILIES
@@ -35,7 +35,7 @@ def edit(files: Sequence[str], lesson: str = "") -> int:
     if problems and not able:
         raise next(iter(problems.values()))  # before any window opens
     if not has_display():
-        raise RefusalError(f"There is no display to open a window on. {_WITHOUT}")
+        raise RefusalError(f"{NO_DISPLAY} {_WITHOUT}")
     with no_garbage_sought():
         application = _application()
         sentences = [*FAMILIES.problems, *(f"{str(each).removesuffix('.')}." for each in problems.values())]

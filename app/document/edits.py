@@ -257,6 +257,15 @@ def freeze_parameters(document: Document, curve: int, parameters: Sequence[float
     return document.with_curve(curve, _with_room_to_close(replace(old, points=points, parametrization=rule)))
 
 
+def set_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
+    """Make `parameters`, one for each knot, the manual parameters; their order must be that of the points."""
+    parameters = [checked(t, f"The t of point {index}") for index, t in enumerate(parameters)]
+    for index, (before, after) in enumerate(pairwise(parameters), start=1):
+        if not after > before:
+            raise not_after(index, before)
+    return freeze_parameters(document, curve, parameters)
+
+
 def set_parameter(
     document: Document, curve: int, index: int, t: float, parameters: Sequence[float]
 ) -> Document:

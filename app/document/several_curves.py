@@ -175,6 +175,17 @@ def add_curves(document: Document, curves: Sequence[Curve], at: int) -> Document
     return replace(document, curves=(*document.curves[:at], *fresh, *document.curves[at:]))
 
 
+def add_imported(document: Document, new: Document) -> tuple[Document, int]:
+    """Return the document with the curves of another, and the place of the first of them.
+
+    A lone curve without points is what a new document begins with; it gives way. The other's picture to
+    trace comes along where there is none yet.
+    """
+    begun = document.curves if len(document.curves) > 1 or document.curves[0].points else ()
+    curves = (*begun, *new.curves)
+    return replace(document, curves=curves, image=document.image or new.image), len(begun)
+
+
 def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
     """Return the curves, visible and free, under names not `taken`: "Leaf", "Leaf copy", "Leaf copy 2"."""
     used, fresh = set(taken), []

@@ -72,7 +72,7 @@ class Preferences:
     snap_kinds = Several(
         "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"
     )
-    """What dragged and added points snap to."""
+    """Targets that dragged and added points snap to."""
 
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""

@@ -6,9 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 
 from app.document import words
-from app.document.edits import freeze_parameters
+from app.document.edits import freeze_parameters, set_parameters
 from app.document.model import Document, Vector
-from app.document.parameter_edits import set_parameters
 from app.tools.drag import Drag
 from app.tools.drag_machine import CANCELLED, THRESHOLD, EditingHost
 from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer

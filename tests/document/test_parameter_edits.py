@@ -6,9 +6,8 @@ import math
 
 import pytest
 
-from app.document.edits import EditError
+from app.document.edits import EditError, set_parameters
 from app.document.model import Document, make_curve
-from app.document.parameter_edits import set_parameters
 
 DOCUMENT = Document((make_curve([(0, 0), (1, 1), (2, 0)]),))
 

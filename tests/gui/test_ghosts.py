@@ -68,7 +68,8 @@ def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
 def test_one_legend_explains_ghosts_and_the_laboratory(editor, qtbot):
     editor.trigger("toggleLaboratory")
     qtbot.waitUntil(
-        lambda: bool(editor.window.canvas.drawing.annotations.traces("laboratory")[0]), timeout=20_000
+        lambda: bool(editor.window.canvas.drawing.annotations.trace_layer.groups.get("laboratory")),
+        timeout=20_000,
     )
     editor.trigger("ghostUniform")
     ghosts, computed = ["Lagrange · Chord length", "Uniform"], ["Monomials", "Lagrange"]

@@ -78,7 +78,8 @@ def text(editor, name):
 
 
 def shown(editor):
-    return {trace.label: trace for trace in editor.window.canvas.drawing.annotations.traces("laboratory")[0]}
+    groups = editor.window.canvas.drawing.annotations.trace_layer.groups
+    return {trace.label: trace for trace in groups.get("laboratory", ((), False))[0]}
 
 
 def press_key(editor, qtbot, widget, key):
@@ -265,7 +266,7 @@ def test_what_is_rounded_can_be_chosen(lab, qtbot):
     assert errors[trial.t < 0.5].max() < 1e-3 * errors[trial.t > 7.5].max()
     assert "tᵏ times as much" in text(lab, "laboratoryWords")
     assert text(lab, "condition_monomial") == "–"
-    assert lab.window.canvas.drawing.annotations.traces("laboratory")[0]
+    assert lab.window.canvas.drawing.annotations.trace_layer.groups["laboratory"][0]
     # Rounded to four digits the points are what they were.
     assert text(lab, "lost_lagrange") == "0.0"
     press_key(lab, qtbot, box, Qt.Key.Key_Down)
@@ -288,13 +289,13 @@ def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab, qtbot):
     x, y = lab.point(2)
     lab.press((x, y))
     lab.move((x + 0.5, y + 0.5))
-    traces, faded = lab.window.canvas.drawing.annotations.traces("laboratory")
+    traces, faded = lab.window.canvas.drawing.annotations.trace_layer.groups["laboratory"]
     assert faded
     assert traces[1].pieces is trace.pieces
     assert text(lab, "laboratoryState") == "computing…"
     lab.release((x + 0.5, y + 0.5))
     settled(lab, qtbot)
-    traces, faded = lab.window.canvas.drawing.annotations.traces("laboratory")
+    traces, faded = lab.window.canvas.drawing.annotations.trace_layer.groups["laboratory"]
     assert not faded
     assert traces[1].pieces is not trace.pieces
     assert text(lab, "laboratoryState") == ""
@@ -369,7 +370,7 @@ def test_the_curves_are_drawn_in_both_themes(lab):
     for theme in ("themeDark", "themeLight"):
         lab.trigger(theme)
         with_curves = lab.screenshot().copy(canvas)
-        traces, _ = lab.window.canvas.drawing.annotations.traces("laboratory")
+        traces, _ = lab.window.canvas.drawing.annotations.trace_layer.groups["laboratory"]
         lab.window.canvas.drawing.annotations.render_traces("laboratory", ())
         assert with_curves != lab.screenshot().copy(canvas)
         lab.window.canvas.drawing.annotations.render_traces("laboratory", traces, "Computed with 4 digits")

@@ -71,7 +71,7 @@ RAISE = ToolRecord(
     gestures=(GestureRow("Drag upwards", "put a point above"),),
     action="raiseTool",
     title="Raise Points",
-    key="Y",
+    key="Ctrl+Alt+F8",
     icon="move",
     tip="Put points above others",
 )
@@ -85,7 +85,8 @@ def raising(qtbot):
         editor = Editor(qtbot)
     editor.window.activateWindow()
     editor.settle()
-    editor.key(Qt.Key.Key_Y)
+    held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+    editor.key(Qt.Key.Key_F8, held)
     return editor
 
 

@@ -60,7 +60,7 @@ def text(editor, name):
 
 
 def ghosts(editor):
-    return editor.window.canvas.drawing.annotations.traces("cure")[0]
+    return editor.window.canvas.drawing.annotations.trace_layer.groups.get("cure", ((), False))[0]
 
 
 def hover(widget):

@@ -42,13 +42,13 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
         If the basis functions are wanted of a curve that has none.
     """
     frame = drawing.frame
-    handles = _handles(document) if options.handles else {}
+    handles = _handles(document) if options.handles else []
     if handles:
-        ends = np.array([handle.position for each in handles.values() for handle in each])
+        ends = np.array([handle.position for _, each in handles for handle in each])
         frame = frame_with(drawing.outlines, ends)
     found = _grid(frame) if options.grid else []
-    for place, each in handles.items():
-        found += _drawn_handles(document.curves[place].colour, each, frame.side)
+    for colour, each in handles:
+        found += _drawn_handles(colour, each, frame.side)
     if options.basis is not None:
         curve = document.curves[options.basis]
         view = _functions(curve, options.with_estimates)
@@ -93,18 +93,13 @@ def _grid(frame: Frame) -> list[Annotation]:
     return [Annotation("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
 
 
-def _handles(document: Document) -> dict[int, list[Handle]]:
-    """Return the handles of the curves that show any, by the curves' places in the document."""
-    found: dict[int, list[Handle]] = {}
-    for place, curve in enumerate(document.curves):
-        if not curve.visible or len(curve.points) > MOST_HANDLES:
-            continue
-        view = view_of(curve)
-        if not view.is_current:
-            continue
-        handles = [handle for index in range(len(curve.points)) for handle in handles_of(view, index)]
-        if handles:
-            found[place] = handles
+def _handles(document: Document) -> list[tuple[str, list[Handle]]]:
+    """Return the handles of the curves that show any, each with the colour of its curve."""
+    found = []
+    for curve in document.curves:
+        if curve.visible and len(curve.points) <= MOST_HANDLES and (view := view_of(curve)).is_current:
+            handles = [each for index in range(len(curve.points)) for each in handles_of(view, index)]
+            found += [(curve.colour, handles)] if handles else []
     return found
 
 

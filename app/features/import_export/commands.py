@@ -16,8 +16,8 @@ from app import exchange
 from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
-from app.document.import_edits import add_imported
 from app.document.model import Document
+from app.document.several_curves import add_imported
 from app.document.words import count_of, listed, number
 from app.exchange import table
 from app.exchange.formats import FORMATS, ContentKind, Written, ending_in, format_of, is_document, with_ending
