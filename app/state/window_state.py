@@ -17,7 +17,7 @@ from app.view_model.motion_settings import MotionSettings
 
 
 class FileSituation(msgspec.Struct, frozen=True):
-    """How the document stands to its file.
+    """Relation of the document to its file.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class FileSituation(msgspec.Struct, frozen=True):
 
 
 class WindowState(msgspec.Struct, frozen=True):
-    """How a window shows its document, and what the mouse does there; neither saved with it nor undone.
+    """State of a window beside its document: what it shows and what the mouse does; neither saved nor undone.
 
     Attributes
     ----------

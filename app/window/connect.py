@@ -24,7 +24,7 @@ from app.workbench.context import Closes, Follows, Renders, StepsBack, Themed, W
 from app.workbench.docks import declared_panels
 
 COMMAND_SETS: tuple[type, ...] = (FocusCommands, *command_sets(), ProgramCommands)
-"""What a window can do. Actions in a section of a menu, and tabs, stand in the order of their sets here."""
+"""All command sets. Actions in a section of a menu, and tabs, stand in the order of their sets here."""
 
 _Set = TypeVar("_Set")
 

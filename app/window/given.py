@@ -30,7 +30,7 @@ class Given:
 
     @property
     def invitation(self) -> str:
-        """What a drop would do."""
+        """Sentence about the effect of a drop."""
         kinds = (
             ("open", "document", self.documents),
             ("import", "file", self.imports),

@@ -47,9 +47,6 @@ from app.workbench.document_files import DocumentFiles
 from app.workbench.file_work import FileWork
 from app.workbench.status_line import StatusLine
 
-_PANELS_MS = 100
-"""How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
-
 
 class MainWindow(Guarded, QMainWindow):
     """One document in one window.

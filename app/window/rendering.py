@@ -11,7 +11,7 @@ from app.workbench.context import WindowContext
 from app.workbench.document_files import title_of
 
 _PANELS_MS = 100
-"""How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
+"""Lag of the panels behind a drag, in milliseconds; the canvas and the functions have none."""
 
 
 class Rendering(QObject):

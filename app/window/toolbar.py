@@ -18,7 +18,7 @@ _Style = Qt.ToolButtonStyle
 
 
 class _Step(NamedTuple):
-    """What the families' buttons say."""
+    """Words on the buttons of families."""
 
     short: bool
     others: _Style

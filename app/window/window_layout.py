@@ -1,4 +1,4 @@
-"""Where the window was, how large, and how its parts were laid out, as far as that still makes sense."""
+"""Place, size and layout of a window, restored as far as they still make sense."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What sets of commands act on, and what they may do besides their actions."""
+"""Context of command sets: the parts of a window, and the protocols by which sets take part in it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from app.workbench.status_line import StatusLine
 
 
 class WindowContext(msgspec.Struct, frozen=True):
-    """What commands of one window act on.
+    """Parts of a window that its commands act on.
 
     Attributes
     ----------

@@ -36,7 +36,7 @@ _THEMES = (
 
 
 class ViewCommands:
-    """What changes how things are shown."""
+    """Changes of what is shown, and how."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
