@@ -13,7 +13,7 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`,
                      `chord_length`, `centripetal`, `power`
 tangents             velocities and accelerations estimated from points
 
-families             one file each: `Curve`, the base class; `LagrangeCurve`,
+families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
                      `HermiteCurve`, `QuinticHermiteCurve`; `BasisCurve` of
                      any basis functions; `Chain`, curves end to end: corners
 

@@ -58,9 +58,9 @@ from curvecore.errors import CurveError as CurveError
 from curvecore.families.basis_curve import BasisCurve as BasisCurve
 from curvecore.families.basis_curve import Scheme as Scheme
 from curvecore.families.chain import Chain as Chain
-from curvecore.families.curve import Curve as Curve
 from curvecore.families.curve import Interpolant as Interpolant
 from curvecore.families.curve import LocalBasis as LocalBasis
+from curvecore.families.curve import ParametricCurve as ParametricCurve
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from app.document.model import Vector
 from app.plotting.pixel_map import PixelMap
 from app.tools.pointer import Hit, Part
-from app.view_model.curve_view import CoreCurve, CurveView, Polyline
+from app.view_model.curve_view import CurveView, ParametricCurve, Polyline
 from app.view_model.handles import Handle
 from curvecore.arrays import FloatArray
 
@@ -95,7 +95,7 @@ def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polylin
     return Hit(Part.CURVE, max(index, 1), (float(x), float(y)), t=t)
 
 
-def _slid(curve: CoreCurve, shown: PixelMap, pixel: Vector, between: tuple[float, float]) -> float:
+def _slid(curve: ParametricCurve, shown: PixelMap, pixel: Vector, between: tuple[float, float]) -> float:
     """Return the t between two others at which the curve is nearest to a pixel, to a small part of one."""
     share = 0.5
     for _ in range(_SLIDES):

@@ -14,7 +14,7 @@ from app.exchange.errors import ExchangeError
 from app.families import Family
 from app.tasks.progress import Report, silent
 from app.view_model.arc_lengths import lengths_of
-from app.view_model.curve_view import CoreCurve, CurveView, view_of
+from app.view_model.curve_view import CurveView, ParametricCurve, view_of
 from app.view_model.growth import growths_of_points
 from curvecore import Length
 from curvecore.analysis.geometry import Box, bounding_boxes, pieces_of
@@ -134,7 +134,7 @@ class _Shape(NamedTuple):
 
     curve: Curve
     view: CurveView
-    core: CoreCurve
+    core: ParametricCurve
     pieces: BezierPieces
 
 
@@ -205,7 +205,7 @@ def _growths(views: Sequence[CurveView]) -> list[Growth]:
     ]
 
 
-def _is_slow(core: CoreCurve) -> bool:
+def _is_slow(core: ParametricCurve) -> bool:
     """Whether each of the many evaluations that a fact takes is itself a long sum."""
     return not core.is_local and len(core.points) > _MOST_POINTS_EXAMINED
 

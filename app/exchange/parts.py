@@ -17,7 +17,7 @@ from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, drawable
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import Names
 from app.tasks.progress import Report, silent
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 from app.view_model.refusals import in_words
 from curvecore import (
     CurveError,
@@ -50,7 +50,7 @@ class Polynomials(NamedTuple):
         Largest distance of these from the curve.
     """
 
-    pieces: tuple[CoreCurve, ...]
+    pieces: tuple[ParametricCurve, ...]
     deviation: float
 
 
@@ -67,7 +67,7 @@ class Source:
     """
 
     curve: Curve
-    core: CoreCurve
+    core: ParametricCurve
 
     @cached_property
     def polynomials(self) -> Polynomials:
@@ -184,14 +184,14 @@ def cell_of_number(value: float) -> str:
     return "" if isnan(value) else repr(value + 0.0)
 
 
-def samples_of(piece: CoreCurve) -> FloatArray:
+def samples_of(piece: ParametricCurve) -> FloatArray:
     """Return parameters all along a piece, those of the points among them."""
     t = piece.parameters
     steps = np.diff(t)[:, None] * np.linspace(0, 1, _SAMPLES)[1:-1]
     return np.union1d(t, (t[:-1, None] + steps).ravel())
 
 
-def measured(piece: CoreCurve, copy: Callable[[FloatArray], FloatArray]) -> float:
+def measured(piece: ParametricCurve, copy: Callable[[FloatArray], FloatArray]) -> float:
     """Return the largest distance of `copy`, a function of t, from a piece at many parameters."""
     t = samples_of(piece)
     with np.errstate(all="ignore"):
@@ -199,7 +199,7 @@ def measured(piece: CoreCurve, copy: Callable[[FloatArray], FloatArray]) -> floa
     return float(np.where(np.isfinite(distance), distance, np.inf).max())
 
 
-def beziers_of(piece: CoreCurve, tolerance: float) -> Beziers:
+def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
     """Return the Bézier pieces of a curve: of its own degree, or cubics within a tolerance.
 
     Cubic and quintic Hermite curves, and Lagrange curves up to degree `HIGHEST_DEGREE`, are written
@@ -223,7 +223,7 @@ def beziers_of(piece: CoreCurve, tolerance: float) -> Beziers:
     return result
 
 
-def _known_curves(pieces: tuple[CoreCurve, ...]) -> tuple[CoreCurve, ...]:
+def _known_curves(pieces: tuple[ParametricCurve, ...]) -> tuple[ParametricCurve, ...]:
     """Return curves of one family that all writers know, with the interpolants of the pieces, or none."""
     for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve):
         found = [curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None]
@@ -232,7 +232,7 @@ def _known_curves(pieces: tuple[CoreCurve, ...]) -> tuple[CoreCurve, ...]:
     return ()
 
 
-def _known_curve(kind: type[CoreCurve], said: list[Interpolant] | None) -> CoreCurve | None:
+def _known_curve(kind: type[ParametricCurve], said: list[Interpolant] | None) -> ParametricCurve | None:
     """Return the curve of a family that has the same interpolants; None where there is none."""
     if not said or any(each.jets.shape[1] != kind.derivatives + 1 for each in said):
         return None
@@ -243,7 +243,7 @@ def _known_curve(kind: type[CoreCurve], said: list[Interpolant] | None) -> CoreC
     return curve if len(own) == len(said) and all(np.array_equal(*both) for both in pairs) else None
 
 
-def _deviation(curve: CoreCurve, piece: CoreCurve) -> float:
+def _deviation(curve: ParametricCurve, piece: ParametricCurve) -> float:
     """Return how far a curve is from the piece that it is written for: not at all where it is the same."""
     is_same = type(curve) is type(piece) and np.array_equal(curve.jets, piece.jets)
     return 0.0 if is_same else measured(piece, curve.evaluate)
@@ -257,7 +257,7 @@ def _spline_of(path: Beziers) -> HermiteCurve:
     return HermiteCurve(np.concatenate([controls[:, 0], controls[-1:, 3]]), velocities, path.parameters)
 
 
-def cubics_of(piece: CoreCurve, tolerance: float) -> Beziers:
+def cubics_of(piece: ParametricCurve, tolerance: float) -> Beziers:
     """Return the cubic Bézier pieces of a curve within a tolerance."""
     try:
         path = cubic_path(piece, tolerance)

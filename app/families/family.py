@@ -9,7 +9,7 @@ from typing import Any, Self, final
 
 import numpy.typing as npt
 
-from curvecore import Curve, CurveError
+from curvecore import CurveError, ParametricCurve
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 
@@ -31,11 +31,11 @@ class Family:
 
     __slots__ = ("_curve_class", "_name")
 
-    def __init__(self, name: str, curve_class: type[Curve] | None) -> None:
+    def __init__(self, name: str, curve_class: type[ParametricCurve] | None) -> None:
         self._name, self._curve_class = name, curve_class
 
     @classmethod
-    def of(cls, curve_class: type[Curve]) -> Self:
+    def of(cls, curve_class: type[ParametricCurve]) -> Self:
         """Return the family of a curve class."""
         return cls(str(curve_class.name), curve_class)
 
@@ -141,7 +141,7 @@ class Family:
         """Whether what a point carries does nothing beyond the two segments that meet there."""
         return self._curve_class is not None and self._curve_class.is_local
 
-    def make(self, jets: npt.ArrayLike, parameters: npt.ArrayLike) -> Curve:
+    def make(self, jets: npt.ArrayLike, parameters: npt.ArrayLike) -> ParametricCurve:
         """Return the curve with these data, shape (n, R, dim), at these parameters, shape (n,).
 
         Raises
@@ -172,9 +172,9 @@ class Family:
         return self
 
 
-def families_of_module(module: ModuleType) -> list[type[Curve]]:
+def families_of_module(module: ModuleType) -> list[type[ParametricCurve]]:
     """Return the curve classes that a module defines and gives a name: those of families."""
     own = (value for value in vars(module).values() if getattr(value, "__module__", "") == module.__name__)
-    classes = (value for value in own if isinstance(value, type) and issubclass(value, Curve))
+    classes = (value for value in own if isinstance(value, type) and issubclass(value, ParametricCurve))
     # A property, as of chains, is no name of a family.
     return [each for each in classes if isinstance(vars(each).get("name"), str) and not isabstract(each)]

@@ -11,7 +11,7 @@ The least that such a file says::
 ``basis(t, parameters, order)`` for derivatives, which else are differences; ``breaks(parameters)``, where
 they jump; ``interpolates = False`` where the curve passes its points by, ``can_close = True`` where a curve
 whose last point is its first goes on smoothly there; a docstring: its first line says what its curves are.
-Classes derived from `curvecore.Curve` with a name are families, too.
+Classes derived from `curvecore.ParametricCurve` with a name are families, too.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ import numpy.typing as npt
 
 from app.families.family import Family, families_of_module
 from app.families.registry import Families
-from curvecore import BasisCurve, Curve, CurveError, Scheme, chebyshev, uniform
+from curvecore import BasisCurve, CurveError, ParametricCurve, Scheme, chebyshev, uniform
 from curvecore.arrays import FloatArray
 
 _MODULE = "curvebench_families_of_a_file"
@@ -104,7 +104,7 @@ def _run(path: Path) -> ModuleType:
     return module
 
 
-def _class_of(said: dict[str, Any], path: Path) -> type[Curve]:
+def _class_of(said: dict[str, Any], path: Path) -> type[ParametricCurve]:
     """Return the curve class of a file's functions."""
     name, basis, breaks = said.get("name"), said["basis"], said.get("breaks")
     if not (isinstance(name, str) and Family.may_be_called(name)):
@@ -136,7 +136,7 @@ def _told(function: _Function, path: Path) -> _Function:
     return told
 
 
-def _try_out(curve_class: type[Curve], path: Path, line: str) -> None:
+def _try_out(curve_class: type[ParametricCurve], path: Path, line: str) -> None:
     """Raise FamilyFileError unless the family makes curves that are linear in their points and finite."""
     for parameters in _trials():
         jets = np.zeros((len(parameters), curve_class.derivatives + 1, 2))

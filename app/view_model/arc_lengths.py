@@ -13,7 +13,7 @@ import numpy as np
 
 from app.view_model.plane import polygon_length
 from app.view_model.sampling import all_along
-from curvecore import Curve as CoreCurve
+from curvecore import ParametricCurve
 from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
 from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein_algebra import weights
@@ -25,7 +25,7 @@ _LEAST = 1e-300
 """A tolerance for curves at rest; the next power of ten down is subnormal under the core's own factors."""
 
 
-def arc_lengths_of(core: CoreCurve, accuracy: float) -> ArcLength:
+def arc_lengths_of(core: ParametricCurve, accuracy: float) -> ArcLength:
     """Return the arc length of a curve as a function of t, and back.
 
     Parameters
@@ -60,7 +60,7 @@ def _least_lengths(parts: Sequence[BezierPieces]) -> FloatArray:
     return scale_by_power(sums, np.array([part.exponent for part in parts]))
 
 
-def _least_length(core: CoreCurve) -> float:
+def _least_length(core: ParametricCurve) -> float:
     """Return the length of a polyline through the curve, which is never longer than the curve."""
     with np.errstate(all="ignore"):
         points = core.evaluate(all_along(core.parameters, _PARTS))

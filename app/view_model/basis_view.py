@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from app.families import Family
-from app.view_model.curve_view import CoreCurve, CurveView
+from app.view_model.curve_view import CurveView, ParametricCurve
 from app.view_model.sampling import OneSided, crowded_at_ends, one_sided
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
@@ -59,7 +59,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         Makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
     """
 
-    curve: CoreCurve
+    curve: ParametricCurve
     owners: tuple[int, ...]
     t: FloatArray
     values: FloatArray
@@ -202,7 +202,7 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
 
 
 def _many_functions(
-    curve: CoreCurve, owners: tuple[int, ...], scales: FloatArray, previous: BasisView | None
+    curve: ParametricCurve, owners: tuple[int, ...], scales: FloatArray, previous: BasisView | None
 ) -> BasisView:
     if previous is not None and previous.known is not None and previous.curve.domain == curve.domain:
         values = previous.known.basis(curve)
@@ -215,7 +215,7 @@ def _many_functions(
     return BasisView(curve, owners, t, values, None, scales, known)
 
 
-def _samples_over(curve: CoreCurve) -> FloatArray:
+def _samples_over(curve: ParametricCurve) -> FloatArray:
     start, end = curve.domain
     t = crowded_at_ends(start, end, SAMPLES)
     # A hair on both sides of a break, where functions may turn or jump.
@@ -228,7 +228,7 @@ def segment_samples(knots: FloatArray) -> OneSided:
     return one_sided(knots, _sample_counts(np.diff(knots)))
 
 
-def _piecewise_view(curve: CoreCurve, owners: tuple[int, ...], scales: FloatArray) -> BasisView:
+def _piecewise_view(curve: ParametricCurve, owners: tuple[int, ...], scales: FloatArray) -> BasisView:
     t, first = segment_samples(curve.parameters)
     segment, values = curve.local_basis(t)
     values[:, 0] *= scales[segment]
@@ -245,7 +245,7 @@ def _sample_counts(spacing: FloatArray) -> IntArray:
     return np.full(len(spacing), each)
 
 
-def basis_scales(curve: CoreCurve) -> FloatArray:
+def basis_scales(curve: ParametricCurve) -> FloatArray:
     """Return the factors that make functions of all kinds readable on one axis, (k, R).
 
     Velocity functions are in proportion to the spacing h, acceleration functions to h²; the longer of a

@@ -11,8 +11,7 @@ import numpy as np
 from app.document.model import Curve, VelocityRule
 from app.view_model.jets import moved_with_points
 from app.view_model.point_arrays import PointArrays
-from curvecore import Curve as CoreCurve
-from curvecore import CurveError, lebesgue_constant
+from curvecore import CurveError, ParametricCurve, lebesgue_constant
 from curvecore.analysis.cardinal import REACH, CardinalBasis
 from curvecore.arrays import FloatArray
 
@@ -41,7 +40,9 @@ class Cardinals:
         self._key: tuple[object, ...] = ()
         self._known = Cardinal(None)
 
-    def of(self, curve: Curve, points: FloatArray, basis_curve: CoreCurve, arrays: PointArrays) -> Cardinal:
+    def of(
+        self, curve: Curve, points: FloatArray, basis_curve: ParametricCurve, arrays: PointArrays
+    ) -> Cardinal:
         """Return the functions of a curve.
 
         Parameters
@@ -67,7 +68,7 @@ class Cardinals:
 
 
 def _made(
-    curve: Curve, points: FloatArray, basis_curve: CoreCurve, arrays: PointArrays
+    curve: Curve, points: FloatArray, basis_curve: ParametricCurve, arrays: PointArrays
 ) -> CardinalBasis | None:
     if not curve.family.derivatives:
         return CardinalBasis(basis_curve)

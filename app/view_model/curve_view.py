@@ -20,21 +20,21 @@ from curvecore import (
     CardinalBasis,
     Chain,
     CurveError,
+    ParametricCurve,
     centripetal,
     chebyshev,
     chord_length,
     power,
     uniform,
 )
-from curvecore import Curve as CoreCurve
 from curvecore.arrays import FloatArray, parameter_array
 
 __all__ = [
     "BY_COUNT",
     "TOO_FEW",
     "Box",
-    "CoreCurve",
     "CurveView",
+    "ParametricCurve",
     "Polyline",
     "curve_through",
     "parameters_of",
@@ -79,7 +79,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     source: Curve
     points: FloatArray
     arrays: PointArrays
-    curve: CoreCurve | None
+    curve: ParametricCurve | None
     problem: str = ""
     sides: Sides | None = None
     _flattener: Flattener = msgspec.field(default_factory=Flattener)
@@ -121,12 +121,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
             return np.empty(0)
 
     @property
-    def pieces(self) -> tuple[CoreCurve, ...]:
+    def pieces(self) -> tuple[ParametricCurve, ...]:
         """The curves that `curve` is a chain of; one, unless it has corners."""
         return self.curve.pieces if self.curve is not None else ()
 
     @cached_property
-    def basis_curve(self) -> CoreCurve | None:
+    def basis_curve(self) -> ParametricCurve | None:
         """A curve with the basis functions of `curve`, one set for each knot: corners do not change them."""
         if self.curve is None or len(self.pieces) == 1:
             return self.curve
@@ -253,7 +253,9 @@ def _checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) ->
     return parameter_array(parameters_of(curve, knots, arrays.times), len(knots))
 
 
-def _same_parameters(curve: Curve, parameters: FloatArray, previous: CurveView | None) -> CoreCurve | None:
+def _same_parameters(
+    curve: Curve, parameters: FloatArray, previous: CurveView | None
+) -> ParametricCurve | None:
     """Return the curve before if it has the same family and parameters: only its data are other ones."""
     if previous is None or not previous.is_current or previous.source.family != curve.family:
         return None
@@ -268,8 +270,8 @@ def _core_curve(
     points: FloatArray,
     parameters: FloatArray,
     arrays: PointArrays,
-    frozen: CoreCurve | None = None,
-) -> tuple[CoreCurve, Sides | None]:
+    frozen: ParametricCurve | None = None,
+) -> tuple[ParametricCurve, Sides | None]:
     """Return the core curve through points at its knots, and its jets where the family has derivatives.
 
     `frozen` is a curve of the family with these parameters, and without corners.
@@ -289,7 +291,7 @@ def _core_curve(
     return pieces[0] if len(pieces) == 1 else Chain(pieces), sides
 
 
-def curve_through(view: CurveView, points: FloatArray, parameters: FloatArray) -> CoreCurve:
+def curve_through(view: CurveView, points: FloatArray, parameters: FloatArray) -> ParametricCurve:
     """Return the core curve through other points (k, 2), at parameters (k,), under the rules of a view."""
     return _core_curve(view.source, points, parameters, view.arrays)[0]
 

@@ -6,8 +6,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from curvecore import Curve as CoreCurve
-from curvecore import FrozenFlattening, FrozenSegments, Pieces, flatten_pieces
+from curvecore import FrozenFlattening, FrozenSegments, ParametricCurve, Pieces, flatten_pieces
 
 Box = tuple[float, float, float, float]
 FlatteningKey = tuple[float, Box | None]
@@ -34,7 +33,7 @@ class Flattener:
         self._frozen: FrozenFlattening | FrozenSegments | None = None
         self._pause = 0
 
-    def polyline(self, curve: CoreCurve | None, key: FlatteningKey) -> Polyline:
+    def polyline(self, curve: ParametricCurve | None, key: FlatteningKey) -> Polyline:
         """Return the polyline of `curve` for the tolerance and the box `key`."""
         if curve is None:
             return _NOTHING
@@ -56,5 +55,5 @@ class Flattener:
         return flatten_pieces(curve, *key) if pieces is None else pieces
 
 
-def _frozen(curve: CoreCurve, key: FlatteningKey) -> FrozenFlattening | FrozenSegments:
+def _frozen(curve: ParametricCurve, key: FlatteningKey) -> FrozenFlattening | FrozenSegments:
     return FrozenFlattening(curve, *key) if curve.bezier_pieces() is None else FrozenSegments(curve, *key)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.view_model.arc_lengths import arc_lengths_of
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 from app.view_model.motion_settings import Pace, Repeat
 from app.view_model.sampling import Samples
 from curvecore.analysis.lengths import ArcLength
@@ -58,7 +58,9 @@ class Course:
         Seconds from one end to the other.
     """
 
-    def __init__(self, curve: CoreCurve, pace: Pace = Pace.PARAMETER, accuracy: float = ACCURACY) -> None:
+    def __init__(
+        self, curve: ParametricCurve, pace: Pace = Pace.PARAMETER, accuracy: float = ACCURACY
+    ) -> None:
         self.curve = curve
         self.pace = pace
         self._start, self._end = curve.domain

@@ -32,7 +32,7 @@ from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
 from curvecore.bezier.bernstein import controls_between
 from curvecore.errors import CurveError
 from curvecore.families.chain import joint_of_row
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LARGEST, made_finite
 
 Rule = Callable[[FloatArray, FloatArray], FloatArray]
@@ -80,12 +80,14 @@ def follow_rules(parameters: ArrayLike, *rules: Rule) -> Follow:
     return follow
 
 
-def cardinal_basis(curve: Curve, t: ArrayLike, order: int = 0, *, rules: tuple[Rule, ...] = ()) -> FloatArray:
+def cardinal_basis(
+    curve: ParametricCurve, t: ArrayLike, order: int = 0, *, rules: tuple[Rule, ...] = ()
+) -> FloatArray:
     """Return the cardinal functions of an open curve all of whose derivatives are estimated.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family; only its parameters matter.
     t : float or array_like, shape (m,)
         A scalar counts as m = 1.
@@ -142,7 +144,7 @@ class CardinalBasis:
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family, or a `Chain` of Hermite curves; only its parameters matter.
     follow : Follow, optional
         How its derivatives follow the points; without it they stay where they are.
@@ -153,7 +155,7 @@ class CardinalBasis:
 
     Attributes
     ----------
-    curve : Curve
+    curve : ParametricCurve
         As given.
     parameters : ndarray, shape (joints,)
         Those of the curve.
@@ -171,7 +173,12 @@ class CardinalBasis:
     __slots__ = ("_estimates", "closed", "count", "curve", "parameters")
 
     def __init__(
-        self, curve: Curve, follow: Follow | None = None, *, closed: bool = False, reach: int = REACH
+        self,
+        curve: ParametricCurve,
+        follow: Follow | None = None,
+        *,
+        closed: bool = False,
+        reach: int = REACH,
     ) -> None:
         self.curve = curve
         self.closed = closed
@@ -262,7 +269,7 @@ class CardinalBasis:
         Parameters
         ----------
         t : float or array_like, shape (m,)
-            As for `Curve.evaluate`; a scalar counts as m = 1.
+            As for `ParametricCurve.evaluate`; a scalar counts as m = 1.
         order : int, optional
             Order of the derivative, at least 0.
         """

@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer, parameter_array
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.rounding.exact import as_float, interpolated, scaled_integers
 from curvecore.scaling import LARGEST
 
@@ -95,12 +95,12 @@ def segment_conditions(parameters: ArrayLike, derivatives: int, norm: float = 2)
     return np.array([vandermonde_condition(pair, norm, derivatives) for pair in pairwise(t)])
 
 
-def monomial_condition(curve: Curve, norm: float = 2) -> float:
+def monomial_condition(curve: ParametricCurve, norm: float = 2) -> float:
     """Return the condition number of the worst system that a curve in powers of t needs.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         The largest `vandermonde_condition` of any of its polynomial pieces.
     norm : {1, 2, inf}, optional
         Which norm.

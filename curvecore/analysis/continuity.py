@@ -17,7 +17,7 @@ import numpy as np
 
 from curvecore.analysis.geometry import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
-from curvecore.families.curve import Curve, JointDerivatives
+from curvecore.families.curve import JointDerivatives, ParametricCurve
 from curvecore.vectors import vector_lengths
 
 _BREAK = -1
@@ -74,12 +74,12 @@ class Joint(NamedTuple):
         return f"C{self.parametric}{more}"
 
 
-def joint_report(curve: Curve, tolerance: float = 1e-9, closed: bool = False) -> list[Joint]:
+def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool = False) -> list[Joint]:
     """Measure the jumps at every joint and say how smooth the curve is there.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim. A `Chain` may jump in anything at a joint
         between pieces, the Hermite families in their next derivative. A
         `LagrangeCurve` has no joints: its t_i are reported as C2.

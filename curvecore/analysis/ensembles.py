@@ -15,10 +15,10 @@ from curvecore.analysis.sensitivity import error_sizes
 from curvecore.arrays import FloatArray, integer, parameter_values
 from curvecore.errors import CurveError
 from curvecore.families.chain import joint_of_row
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.vectors import vector_lengths
 
-Remake = Callable[[FloatArray, FloatArray], Curve]
+Remake = Callable[[FloatArray, FloatArray], ParametricCurve]
 """Points (n, dim) and parameters (n,) to a curve."""
 
 
@@ -35,7 +35,7 @@ class Ensemble(NamedTuple):
         Their parameters.
     """
 
-    curves: tuple[Curve, ...]
+    curves: tuple[ParametricCurve, ...]
     jets: FloatArray
     parameters: FloatArray
 
@@ -50,7 +50,7 @@ class Ensemble(NamedTuple):
 
 
 def ensemble(
-    curve: Curve,
+    curve: ParametricCurve,
     point_error: ArrayLike = 0.0,
     parameter_error: ArrayLike = 0.0,
     count: int = 50,
@@ -63,7 +63,7 @@ def ensemble(
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family; for errors of the parameters one of those of
         `parameter_sensitivity`.
     point_error : float or array_like, shape (n,), optional

@@ -32,7 +32,7 @@ from curvecore.bezier.bernstein_algebra import (
 )
 from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LARGEST, UNIT_ROUNDOFF, scale_by_power
 from curvecore.vectors import cross, vector_lengths
 
@@ -75,15 +75,15 @@ class CurvatureExtrema(NamedTuple):
     is_maximum: BoolArray
 
 
-def speed(curve: Curve, t: ArrayLike) -> FloatArray:
+def speed(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """Return |c'(t)|, in units of length per unit of t.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     t : float or array_like, shape (m,)
-        As for `Curve.evaluate`.
+        As for `ParametricCurve.evaluate`.
 
     Returns
     -------
@@ -96,15 +96,15 @@ def speed(curve: Curve, t: ArrayLike) -> FloatArray:
     return result[0] if at.is_scalar else result
 
 
-def curvature(curve: Curve, t: ArrayLike) -> FloatArray:
+def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """Return the curvature, in units of 1 / length.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of dim 2 or more.
     t : float or array_like, shape (m,)
-        As for `Curve.evaluate`; at a joint the segment to the right counts.
+        As for `ParametricCurve.evaluate`; at a joint the segment to the right counts.
 
     Returns
     -------
@@ -122,7 +122,7 @@ def curvature(curve: Curve, t: ArrayLike) -> FloatArray:
     -----
     |c' x c''| / |c'|**3. Its relative error is about
     3 |dc'| / |c'| + (|c'| |dc''| + |c''| |dc'|) / |c' x c''| for errors dc',
-    dc'' of the derivatives, which are those of `Curve.evaluate`. Many
+    dc'' of the derivatives, which are those of `ParametricCurve.evaluate`. Many
     parameters of one `LagrangeCurve` take a short cut: derivatives at the t_i
     and interpolation of these, with errors up to the Lebesgue function
     times larger, and only where that is below 1e5.
@@ -163,12 +163,12 @@ def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArra
     return np.where(largest[:, 0] > 0.0, np.clip(result, -LARGEST, LARGEST), np.nan)
 
 
-def bounding_box(curve: Curve) -> Box:
+def bounding_box(curve: ParametricCurve) -> Box:
     """Return the smallest axis-parallel box that holds the curve over its domain.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
 
     Returns
@@ -180,7 +180,7 @@ def bounding_box(curve: Curve) -> Box:
     return bounding_boxes([curve], [pieces_of(curve)])[0]
 
 
-def bounding_boxes(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> list[Box]:
+def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[Box]:
     """Return the boxes of many curves, whose pieces are at hand, in a fraction of the time.
 
     Parameters
@@ -205,16 +205,16 @@ def bounding_boxes(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> li
     return [boxes[index] for index in range(len(curves))]
 
 
-def pieces_of(curve: Curve) -> BezierPieces:
+def pieces_of(curve: ParametricCurve) -> BezierPieces:
     """Return pieces that follow a curve as closely as its shape is asked for."""
     return bezier_pieces(curve, _FINE)
 
 
-def _joint_points(curve: Curve) -> FloatArray:
+def _joint_points(curve: ParametricCurve) -> FloatArray:
     return curve.points if curve.interpolates else curve.evaluate(curve.parameters)
 
 
-def _turning_points(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> list[FloatArray]:
+def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[FloatArray]:
     """Return of each curve the points where a coordinate turns; all pieces have one degree and dim."""
     controls = np.concatenate([part.controls for part in parts])
     slopes = np.concatenate([part.slopes for part in parts])
@@ -242,12 +242,12 @@ def _turning_points(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> l
 
 
 @np.errstate(under="ignore")
-def inflections(curve: Curve) -> FloatArray:
+def inflections(curve: ParametricCurve) -> FloatArray:
     """Return the parameters where the curvature changes its sign.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Plane (dim 2).
 
     Returns
@@ -273,7 +273,7 @@ def inflections(curve: Curve) -> FloatArray:
 
 
 @np.errstate(under="ignore")
-def curvature_extrema(curve: Curve) -> CurvatureExtrema:
+def curvature_extrema(curve: ParametricCurve) -> CurvatureExtrema:
     """Return where the signed curvature of a plane curve has a local maximum or minimum, inside the domain.
 
     At joints where the curvature jumps there is none, nor on arcs of circles

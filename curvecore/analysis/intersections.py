@@ -21,7 +21,7 @@ from curvecore.analysis.arc_pairs import Pairs, close_pairs, simple_arcs
 from curvecore.arrays import BoolArray, FloatArray, IntArray, require_plane, tolerance_value
 from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.pieces import bezier_pieces, size_of
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.vectors import cross, vector_lengths
 
 _FINEST = 2.0**-44  # of the size: what roundings leave of a tolerance
@@ -52,12 +52,12 @@ class SelfIntersections(NamedTuple):
     is_complete: bool
 
 
-def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
+def self_intersections(curve: ParametricCurve, tolerance: float) -> SelfIntersections:
     """Return the pairs of parameters at which a curve meets itself.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Plane (dim 2).
     tolerance : float
         Largest distance of c(a) and c(b), above 0, in units of the points;
@@ -120,7 +120,9 @@ class _Found(NamedTuple):
         return _Found(*(each[chosen] for each in self))
 
 
-def _meetings(curve: Curve, pairs: Pairs, scale: _Scale, joints: FloatArray) -> tuple[FloatArray, bool]:
+def _meetings(
+    curve: ParametricCurve, pairs: Pairs, scale: _Scale, joints: FloatArray
+) -> tuple[FloatArray, bool]:
     """Return one pair of parameters for each meeting, in order, and whether these are single places."""
     if not len(pairs):
         return np.zeros((0, 2)), True
@@ -167,7 +169,7 @@ def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
     return foot
 
 
-def _polished(curve: Curve, places: FloatArray, width: FloatArray) -> _Found:
+def _polished(curve: ParametricCurve, places: FloatArray, width: FloatArray) -> _Found:
     """Let Newton's method bring candidates together; each goes on while it gets better."""
     # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
     room = 64.0 * width.sum(axis=1)
@@ -187,7 +189,7 @@ def _polished(curve: Curve, places: FloatArray, width: FloatArray) -> _Found:
     return _Found(places, np.sort(best, axis=1), least, width)
 
 
-def _newton_step(curve: Curve, at: FloatArray) -> FloatArray:
+def _newton_step(curve: ParametricCurve, at: FloatArray) -> FloatArray:
     a, b = at.T
     gap = curve.evaluate(b) - curve.evaluate(a)
     slope = gap / (b - a)[:, None]
@@ -196,7 +198,7 @@ def _newton_step(curve: Curve, at: FloatArray) -> FloatArray:
     return np.clip(np.where(np.isfinite(step).all(axis=1, keepdims=True), at + step, at), *curve.domain)
 
 
-def _is_loop(curve: Curve, pairs: FloatArray, reach: float, joints: FloatArray) -> BoolArray:
+def _is_loop(curve: ParametricCurve, pairs: FloatArray, reach: float, joints: FloatArray) -> BoolArray:
     """Tell whether the curve leaves c(a) between a and b: if not, they are one place and no meeting.
 
     Looked at on samples, and at the first and the last joint of the arcs between: what turns back has one.
@@ -213,7 +215,7 @@ def _is_loop(curve: Curve, pairs: FloatArray, reach: float, joints: FloatArray) 
     return leaves
 
 
-def _clusters(curve: Curve, found: _Found, tolerance: float) -> IntArray:
+def _clusters(curve: ParametricCurve, found: _Found, tolerance: float) -> IntArray:
     """Return a label for each candidate, (k,): the same for those of one meeting.
 
     Two belong together if they are a few arcs apart on either branch, and the branches stay within the
@@ -267,7 +269,7 @@ def _connected(count: int, one: IntArray, other: IntArray) -> IntArray:
             return label
 
 
-def _is_closing(curve: Curve, found: _Found, reach: float) -> bool:
+def _is_closing(curve: ParametricCurve, found: _Found, reach: float) -> bool:
     """Tell whether a meeting is that of the two ends of a closed curve."""
     first, last = curve.domain
     ends = curve.evaluate(np.array([first, last]))
@@ -281,7 +283,7 @@ def _is_closing(curve: Curve, found: _Found, reach: float) -> bool:
     return bool(vector_lengths(curve.evaluate(way) - ends[0]).max() <= reach)
 
 
-def _is_one_place(curve: Curve, found: _Found, scale: _Scale) -> bool:
+def _is_one_place(curve: ParametricCurve, found: _Found, scale: _Scale) -> bool:
     """Tell whether Newton's method drew all candidates of a meeting together.
 
     Where the curve runs along itself they stay where they are.

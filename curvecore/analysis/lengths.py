@@ -32,7 +32,7 @@ from curvecore.analysis.quadrature import SpeedArcs, arcs_of, integrals, made_ac
 from curvecore.arrays import FloatArray, finite_number, integer, parameter_values, tolerance_value
 from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, size_of
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.immutable import Immutable
 from curvecore.scaling import LARGEST, UNIT_ROUNDOFF
 
@@ -61,7 +61,7 @@ class ArcLength(Immutable):
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     tolerance : float
         Largest wanted error of any length, above 0, in units of the points.
@@ -79,7 +79,7 @@ class ArcLength(Immutable):
 
     __slots__ = ("_arcs", "_at", "_scale", "total")
 
-    def __init__(self, curve: Curve, tolerance: float) -> None:
+    def __init__(self, curve: ParametricCurve, tolerance: float) -> None:
         limit = tolerance_value(tolerance)
         # Derivatives of pieces are some 100 times less accurate, and there may be 100 pieces.
         pieces = bezier_pieces(curve, min(1e-3, 1e-5 * limit / size_of(curve.points)))
@@ -135,13 +135,13 @@ class ArcLength(Immutable):
 
 
 def arc_length(
-    curve: Curve, tolerance: float, start: float | None = None, end: float | None = None
+    curve: ParametricCurve, tolerance: float, start: float | None = None, end: float | None = None
 ) -> Length:
     """Return the arc length of a curve, or of a part of it.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     tolerance : float
         Largest wanted error, above 0, in units of the points.
@@ -183,12 +183,12 @@ def arc_length(
     return Length(float(to_end - from_start), 2.0 * table.total.error)
 
 
-def parameter_at_length(curve: Curve, length: ArrayLike, tolerance: float) -> FloatArray:
+def parameter_at_length(curve: ParametricCurve, length: ArrayLike, tolerance: float) -> FloatArray:
     """Return the parameters at which the curve has given lengths.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     length : float or array_like, shape (m,)
         From the beginning of the domain, limited to 0 and the whole length.
@@ -203,12 +203,12 @@ def parameter_at_length(curve: Curve, length: ArrayLike, tolerance: float) -> Fl
     return ArcLength(curve, tolerance).parameter_at(length)
 
 
-def equal_arc_length_parameters(curve: Curve, count: int, tolerance: float) -> FloatArray:
+def equal_arc_length_parameters(curve: ParametricCurve, count: int, tolerance: float) -> FloatArray:
     """Return parameters that divide the curve into parts of equal length.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     count : int
         Number of parameters, at least 2.

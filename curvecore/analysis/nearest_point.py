@@ -29,7 +29,7 @@ from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.bernstein_algebra import derivative, elevated, squared_length, weights
 from curvecore.bezier.pieces import bezier_pieces, size_of
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.vectors import vector_lengths
 
 _ROUNDS = 60
@@ -63,12 +63,12 @@ class Nearest(NamedTuple):
     error: float
 
 
-def nearest(curve: Curve, point: ArrayLike, tolerance: float) -> Nearest:
+def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Nearest:
     """Return the point of a curve that is nearest to a given point.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     point : array_like, shape (dim,)
         Finite.
@@ -115,14 +115,16 @@ def nearest(curve: Curve, point: ArrayLike, tolerance: float) -> Nearest:
         return _nearest_at(curve, target, _polished(curve.domain, at, place.parameter), place, exponent)
 
 
-def _nearest_at(curve: Curve, target: FloatArray, t: float, place: _SearchResult, exponent: int) -> Nearest:
+def _nearest_at(
+    curve: ParametricCurve, target: FloatArray, t: float, place: _SearchResult, exponent: int
+) -> Nearest:
     """Return the point at t as the nearest one, given what a search found in units of 2**exponent."""
     found = curve.evaluate(t)
     distance = float(vector_lengths(found - target))
     return Nearest(t, found, distance, max(0.0, distance - float(np.ldexp(place.bound, exponent))))
 
 
-def _point_of(curve: Curve, point: ArrayLike) -> FloatArray:
+def _point_of(curve: ParametricCurve, point: ArrayLike) -> FloatArray:
     dim = curve.points.shape[1]
     target = number_array(point, "point")
     if target.shape != (dim,):
@@ -136,7 +138,7 @@ class NearestWithin:
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family, dim 2. Its Bezier pieces are made here, once; a place
         costs a bounded search among those in reach, and one evaluation.
 
@@ -147,7 +149,7 @@ class NearestWithin:
     parameters, a place beside them may not be found.
     """
 
-    def __init__(self, curve: Curve) -> None:
+    def __init__(self, curve: ParametricCurve) -> None:
         self._curve = curve
         pieces = bezier_pieces(curve, _FOLLOWED)
         self._exponent, self._slack = pieces.exponent, float(pieces.error.max())

@@ -30,7 +30,7 @@ from numpy.typing import ArrayLike
 from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arrays import FloatArray, parameter_values
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.vectors import cross, vector_lengths
 
 
@@ -50,7 +50,7 @@ class Band(NamedTuple):
     across: FloatArray
 
 
-def point_sensitivity(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
+def point_sensitivity(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> FloatArray:
     """Return dc(t)/dp_i, a factor: moving p_i by d moves c(t) by that times d.
 
     Parameters
@@ -69,7 +69,7 @@ def point_sensitivity(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
     return curve.basis(t) if isinstance(curve, CardinalBasis) else curve.basis(t)[:, :, 0]
 
 
-def velocity_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+def velocity_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """Return dc(t)/dv_i = B_i1(t), in units of t, shape (m, n); see `point_sensitivity`.
 
     Raises
@@ -80,7 +80,7 @@ def velocity_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
     return _column(curve, t, 1, "velocities")
 
 
-def acceleration_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+def acceleration_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """Return dc(t)/da_i = B_i2(t), in units of t squared, shape (m, n); see `point_sensitivity`.
 
     Raises
@@ -91,18 +91,18 @@ def acceleration_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
     return _column(curve, t, 2, "accelerations")
 
 
-def _column(curve: Curve, t: ArrayLike, r: int, name: str) -> FloatArray:
+def _column(curve: ParametricCurve, t: ArrayLike, r: int, name: str) -> FloatArray:
     if curve.jets.shape[1] <= r:
         raise CurveError(f"curve must be of a family with {name}")
     return curve.basis(t)[:, :, r]
 
 
-def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+def parameter_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """Return dc(t)/dt_i at fixed t, points, velocities and accelerations.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family. Velocities that a rule estimates from the t_i count as given.
     t : float or array_like, shape (m,)
         A scalar counts as m = 1. At a joint the segment to the right counts.
@@ -118,7 +118,7 @@ def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
 
 
 def worst_case_band(
-    curve: Curve,
+    curve: ParametricCurve,
     t: ArrayLike,
     point_error: ArrayLike = 0.0,
     parameter_error: ArrayLike = 0.0,
@@ -132,7 +132,7 @@ def worst_case_band(
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family; of any dim, but see below.
     t : float or array_like, shape (m,)
         A scalar counts as m = 1.
@@ -183,7 +183,7 @@ def worst_case_band(
 
 
 def _ball(
-    curve: Curve, t: FloatArray, errors: tuple[ArrayLike, ...], cardinal: CardinalBasis | None
+    curve: ParametricCurve, t: FloatArray, errors: tuple[ArrayLike, ...], cardinal: CardinalBasis | None
 ) -> FloatArray:
     """Return the sum of |B_ir| times the sizes of the errors, for points of |C_i| where these are given."""
     rows, width = curve.jets.shape[:2]
@@ -197,7 +197,7 @@ def _ball(
     return ball
 
 
-def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
+def _sum_of_data(curve: ParametricCurve, t: FloatArray, sizes: FloatArray) -> FloatArray:
     if curve.is_local and len(curve.pieces) == 1:
         local = curve.local_basis(t)
         both = np.stack((sizes[local.segment], sizes[local.segment + 1]), axis=1)
@@ -207,7 +207,7 @@ def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
     return basis.reshape(len(basis), -1) @ sizes.ravel()
 
 
-def _moves(curve: Curve, t: FloatArray, delta: FloatArray) -> FloatArray:
+def _moves(curve: ParametricCurve, t: FloatArray, delta: FloatArray) -> FloatArray:
     """Return what parameters do that change by delta, without those that do nothing by construction."""
     if curve.is_local:
         segment, moves = curve.local_parameter_derivatives(t)

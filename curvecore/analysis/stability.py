@@ -27,7 +27,7 @@ from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.control_points import all_joints
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LARGEST
 
 
@@ -46,7 +46,7 @@ _MOST_AT_ONCE = 1 << 20  # values: a few megabytes
 _MOST_PEAKS = 64  # intervals that are looked into more closely; of equal ones a few will do
 
 
-def lebesgue_function(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
+def lebesgue_function(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> FloatArray:
     """Return the sum of |B_i0(t)| over all points, or of their cardinal functions |C_i(t)|.
 
     Errors of size eps in every point displace c(t) by at most eps times this,
@@ -57,7 +57,7 @@ def lebesgue_function(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
     curve : Curve or CardinalBasis
         Of any family; only its parameters matter.
     t : float or array_like, shape (m,)
-        As for `Curve.evaluate`.
+        As for `ParametricCurve.evaluate`.
 
     Returns
     -------
@@ -77,15 +77,15 @@ def lebesgue_function(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
     return result[0] if at.is_scalar else result
 
 
-def derivative_sums(curve: Curve, t: ArrayLike) -> FloatArray:
+def derivative_sums(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """Return the sums of |B_i1(t)| and |B_i2(t)|: what errors of derivatives do.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family; only its parameters matter.
     t : float or array_like, shape (m,)
-        As for `Curve.evaluate`.
+        As for `ParametricCurve.evaluate`.
 
     Returns
     -------
@@ -100,7 +100,7 @@ def derivative_sums(curve: Curve, t: ArrayLike) -> FloatArray:
     return result[0] if at.is_scalar else result
 
 
-def lebesgue_constant(curve: Curve | CardinalBasis) -> float:
+def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
     """Return the maximum of the Lebesgue function over the domain.
 
     Parameters
@@ -131,7 +131,7 @@ def lebesgue_constant(curve: Curve | CardinalBasis) -> float:
     return max(1.0 if piece.is_positive else _largest_of_curve(piece) for piece in curve.pieces)
 
 
-def _largest_of_curve(curve: Curve) -> float:
+def _largest_of_curve(curve: ParametricCurve) -> float:
     joints = all_joints(curve)
     segments = np.arange(len(joints) - 1)
     intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
@@ -255,7 +255,7 @@ def _highest(peaks: FloatArray, owner: IntArray, count: int, above: int) -> IntA
     return np.sort(order[(rank < count) | ~many[owner]])
 
 
-def _sums(curve: Curve, t: FloatArray) -> FloatArray:
+def _sums(curve: ParametricCurve, t: FloatArray) -> FloatArray:
     """Return the sums of all |B_ir|, shape (m, R)."""
     values = curve.local_basis(t).values if curve.is_local else curve.basis(t)
     with np.errstate(over="ignore", under="ignore"):

@@ -20,7 +20,7 @@ from curvecore.arrays import FloatArray, IntArray, end_to_end, tolerance_value
 from curvecore.bezier.bernstein import control_points
 from curvecore.bezier.bernstein_algebra import elevated, weights
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LIMIT
 from curvecore.vectors import vector_lengths
 
@@ -53,12 +53,12 @@ class CubicPath(NamedTuple):
     deviation: float
 
 
-def bezier_segments(curve: Curve) -> FloatArray:
+def bezier_segments(curve: ParametricCurve) -> FloatArray:
     """Return the Bezier control points of every segment.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of a family of piecewise polynomials. A `LagrangeCurve` has no segments; see `cubic_path`.
 
     Returns
@@ -77,7 +77,7 @@ def bezier_segments(curve: Curve) -> FloatArray:
     return controls
 
 
-def drawable_pieces(curve: Curve) -> FloatArray | None:
+def drawable_pieces(curve: ParametricCurve) -> FloatArray | None:
     """Return the Bezier control points of a curve, limited to +-1e300; None where it has none."""
     controls = curve.bezier_pieces()
     return None if controls is None else _limited(controls)
@@ -90,7 +90,7 @@ def _limited(controls: FloatArray) -> FloatArray:
     return np.clip(controls, -LIMIT, LIMIT, out=controls)
 
 
-def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
+def cubic_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
     """Return cubic Bezier pieces within a tolerance of the curve.
 
     Each piece has the curve's points and velocities at its ends, so the path
@@ -98,7 +98,7 @@ def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     tolerance : float
         Largest allowed distance at equal parameters, greater than 0.
@@ -127,14 +127,14 @@ def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
         return _proved_path(curve, controls, limit)
 
 
-def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:
+def _pieces(curve: ParametricCurve, parameters: FloatArray) -> FloatArray:
     """Return the cubic pieces with the curve's points and velocities."""
     velocities = np.clip(np.nan_to_num(curve.evaluate(parameters, 1)), -LIMIT, LIMIT)
     controls = control_points(np.stack((curve.evaluate(parameters), velocities), axis=1), parameters)
     return _limited(controls)
 
 
-def _proved_path(curve: Curve, controls: FloatArray, tolerance: float) -> CubicPath:
+def _proved_path(curve: ParametricCurve, controls: FloatArray, tolerance: float) -> CubicPath:
     degree = controls.shape[1] - 1
     # The fourth differences of the control points, times this, enclose h**4 c'''' on a segment.
     fourth = math.perm(degree, 4) * np.diff(controls, n=4, axis=1)
@@ -146,7 +146,7 @@ def _proved_path(curve: Curve, controls: FloatArray, tolerance: float) -> CubicP
     return CubicPath(_pieces(curve, parameters), parameters, float((bound / count**4.0).max()))
 
 
-def all_joints(curve: Curve) -> FloatArray:
+def all_joints(curve: ParametricCurve) -> FloatArray:
     """Return the parameters and the breaks of a curve, ascending, each once."""
     return sorted_distinct(np.concatenate((curve.parameters, curve.breaks)))
 
@@ -170,7 +170,7 @@ def spread(joints: FloatArray, count: IntArray) -> FloatArray:
     return sorted_distinct(np.append(np.minimum(inner, joints[-1]), joints[-1]))
 
 
-def _measured_path(curve: Curve, tolerance: float) -> CubicPath:
+def _measured_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
     # Two pieces a segment: fewer could step over an oscillation.
     joints = all_joints(curve)
     parameters = spread(joints, np.full(len(joints) - 1, 2))
@@ -187,7 +187,7 @@ def _measured_path(curve: Curve, tolerance: float) -> CubicPath:
     return CubicPath(pieces, parameters, float(deviation.max()))
 
 
-def _measured_deviation(curve: Curve, parameters: FloatArray, pieces: FloatArray) -> FloatArray:
+def _measured_deviation(curve: ParametricCurve, parameters: FloatArray, pieces: FloatArray) -> FloatArray:
     t = parameters[:-1, None] + np.diff(parameters)[:, None] * _SAMPLES
     exact = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
     approximate = weights(_SAMPLES, 3) @ pieces

@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, data_array, finite_number, integer
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve, Interpolant
+from curvecore.families.curve import Interpolant, ParametricCurve
 from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated, scaled_integers
 
 MOST = 64
@@ -80,7 +80,7 @@ def elevate_degree(control_points: ArrayLike, by: int = 1) -> FloatArray:
     return result
 
 
-def lagrange_to_bezier(curve: Curve) -> LagrangeBezier:
+def lagrange_to_bezier(curve: ParametricCurve) -> LagrangeBezier:
     """Return the Bezier form of an interpolating polynomial.
 
     Parameters
@@ -107,12 +107,12 @@ def lagrange_to_bezier(curve: Curve) -> LagrangeBezier:
     return LagrangeBezier(controls, _condition(curve.parameters))
 
 
-def bezier_stretch(curve: Curve, start: float, end: float) -> FloatArray:
+def bezier_stretch(curve: ParametricCurve, start: float, end: float) -> FloatArray:
     """Return the Bezier control points of a stretch of a curve.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim; a `LagrangeCurve` of at most 64 points.
     start, end : float
         Parameters inside the domain, start < end, with no joint of a Hermite
@@ -132,7 +132,7 @@ def bezier_stretch(curve: Curve, start: float, end: float) -> FloatArray:
     return _columns([_bernstein(powers) for powers in _powers(curve, start, end, MOST)])
 
 
-def power_coefficients(curve: Curve, start: float, end: float) -> FloatArray:
+def power_coefficients(curve: ParametricCurve, start: float, end: float) -> FloatArray:
     """Return the coefficients of a stretch of a curve by powers of s = (t - start) / (end - start).
 
     Parameters
@@ -159,7 +159,7 @@ def _columns(exact: list[list[Fraction]]) -> FloatArray:
     return np.array(rounded).T.copy()
 
 
-def _powers(curve: Curve, start: float, end: float, most: float = math.inf) -> list[list[Fraction]]:
+def _powers(curve: ParametricCurve, start: float, end: float, most: float = math.inf) -> list[list[Fraction]]:
     """Return the exact coefficients of each axis by powers of s; refuse more points than `most`."""
     low, high = finite_number(start, "start"), finite_number(end, "end")
     first, last = curve.domain
@@ -174,7 +174,7 @@ def _powers(curve: Curve, start: float, end: float, most: float = math.inf) -> l
     ]
 
 
-def _interpolant_over(curve: Curve, low: float, high: float) -> Interpolant:
+def _interpolant_over(curve: ParametricCurve, low: float, high: float) -> Interpolant:
     interpolants = curve.interpolants()
     if interpolants is None:
         raise CurveError("curve must be of polynomials whose data are known to be converted exactly")

@@ -26,7 +26,7 @@ from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.control_points import drawable_pieces, equal_parts
 from curvecore.bezier.flatten_samples import sampled_pieces
 from curvecore.bezier.polylines import MAX_VERTICES, Pieces, chord_bound, may_enter, merged_pieces, points_at
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import UNIT_ROUNDOFF
 
 _FINE = 64  # a segment with more pieces is split, so that what is outside the box is left out
@@ -38,7 +38,7 @@ class ToleranceWarning(UserWarning):
     """A polyline misses its tolerance, because it would need more vertices than it may have."""
 
 
-def flatten(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> FloatArray:
+def flatten(curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> FloatArray:
     """Return a polyline that follows the curve: its points at `flatten_parameters`.
 
     Parameters
@@ -64,12 +64,12 @@ def flatten(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> Flo
     return curve.evaluate(_parameters(curve, tolerance, box))
 
 
-def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> FloatArray:
+def flatten_parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> FloatArray:
     """Return parameters whose polyline is within a tolerance of the curve.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of dim 2.
     tolerance : float
         Largest allowed distance from the curve to the polyline, above 0.
@@ -105,7 +105,7 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
     return _parameters(curve, tolerance, box)
 
 
-def _parameters(curve: Curve, tolerance: float, box: ArrayLike | None) -> FloatArray:
+def _parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike | None) -> FloatArray:
     """Flatten for those who get no bounds, and warn where the tolerance is missed."""
     pieces = flatten_pieces(curve, tolerance, box)
     if pieces.reached > tolerance and not _is_rounding(pieces):
@@ -123,7 +123,7 @@ def _is_rounding(pieces: Pieces) -> bool:
     return pieces.reached <= 64.0 * UNIT_ROUNDOFF * float(np.abs(pieces.points).max())
 
 
-def flatten_pieces(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> Pieces:
+def flatten_pieces(curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> Pieces:
     """Return parameters and points of a polyline together, with no second evaluation.
 
     Parameters
@@ -178,7 +178,9 @@ class _Division(NamedTuple):
     bound: FloatArray
 
 
-def _bezier_pieces(curve: Curve, controls: FloatArray, tolerance: float, box: FloatArray | None) -> Pieces:
+def _bezier_pieces(
+    curve: ParametricCurve, controls: FloatArray, tolerance: float, box: FloatArray | None
+) -> Pieces:
     ends = np.arange(len(controls) + 1, dtype=np.float64)
     arcs = Arcs(controls, ends[:-1], ends[1:])
     done: list[_Division] = []
@@ -203,7 +205,7 @@ def _bezier_pieces(curve: Curve, controls: FloatArray, tolerance: float, box: Fl
     return _uniform_pieces(curve, _Division(*(each[order] for each in together)))
 
 
-def _uniform_pieces(curve: Curve, arcs: _Division) -> Pieces:
+def _uniform_pieces(curve: ParametricCurve, arcs: _Division) -> Pieces:
     breaks = curve.breaks
     room = max(MAX_VERTICES, 4 * len(breaks)) - 1
     # Data that differ by hundreds of orders of magnitude may ask for more than any number, or for none.

@@ -9,7 +9,7 @@ import numpy as np
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.bezier.control_points import all_joints, equal_parts, sorted_distinct, spread
 from curvecore.bezier.polylines import MAX_VERTICES, Pieces, may_enter, points_at
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.parametrization import chebyshev
 
 _MOST_WORK = 1 << 22  # vertices times points of a polynomial: a curve too wild to be followed is done in time
@@ -19,7 +19,7 @@ _SAMPLES = np.array([0.25, 0.5, 0.75])
 _MARGIN = 1.25  # on a measured distance, for what lies between the samples
 
 
-def sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> Pieces:
+def sampled_pieces(curve: ParametricCurve, tolerance: float, box: FloatArray | None) -> Pieces:
     """Sample for the degree, then refine the pieces that leave their chords."""
     n = len(curve.parameters)
     most = min(MAX_VERTICES, max(4 * n, _MOST_WORK // n))
@@ -43,7 +43,7 @@ def sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> Pi
     return Pieces(t, points, deviation)
 
 
-def _first_samples(curve: Curve) -> FloatArray:
+def _first_samples(curve: ParametricCurve) -> FloatArray:
     """Joints, and Chebyshev-like parameters that resolve any polynomial of the degree.
 
     Of what is no polynomial, a few between neighbouring joints.
@@ -70,7 +70,7 @@ class _ChordDistances(NamedTuple):
 
 
 def _measure(
-    curve: Curve,
+    curve: ParametricCurve,
     t: FloatArray,
     points: FloatArray,
     todo: IntArray,
@@ -133,7 +133,7 @@ class _RefinedPieces(NamedTuple):
 
 
 def _refine(
-    curve: Curve, t: FloatArray, points: FloatArray, deviation: FloatArray, count: IntArray
+    curve: ParametricCurve, t: FloatArray, points: FloatArray, deviation: FloatArray, count: IntArray
 ) -> _RefinedPieces:
     """Divide piece i into count[i] equal ones."""
     piece, step = equal_parts(count)

@@ -23,7 +23,7 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import derivative, elevated
 from curvecore.bezier.chebyshev import to_bernstein, to_chebyshev
 from curvecore.bezier.control_points import MAX_PIECES, all_joints, spread
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.parametrization import chebyshev
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
@@ -64,12 +64,12 @@ class BezierPieces(NamedTuple):
     exponent: int
 
 
-def bezier_pieces(curve: Curve, tolerance: float) -> BezierPieces:
+def bezier_pieces(curve: ParametricCurve, tolerance: float) -> BezierPieces:
     """Return pieces of a curve.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of any family and dim.
     tolerance : float
         The deviation that is aimed at, relative to the curve's size; not
@@ -142,7 +142,7 @@ def _joined(parts: list[BezierPieces]) -> BezierPieces:
     return BezierPieces._make([*map(np.concatenate, zip(*columns, strict=True)), exponent])
 
 
-def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
+def _sampled(curve: ParametricCurve, tolerance: float) -> BezierPieces:
     degree = _DEGREE if curve.degree is None else min(curve.degree, _DEGREE)
     parameters = all_joints(curve)
     for step in range(_ROUNDS):
@@ -172,7 +172,7 @@ def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
     return _scaled(controls, parameters, 2.0 * error, 2.0 * slope_error, base)
 
 
-def _chebyshev(curve: Curve, parameters: FloatArray) -> tuple[FloatArray, float, int]:
+def _chebyshev(curve: ParametricCurve, parameters: FloatArray) -> tuple[FloatArray, float, int]:
     """Return Chebyshev coefficients on every interval, shape (k, 17, dim), and the curve's size.
 
     Both are in units of a power of two, whose exponent is returned too.

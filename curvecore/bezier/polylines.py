@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LIMIT
 
 MAX_VERTICES = 1 << 14
@@ -42,7 +42,7 @@ class Pieces(NamedTuple):
         return float(inside.max(initial=0.0))
 
 
-def points_at(curve: Curve, t: FloatArray) -> FloatArray:
+def points_at(curve: ParametricCurve, t: FloatArray) -> FloatArray:
     """Return points of the curve, limited to +-1e300: their differences are finite."""
     return np.clip(curve.evaluate(t), -LIMIT, LIMIT)
 

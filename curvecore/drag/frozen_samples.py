@@ -19,7 +19,7 @@ from curvecore.arrays import FloatArray, box_edges, tolerance_value
 from curvecore.bezier.flatten_samples import sampled_pieces
 from curvecore.bezier.polylines import Pieces, may_enter, merged_pieces, segment_distance
 from curvecore.drag.left_out import LeftOut
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LIMIT
 
 ComplexArray = npt.NDArray[np.complex128]
@@ -38,7 +38,7 @@ class FrozenFlattening:
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of dim 2.
     tolerance : float
         Largest allowed distance from a curve to its polyline, above 0.
@@ -51,7 +51,7 @@ class FrozenFlattening:
         If tolerance or box are unusable.
     """
 
-    def __init__(self, curve: Curve, tolerance: float, box: ArrayLike | None = None) -> None:
+    def __init__(self, curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> None:
         self._tolerance = tolerance_value(tolerance)
         self._edges = None if box is None else box_edges(box)
         self._curve = curve
@@ -64,12 +64,12 @@ class FrozenFlattening:
         self._columns: dict[int, FloatArray] = {}
         self._left_out: LeftOut | None = None
 
-    def follow(self, curve: Curve) -> Pieces | None:
+    def follow(self, curve: ParametricCurve) -> Pieces | None:
         """Return the polyline of another curve.
 
         Parameters
         ----------
-        curve : Curve
+        curve : ParametricCurve
             Of dim 2; the fewer of its data differ from those of the curve
             given first, the sooner it is done.
 
@@ -91,7 +91,7 @@ class FrozenFlattening:
             pieces = Pieces(self._parameters, points, deviation)
             return pieces if points.shape[0] <= _FEW else merged_pieces(pieces, self._tolerance)
 
-    def _is_alike(self, curve: Curve) -> bool:
+    def _is_alike(self, curve: ParametricCurve) -> bool:
         """Whether the samples are close enough together for this curve, and hold its breaks."""
         old = self._curve
         if curve.name != old.name or not np.array_equal(curve.breaks, old.breaks):
@@ -100,7 +100,7 @@ class FrozenFlattening:
             return len(curve.points) == len(old.points) and curve.degree is old.degree
         return curve.degree <= old.degree
 
-    def _samples(self, curve: Curve) -> FloatArray:
+    def _samples(self, curve: ParametricCurve) -> FloatArray:
         """Return the curve at all samples, (m, 2)."""
         is_same = curve.parameters is self._curve.parameters
         if not (is_same or np.array_equal(curve.parameters, self._curve.parameters)):
@@ -114,7 +114,7 @@ class FrozenFlattening:
         displacement = curve.points[moved] - self._curve.points[moved]
         return np.clip(self._points + columns @ displacement, -LIMIT, LIMIT)
 
-    def _at_moved_parameters(self, curve: Curve) -> FloatArray:
+    def _at_moved_parameters(self, curve: ParametricCurve) -> FloatArray:
         if self._left_out is None or not self._left_out.serves(curve):
             self._left_out = self._leave_out(curve)
         if self._left_out is not None:
@@ -123,7 +123,7 @@ class FrozenFlattening:
                 return known.points
         return curve.evaluate(self._parameters)
 
-    def _leave_out(self, curve: Curve) -> LeftOut | None:
+    def _leave_out(self, curve: ParametricCurve) -> LeftOut | None:
         """Leave out what `curve` has elsewhere; None where that is too much."""
         if len(curve.parameters) != len(self._curve.parameters) or not curve.is_one_polynomial:
             return None

@@ -14,7 +14,7 @@ from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.control_points import bezier_segments, drawable_pieces, equal_parts
 from curvecore.bezier.flatten import flatten_pieces
 from curvecore.bezier.polylines import Pieces, chord_bound, may_enter
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 
 _FINER = 1.5  # of the tolerance: room for segments to bend more before new vertices are needed
 _WASTE = 2.0  # times the vertices needed, above which they are chosen anew
@@ -27,7 +27,7 @@ class FrozenSegments:
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         Of dim 2, of a family with Bezier pieces.
     tolerance, box
         As for `FrozenFlattening`.
@@ -38,7 +38,7 @@ class FrozenSegments:
         If tolerance or box are unusable.
     """
 
-    def __init__(self, curve: Curve, tolerance: float, box: ArrayLike | None = None) -> None:
+    def __init__(self, curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> None:
         self._tolerance = tolerance_value(tolerance)
         self._edges = None if box is None else box_edges(box)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
@@ -62,12 +62,12 @@ class FrozenSegments:
         need = np.maximum(1.0, np.ceil(np.sqrt(chord_bound(controls) / tolerance)))
         return need if self._edges is None else np.where(may_enter(controls, self._edges), need, 1.0)
 
-    def follow(self, curve: Curve) -> Pieces | None:
+    def follow(self, curve: ParametricCurve) -> Pieces | None:
         """Return the polyline of another curve.
 
         Parameters
         ----------
-        curve : Curve
+        curve : ParametricCurve
             Of dim 2, with as many segments of the same degree.
 
         Returns
@@ -107,7 +107,7 @@ class FrozenSegments:
         needed = float(share @ self._count[inside]) + self._count.size
         return self._segment.size > _WASTE * needed
 
-    def _parameters(self, curve: Curve) -> FloatArray:
+    def _parameters(self, curve: ParametricCurve) -> FloatArray:
         breaks = curve.breaks
         start, end = breaks[self._segment], breaks[1:][self._segment]
         t = np.empty(self._segment.size + 1)
@@ -115,7 +115,7 @@ class FrozenSegments:
         t[-1] = breaks[-1]
         return t
 
-    def _points(self, curve: Curve, controls: FloatArray) -> FloatArray:
+    def _points(self, curve: ParametricCurve, controls: FloatArray) -> FloatArray:
         points = np.empty((self._segment.size + 1, 2))
         np.matmul(self._weights, controls[self._segment], out=points[:-1, None, :])
         points[-1] = curve.points[-1]

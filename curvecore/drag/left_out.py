@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
 from curvecore.scaling import UNIT_ROUNDOFF
 
@@ -49,7 +49,7 @@ class LeftOut:
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         The interpolating polynomial of its points, before any of them moves.
     moving : ndarray of int, shape (k,)
         Ascending indices of the points left out; at least two points stay.
@@ -57,7 +57,7 @@ class LeftOut:
         Finite, ascending.
     """
 
-    def __init__(self, curve: Curve, moving: IntArray, t: FloatArray) -> None:
+    def __init__(self, curve: ParametricCurve, moving: IntArray, t: FloatArray) -> None:
         self._t = parameter_values(t).values
         stays = np.ones(len(curve.parameters), dtype=bool)
         stays[moving] = False
@@ -74,7 +74,7 @@ class LeftOut:
         self._shape = full.evaluate(self._t)[:, 0]
         self._rounding = self._rounding_near(curve)
 
-    def serves(self, curve: Curve) -> bool:
+    def serves(self, curve: ParametricCurve) -> bool:
         """Tell whether `curve` differs from the one given first in nothing but the points left out."""
         return (
             len(curve.parameters) == len(self._stays)
@@ -82,7 +82,7 @@ class LeftOut:
             and np.array_equal(curve.points[self._stays], self._rest.points)
         )
 
-    def evaluate(self, curve: Curve) -> Samples:
+    def evaluate(self, curve: ParametricCurve) -> Samples:
         """Return a curve that this `serves` at the places."""
         t = curve.parameters[self._moving]
         growth = 1.0
@@ -99,7 +99,7 @@ class LeftOut:
         # What is wrong with q at t_k is carried everywhere by the function of t_k.
         return Samples(result, growth * self._rounding)
 
-    def _rounding_near(self, curve: Curve) -> float:
+    def _rounding_near(self, curve: ParametricCurve) -> float:
         """Estimate the error of q where a point is missing, and the others must bridge the gap."""
         n = len(self._rest.parameters)
         near: set[int] = set()

@@ -17,7 +17,7 @@ from __future__ import annotations
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
 from curvecore.scaling import LIMIT, SMALLEST
 
@@ -29,13 +29,13 @@ class MovedParameters:
 
     Parameters
     ----------
-    curve : Curve
+    curve : ParametricCurve
         The interpolating polynomial of its points, before any parameter moves.
     t : array_like, shape (m,)
         Finite. The values there are kept: n m numbers.
     """
 
-    def __init__(self, curve: Curve, t: FloatArray) -> None:
+    def __init__(self, curve: ParametricCurve, t: FloatArray) -> None:
         self._curve, self._parameters = LagrangeCurve(curve.points, curve.parameters), curve.parameters
         self._t = parameter_values(t).values
         self._basis = curve.basis(self._t)[:, :, 0]
@@ -44,7 +44,7 @@ class MovedParameters:
         sizes[np.isin(self._t, self._parameters)] = 1.0
         self._least, self._greatest = float(sizes.min(initial=1.0)), float(sizes.max(initial=1.0))
 
-    def basis(self, curve: Curve) -> FloatArray | None:
+    def basis(self, curve: ParametricCurve) -> FloatArray | None:
         """Return the basis functions of `curve`, shape (m, n, 1), as `LagrangeCurve.basis` does.
 
         Returns None where `curve` has another number of parameters, or too many that moved, and where values
@@ -76,18 +76,18 @@ class MovedParameters:
         """Tell whether the values before were all in range, and stay so when they are weighed."""
         return bool(self._greatest < LIMIT and self._least * np.abs(weights).min() >= SMALLEST)
 
-    def _moved(self, curve: Curve) -> IntArray | None:
+    def _moved(self, curve: ParametricCurve) -> IntArray | None:
         if len(curve.parameters) != len(self._parameters):
             return None
         moved = np.flatnonzero(curve.parameters != self._parameters)
         return moved if len(moved) <= _MOST_MOVED else None
 
-    def _own(self, curve: Curve, moved: IntArray) -> FloatArray:
+    def _own(self, curve: ParametricCurve, moved: IntArray) -> FloatArray:
         """Return the factor that the functions of moved parameters lack in l, (m, k)."""
         t = self._t[:, None]
         return (t - self._parameters[moved]) / (t - curve.parameters[moved])
 
-    def _weights(self, curve: Curve, moved: IntArray) -> FloatArray:
+    def _weights(self, curve: ParametricCurve, moved: IntArray) -> FloatArray:
         """Return w'_i / w_i, (n,)."""
         old, new = self._parameters, curve.parameters
         factors = (old[:, None] - old[moved]) / (new[:, None] - new[moved])
@@ -99,7 +99,7 @@ class MovedParameters:
         return ratios
 
     def _rows_at_moved(
-        self, curve: Curve, moved: IntArray, weights: FloatArray
+        self, curve: ParametricCurve, moved: IntArray, weights: FloatArray
     ) -> tuple[IntArray, FloatArray]:
         """Return the places t that are moved parameters, old or new, and the functions there, (k, n).
 

@@ -17,7 +17,7 @@ from curvecore.arrays import (
     read_only,
 )
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
 
 _STENCIL = np.arange(-3.0, 4.0)
@@ -54,7 +54,7 @@ class Scheme(NamedTuple):
     has_orders: bool = False
 
 
-class BasisCurve(Curve):
+class BasisCurve(ParametricCurve):
     """The curve sum p_i B_i(t) of any cardinal functions B_i, polynomials or not.
 
     Parameters
@@ -111,11 +111,11 @@ class BasisCurve(Curve):
         return self._breaks
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve of the same scheme with other data and other parameters; see `Curve`."""
+        """Return a curve of the same scheme with other data and other parameters; see `ParametricCurve`."""
         return type(self)(jet_array(jets, (*np.shape(jets)[:1], 1))[:, 0], parameters, self._scheme)
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t; see `Curve`."""
+        """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve`."""
         at = parameter_values(t).values
         rank = integer(order, "order", 0)
         if rank == 0 or self._scheme.has_orders:

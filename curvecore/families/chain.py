@@ -18,10 +18,10 @@ from curvecore.arrays import (
     read_only,
 )
 from curvecore.errors import CurveError
-from curvecore.families.curve import Curve, Interpolant, JointDerivatives, LocalBasis
+from curvecore.families.curve import Interpolant, JointDerivatives, LocalBasis, ParametricCurve
 
 
-class Chain(Curve):
+class Chain(ParametricCurve):
     """Curves joined end to end.
 
     Each piece begins at the parameter where the one before it ends. A chain is linear in the data of
@@ -48,7 +48,7 @@ class Chain(Curve):
 
     title = "Chain"
 
-    def __init__(self, pieces: Sequence[Curve]) -> None:
+    def __init__(self, pieces: Sequence[ParametricCurve]) -> None:
         self._pieces = tuple(pieces)
         _check(self._pieces)
         self._parameters = read_only(end_to_end(piece.parameters for piece in self._pieces))
@@ -60,7 +60,7 @@ class Chain(Curve):
         return self._pieces[0].name
 
     @property
-    def pieces(self) -> tuple[Curve, ...]:
+    def pieces(self) -> tuple[ParametricCurve, ...]:
         """The pieces."""
         return self._pieces
 
@@ -123,7 +123,7 @@ class Chain(Curve):
     # Piece by piece
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
-        """Return the functions that live on each t's segment, where all pieces are local; see `Curve`."""
+        """Return the functions that live on each t's segment, where all pieces are local."""
         at = parameter_values(t).values
         segment = np.empty(len(at), dtype=np.intp)
         values = np.empty((len(at), 2, self._jets.shape[1]))
@@ -152,7 +152,7 @@ class Chain(Curve):
         return result
 
     def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim); see `Curve`."""
+        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim); see `ParametricCurve`."""
         segment = np.empty(len(t), dtype=np.intp)
         moves = np.empty((len(t), 2, self._jets.shape[2]))
         for part in self._parts(t):
@@ -189,20 +189,20 @@ class _PieceParameters(NamedTuple):
         Index of its first row in the jets and of its first joint in the parameters of the chain.
     """
 
-    piece: Curve
+    piece: ParametricCurve
     where: IntArray
     t: FloatArray
     row: int
     joint: int
 
 
-def joint_of_row(curve: Curve) -> IntArray:
+def joint_of_row(curve: ParametricCurve) -> IntArray:
     """Return for each row of the jets the index of its parameter; a joint of two pieces has two rows."""
     counts = [len(piece.parameters) for piece in curve.pieces]
     return np.arange(sum(counts)) - np.repeat(np.arange(len(counts)), counts)
 
 
-def _check(pieces: tuple[Curve, ...]) -> None:
+def _check(pieces: tuple[ParametricCurve, ...]) -> None:
     if not pieces:
         raise CurveError("pieces must hold at least one curve")
     for index in range(1, len(pieces)):

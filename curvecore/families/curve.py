@@ -85,7 +85,7 @@ class Slopes(NamedTuple):
     error: FloatArray
 
 
-class Curve(Immutable, ABC):
+class ParametricCurve(Immutable, ABC):
     """A parametric curve that is linear in its data.
 
     c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for
@@ -210,7 +210,7 @@ class Curve(Immutable, ABC):
         return None
 
     @property
-    def pieces(self) -> tuple[Curve, ...]:
+    def pieces(self) -> tuple[ParametricCurve, ...]:
         """The curves that this one is a chain of: itself, unless it is a `Chain`."""
         return (self,)
 

@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer, parameter_values
-from curvecore.families.curve import Curve, Interpolant
+from curvecore.families.curve import Interpolant, ParametricCurve
 from curvecore.families.differentiation_matrix import derivatives_by_matrix, matrix_serves
 from curvecore.families.product_form import ProductForm
 from curvecore.scaling import Scaled, normalise, scale_by_power
 
 
-class LagrangeCurve(Curve):
+class LagrangeCurve(ParametricCurve):
     """One polynomial through all points.
 
     Of degree n - 1: c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for

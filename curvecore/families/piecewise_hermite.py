@@ -16,7 +16,7 @@ from curvecore.arrays import (
     unit_values,
 )
 from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
-from curvecore.families.curve import Curve, Interpolant, JointDerivatives, LocalBasis, Slopes
+from curvecore.families.curve import Interpolant, JointDerivatives, LocalBasis, ParametricCurve, Slopes
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import next_derivative_terms, slopes_of
 from curvecore.scaling import LIMIT, made_finite
@@ -25,7 +25,7 @@ from curvecore.vectors import vector_lengths
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
-class PiecewiseHermite(Curve):
+class PiecewiseHermite(ParametricCurve):
     """Base of the Hermite families; R and the functions differ.
 
     On a segment of length h, with r + s = 1 the relative distances to its
@@ -58,7 +58,7 @@ class PiecewiseHermite(Curve):
         return len(self._functions) - 1
 
     def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t; see `Curve.evaluate`.
+        """Return the curve, or a derivative with respect to t; see `ParametricCurve.evaluate`.
 
         Outside the domain the polynomial of the first or last segment continues; at a joint the segment to
         the right counts, at the last joint the one to the left.
@@ -71,7 +71,7 @@ class PiecewiseHermite(Curve):
         return curve[0] if at.is_scalar else curve
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
-        """Return the 2 R basis functions that live on each t's segment; see `Curve.local_basis`."""
+        """Return the 2 R basis functions that live on each t's segment; see `ParametricCurve.local_basis`."""
         at = parameter_values(t)
         rank = integer(order, "order", 0)
         local = self._scaled_basis(at.values, rank)
@@ -87,7 +87,7 @@ class PiecewiseHermite(Curve):
         return local
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t; see `Curve.basis`.
+        """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve.basis`.
 
         All but 2 R entries of a row are zero; `local_basis` leaves those out.
         """
@@ -110,7 +110,7 @@ class PiecewiseHermite(Curve):
         return np.nan_to_num(control_points(self._jets, self._parameters))
 
     def bezier_slopes(self, exponent: int) -> Slopes | None:
-        """Return the control points of the derivatives, from the data; see `Curve.bezier_slopes`."""
+        """Return the control points of the derivatives, from the data."""
         return slopes_of(np.ldexp(self._jets, -exponent), self._parameters)
 
     def interpolants(self) -> list[Interpolant]:

@@ -1,4 +1,4 @@
-"""What holds for every family: the contract of `Curve`."""
+"""What holds for every family: the contract of `ParametricCurve`."""
 
 import numpy as np
 import pytest

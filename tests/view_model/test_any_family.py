@@ -45,7 +45,7 @@ from app.view_model.motion_picture import jumps_in_words, rivals_of
 from app.view_model.nearest import NearestPoint
 from app.view_model.reshape import reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
-from curvecore import Curve
+from curvecore import ParametricCurve
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance
 
@@ -424,6 +424,6 @@ def test_a_family_that_does_more_than_it_must_says_so(name):
     """`most_points` is None only where the class has something of its own to draw many points with."""
     kind = type(view_of(curve_of(name)).curve)
     if kind.most_points is None:
-        assert kind.evaluate is not Curve.evaluate
+        assert kind.evaluate is not ParametricCurve.evaluate
     if name in ("lagrange", "hermite", "quintic_hermite"):
         assert kind.most_points is None

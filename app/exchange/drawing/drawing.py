@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from app.document.model import Curve, Document
 from app.exchange.errors import ExchangeError
 from app.tasks.progress import Report, part, silent, told
-from app.view_model.curve_view import CoreCurve, view_of
+from app.view_model.curve_view import ParametricCurve, view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
@@ -221,7 +221,7 @@ def too_much(curve: Curve) -> str:
     return ""
 
 
-def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, CoreCurve]], list[str]]:
+def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
     """Return the visible curves that can be computed, as they are, and a sentence for each of the others."""
     found, remarks = [], []
     for curve in told([each for each in document.curves if each.visible], report, "Computing curves"):
@@ -234,7 +234,7 @@ def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, Core
     return found, remarks
 
 
-def _samples(curve: Curve, core: CoreCurve) -> FloatArray:
+def _samples(curve: Curve, core: ParametricCurve) -> FloatArray:
     """Return points all along the curve, enough to know its size."""
     parameters = np.union1d(np.linspace(*core.domain, _SAMPLES), core.parameters)
     samples = core.evaluate(parameters)
@@ -251,7 +251,7 @@ def refuse_wild(curve: Curve, samples: FloatArray) -> None:
         )
 
 
-def _outline(curve: Curve, core: CoreCurve, tolerance: float) -> Outline:
+def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
     try:
         path = cubic_path(core, tolerance)
     except CurveError as problem:

@@ -19,7 +19,7 @@ from app.exchange.naming import Names
 from app.exchange.options import DEFAULT, Options
 from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of
 from app.tasks.progress import part, told
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 from curvecore import bezier_segments
 from curvecore.arrays import FloatArray
 
@@ -162,7 +162,7 @@ def _barycentric(t: FloatArray, parameters: FloatArray, points: FloatArray) -> F
     return np.asarray(ratios @ points / ratios.sum(axis=1, keepdims=True))
 
 
-def _local_powers(t: FloatArray, piece: CoreCurve) -> FloatArray:
+def _local_powers(t: FloatArray, piece: ParametricCurve) -> FloatArray:
     """Return the curve by powers of t - t_i, as `CubicHermiteSpline` computes it."""
     x, y, v = piece.parameters, piece.points, piece.jets[:, 1]
     h = np.diff(x)[:, None]

@@ -29,7 +29,7 @@ from app.exchange.parts import (
 )
 from app.exchange.units import dxf_code
 from app.tasks.progress import Report, part, told
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -102,7 +102,7 @@ def _pieces(source: Source, tolerance: float, cubic: bool) -> list[Beziers]:
     ]
 
 
-def _is_high(piece: CoreCurve) -> bool:
+def _is_high(piece: ParametricCurve) -> bool:
     return piece.degree is None or piece.degree > 3
 
 

@@ -19,7 +19,7 @@ from app.exchange.options import DEFAULT, TOLERANCE, Options
 from app.exchange.parts import beziers_of, checked_tolerance, measured, sources_of
 from app.exchange.svg.writer import path_data
 from app.tasks.progress import part, told
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 from curvecore import bezier_segments, power_coefficients
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
@@ -127,7 +127,7 @@ def _segment(ends: FloatArray, index: int, rows: FloatArray) -> dict[str, Any]:
     return {"start": float(ends[index]), "end": float(ends[index + 1]), "x": x, "y": y}
 
 
-def _coefficients(piece: CoreCurve) -> FloatArray:
+def _coefficients(piece: ParametricCurve) -> FloatArray:
     """Return the coefficients (segments, degree + 1, 2)."""
     if not piece.is_one_polynomial:
         return _from_bernstein(bezier_segments(piece))

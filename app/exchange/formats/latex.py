@@ -15,7 +15,7 @@ from app.exchange.options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
 from app.exchange.parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
 from app.exchange.units import MILLIMETRES, known_unit, size_in_words
 from app.tasks.progress import part, told
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
@@ -121,7 +121,7 @@ def _formula(source: Source, digits: int) -> str:
     return "\n".join([rf"\paragraph{{{_text(source.name)}}}", *blocks])
 
 
-def _lagrange(piece: CoreCurve, digits: int) -> str:
+def _lagrange(piece: ParametricCurve, digits: int) -> str:
     last = len(piece.points) - 1
     start, end = (tex_number(value, digits) for value in piece.domain)
     formula = (
@@ -134,7 +134,7 @@ def _lagrange(piece: CoreCurve, digits: int) -> str:
     return "\n".join([formula, *_arrays([["i", "t_i", r"\mathbf{p}_i"]], rows)])
 
 
-def _segments(piece: CoreCurve, digits: int) -> str:
+def _segments(piece: ParametricCurve, digits: int) -> str:
     pieces = beziers_of(piece, 1.0)
     degree = pieces.degree
     formula = (
@@ -195,7 +195,7 @@ def _rounded(values: FloatArray, digits: int) -> FloatArray:
     return np.array([float(f"{value:.{digits}g}") for value in values.ravel().tolist()]).reshape(values.shape)
 
 
-def _rounded_deviation(piece: CoreCurve, digits: int) -> float:
+def _rounded_deviation(piece: ParametricCurve, digits: int) -> float:
     """Return how far the curve of the rounded numbers is from the true one."""
     t = _rounded(piece.parameters, digits)
     if not (np.diff(t) > 0).all():

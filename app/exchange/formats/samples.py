@@ -16,7 +16,7 @@ from app.exchange.options import DEFAULT, TOLERANCE, OneOf, Option, Options, Som
 from app.exchange.parts import cell_of_name, cell_of_number, checked_tolerance, distinct_names, sources_of
 from app.tasks.progress import Report, part
 from app.view_model.arc_lengths import arc_lengths_of
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 from curvecore import ArcLength, flatten_pieces
 from curvecore.arrays import FloatArray
 
@@ -97,7 +97,7 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
 
 
 def _samples_of(
-    core: CoreCurve, options: Options, allowed: float, with_lengths: bool, report: Report
+    core: ParametricCurve, options: Options, allowed: float, with_lengths: bool, report: Report
 ) -> Iterator[tuple[FloatArray, float]]:
     """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
     report(0.0, "Computing samples")
@@ -120,7 +120,7 @@ def _columns(titles: tuple[str, ...]) -> list[int]:
 
 
 def _parameters_of(
-    core: CoreCurve, options: Options, tolerance: float, lengths: ArcLength | None, report: Report
+    core: ParametricCurve, options: Options, tolerance: float, lengths: ArcLength | None, report: Report
 ) -> tuple[FloatArray, float | None]:
     """Return the parameters to sample a curve at, both ends of its domain among them.
 
@@ -138,7 +138,7 @@ def _parameters_of(
     return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end), None
 
 
-def _rows_of(core: CoreCurve, t: FloatArray, lengths: ArcLength | None) -> FloatArray:
+def _rows_of(core: ParametricCurve, t: FloatArray, lengths: ArcLength | None) -> FloatArray:
     """Return the columns of `TITLES` at parameters t (m,) as (m, 9); the curvature of a point at rest is NaN.
 
     Curvature is positive where the curve turns to the left; the length counts from the beginning of the
@@ -152,7 +152,7 @@ def _rows_of(core: CoreCurve, t: FloatArray, lengths: ArcLength | None) -> Float
     return np.column_stack([t, point, velocity, acceleration, curvature, length])
 
 
-def polyline_deviation(core: CoreCurve, t: FloatArray) -> float:
+def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:
     """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
     Measured at seven parameters a chord and the joints between; an eighth of the second differences is
@@ -175,7 +175,7 @@ def polyline_deviation(core: CoreCurve, t: FloatArray) -> float:
     return float(distance.max())
 
 
-def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:
+def _by_length(core: ParametricCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:
     """Return parameters at equal arc lengths."""
     if not lengths.total.error < lengths.total.value < np.finfo(float).max:
         raise ExchangeError("The curve has no length to divide.")

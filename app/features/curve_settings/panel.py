@@ -15,7 +15,7 @@ from app.document import edits
 from app.document.model import AccelerationRule, VelocityRule
 from app.document.words import NamedEnum, count_of, number
 from app.qt.labels import Label
-from app.view_model.curve_view import CoreCurve, CurveView
+from app.view_model.curve_view import CurveView, ParametricCurve
 from app.widgets.boxes import column_of, form_of, row_of
 from app.widgets.controls import choice_box
 from app.widgets.field_edit import FieldEdit, NumberEdit
@@ -163,7 +163,7 @@ def _facts(view: CurveView) -> str:
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
 
 
-def _kind_facts(curve: CoreCurve) -> list[str]:
+def _kind_facts(curve: ParametricCurve) -> list[str]:
     """Return the degree, and of how many polynomials the curve is made."""
     if curve.degree is None:
         return ["no polynomial"]

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.session import Session
 from app.state.window_state import WindowStore
-from app.view_model.curve_view import CoreCurve
+from app.view_model.curve_view import ParametricCurve
 from app.view_model.motion import Course, folded, round_of
 from app.view_model.motion_settings import SPEEDS, MotionSettings, Repeat
 
@@ -51,7 +51,7 @@ class Player(QObject):
         self._scrub_before: float | None = None
         self._is_moving = False
         self._course: Course | None = None
-        self._ran_on: CoreCurve | None = None
+        self._ran_on: ParametricCurve | None = None
         self._timer = QTimer(self, interval=FRAME_MS)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._tick_unless_just_done)

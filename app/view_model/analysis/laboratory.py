@@ -15,7 +15,7 @@ import numpy as np
 
 from app.tasks.progress import Report, silent
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
-from app.view_model.curve_view import CoreCurve, CurveView
+from app.view_model.curve_view import CurveView, ParametricCurve
 from app.view_model.refusals import in_words
 from app.view_model.sampling import all_along
 from curvecore import (
@@ -195,7 +195,7 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
 class _Experiment:
     """One piece of the curve with the data that the computation is given."""
 
-    def __init__(self, piece: CoreCurve, settings: LaboratorySettings) -> None:
+    def __init__(self, piece: ParametricCurve, settings: LaboratorySettings) -> None:
         self._piece, self._settings = piece, settings
         self._shifted = piece.parameters + settings.shift
         self._jets, self._parameters = piece.jets, self._shifted

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer, parameter_values
-from curvecore.families.curve import Curve
+from curvecore.families.curve import ParametricCurve
 
 
-class NaturalSplineCurve(Curve):
+class NaturalSplineCurve(ParametricCurve):
     """Cubic pieces that bend as little as can be.
 
     Twice continuously differentiable, with c'' = 0 at both ends.
@@ -58,7 +58,7 @@ class NaturalSplineCurve(Curve):
         return self._bends
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t; see `Curve`."""
+        """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve`."""
         at, rank = parameter_values(t).values, integer(order, "order", 0)
         x, n = self._parameters, len(self._parameters)
         i = np.clip(np.searchsorted(x, at, side="right") - 1, 0, n - 2)
