@@ -21,7 +21,7 @@ _STRETCH, _HEIGHT = 2, 560
 """Of the canvas, in a new window."""
 
 _CANVAS_SHARE, _LEAST_PANE = 0.4, 130
-"""What a pane that needs room leaves to the canvas of the height, and to another pane in pixels."""
+"""Share of the height that stays to the canvas, and pixels that stay to a pane, where another needs room."""
 
 
 class CentralArea:

@@ -42,7 +42,7 @@ class Readouts:
         self._lebesgue: float | None = math.nan
         self.unit = ""
         self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._render)
+        self._soon.timeout.connect(self.render)
 
     def show_place(self, place: Vector | None) -> None:
         """Show where the pointer is on the canvas."""
@@ -68,7 +68,9 @@ class Readouts:
         if not self._soon.isActive():
             self._soon.start()
 
-    def _render(self) -> None:
+    def render(self) -> None:
+        """Write the numbers now."""
+        self._soon.stop()
         self._place_label.setText(self._place_text())
         t = self._t_scrub if self._t_here is None else self._t_here
         self._t_label.setText("" if t is None else f"t {number(t)}")

@@ -70,6 +70,7 @@ class StatusLine(QStatusBar):
         self._soon.stop()
         self._label.colour = theme_of(self.palette()).warning if self.is_refusal else None
         self._label.setText(f"⚠ {self.text}" if self.is_refusal else self.text)
+        self.readouts.render()
 
     def show_hint(self, text: str) -> None:
         """Show what a press would do; a sentence just said stays in front."""

@@ -108,8 +108,7 @@ def monomial_condition(curve: Curve, norm: float = 2) -> float:
     interpolants = curve.interpolants()
     if interpolants is None:
         raise CurveError("curve must be of polynomials whose data are known")
-    derivatives = curve.jets.shape[1] - 1
-    return max(vandermonde_condition(each.parameters, norm, derivatives) for each in interpolants)
+    return max(vandermonde_condition(each.parameters, norm, each.jets.shape[1] - 1) for each in interpolants)
 
 
 def _matrix(t: Sequence[float], width: int) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Files in and out of families of which nothing but a basis is known: within the deviation that is stated."""
+"""Files in and out of every family, some known by a basis alone: within the deviation that is stated."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from app.families import FAMILIES
 from app.storage.files import load
 from app.view_model.curve_view import view_of
 from curvecore.bezier.polylines import segment_distance
-from tests.own_families import OWN, TRUE_BASIS
+from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.view_model.test_any_family import curve_of
 
 pytestmark = pytest.mark.usefixtures("own_families")
@@ -30,7 +30,7 @@ TOLERANCE = 1e-4
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
 
 
-@pytest.fixture(params=OWN)
+@pytest.fixture(params=EVERY)
 def document(request):
     return Document((curve_of(request.param),))
 
@@ -49,7 +49,14 @@ def truth_of(document, t):
     """The curve at t, from the functions as the tests know them."""
     (curve,) = document.curves
     view = view_of(curve)
+    if curve.family.name not in OWN:
+        return view.curve.evaluate(t)  # which other tests compare with exact numbers
     return TRUE_BASIS[curve.family.name](t, view.parameters) @ view.points
+
+
+def is_own(document):
+    """Whether nothing but functions of t is known of the family: its curves are approximated."""
+    return document.curves[0].family.name in OWN
 
 
 def dense(document, count=6001):
@@ -64,7 +71,8 @@ def to_line(points, line):
 def bezier_points(controls, scale=(1.0, 1.0)):
     """Points all along cubics whose control points follow each other, (3 k + 1, 2)."""
     controls = np.array(controls) * scale
-    s = np.linspace(0.0, 1.0, 65)[:, None]
+    # Of few pieces more each: chords lie 1e-5 off at most.
+    s = np.linspace(0.0, 1.0, max(65, 9000 // len(controls)))[:, None]
     basis = np.hstack([(1 - s) ** 3, 3 * (1 - s) ** 2 * s, 3 * (1 - s) * s**2, s**3])
     return np.vstack([basis @ controls[k : k + 4] for k in range(0, len(controls) - 1, 3)])
 
@@ -86,7 +94,8 @@ def test_every_ending_says_a_deviation_within_what_was_asked_for(document, writt
         ) * TOLERANCE
         assert 0.0 <= done.deviation <= limit
         # What says that it holds the curve itself is read as that, family and all.
-        assert done.deviation > 0.0 or reads_again(path).family is document.curves[0].family
+        if is_own(document):
+            assert done.deviation > 0.0 or reads_again(path).family is document.curves[0].family
         assert (done.deviation == 0.0) or ending not in (".curve.json", ".points.csv", ".points.tsv")
 
 
@@ -109,8 +118,9 @@ def test_code_is_the_curve_within_its_deviation(document, written, ending):
     name = next(key for key in namespace if key.startswith("a_"))
     t = np.linspace(1.0, 3.5, 3001)
     away = np.linalg.norm(namespace[name](t) - truth_of(document, t), axis=1)
-    assert away.max() <= done.deviation
-    assert away.max() > done.deviation / 20
+    # The deviation is measured at other parameters: where it is rounding alone, it is another one here.
+    assert away.max() <= done.deviation + (0.0 if is_own(document) else 1e-13)
+    assert away.max() > done.deviation / 20 or not is_own(document)
 
 
 def test_coefficients_are_the_curve_within_their_deviation(document, written):
@@ -124,7 +134,7 @@ def test_coefficients_are_the_curve_within_their_deviation(document, written):
         at = part["start"] + s * (part["end"] - part["start"])
         values = np.column_stack([np.polynomial.polynomial.polyval(s, part[axis]) for axis in ("x", "y")])
         worst = max(worst, np.linalg.norm(values - truth_of(document, at), axis=1).max())
-    assert worst <= done.deviation
+    assert worst <= done.deviation + (0.0 if is_own(document) else 1e-13)
 
 
 @pytest.mark.parametrize("ending", [".path.txt", ".pgfplots.tex", ".tikz"])
@@ -208,7 +218,8 @@ def test_a_picture_and_a_film_show_it(document, written, tmp_path):
 def test_facts_are_those_of_the_curve(document):
     (facts,) = facts_of(document)
     line = dense(document, 20001)
-    assert facts.degree is None
+    assert facts.degree == view_of(document.curves[0]).curve.degree
+    assert facts.degree is None or not is_own(document)
     assert facts.domain == (1.0, 3.5)
     length = np.hypot(*np.diff(line, axis=0).T).sum()
     assert facts.length.value == pytest.approx(length, abs=facts.length.error + 1e-6)

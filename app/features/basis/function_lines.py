@@ -106,14 +106,16 @@ class FunctionLines:
         """Return one function."""
         key = (index, kind)
         if key not in self._polygons:
-            xs, ys = zip(*self._pieces(index, kind), strict=True)
-            size = sum(map(len, xs))
+            pieces = self._pieces(index, kind)
+            size = sum(len(x) for x, _y in pieces)
             made = self._made.get(key)
             if made is None or len(made[1]) != size:
                 fresh: QPolygonF = create_qpolygonf(size)
                 made = self._made[key] = (fresh, ndarray_from_qpolygonf(fresh))
-            np.concatenate(xs, out=made[1][:, 0])
-            np.concatenate(ys, out=made[1][:, 1])
+            end = 0
+            for x, y in pieces:
+                start, end = end, end + len(x)
+                made[1][start:end, 0], made[1][start:end, 1] = x, y
             self._polygons[key] = made[0]
         return self._polygons[key]
 

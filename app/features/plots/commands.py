@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 _CALM_MS = 300
-"""How long after the last change of the visible part the scales fit again."""
+"""Time after the last change of the visible part until the scales fit again."""
 
 
 class PlotCommands:
@@ -81,7 +81,7 @@ class PlotCommands:
 
     @property
     def _count(self) -> int:
-        """How many plots there are."""
+        """Number of plots."""
         return len(self._analysis.settings.plots) + len(self._analysis.added_plots)
 
     @property
