@@ -47,6 +47,7 @@ def retype(field, text):
 
 
 def place(editor):
+    editor.wait_for_rest()
     return editor.window.status_line.findChild(QLabel, "pointerPlace").text()
 
 
