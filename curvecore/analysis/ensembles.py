@@ -27,7 +27,7 @@ class Ensemble(NamedTuple):
 
     Attributes
     ----------
-    curves : tuple of Curve
+    curves : tuple of ParametricCurve
         Like the given one, with disturbed data.
     jets : ndarray, shape (count, rows, R, dim)
         Their data.

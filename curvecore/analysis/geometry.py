@@ -185,7 +185,7 @@ def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
 
     Parameters
     ----------
-    curves : sequence of Curve
+    curves : sequence of ParametricCurve
         Of any families and dims.
     parts : sequence of BezierPieces
         Of each curve; their errors are those of the boxes.

@@ -55,7 +55,7 @@ def point_sensitivity(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
 
     Parameters
     ----------
-    curve : Curve or CardinalBasis
+    curve : ParametricCurve or CardinalBasis
         Of a curve, velocities and accelerations stay as they are; of its cardinal basis, those that are
         estimated follow the points.
     t : float or array_like, shape (m,)

@@ -54,7 +54,7 @@ def lebesgue_function(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
 
     Parameters
     ----------
-    curve : Curve or CardinalBasis
+    curve : ParametricCurve or CardinalBasis
         Of any family; only its parameters matter.
     t : float or array_like, shape (m,)
         As for `ParametricCurve.evaluate`.
@@ -105,7 +105,7 @@ def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
 
     Parameters
     ----------
-    curve : Curve or CardinalBasis
+    curve : ParametricCurve or CardinalBasis
         Of any family; only its parameters matter.
 
     Returns

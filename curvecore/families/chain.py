@@ -30,7 +30,7 @@ class Chain(ParametricCurve):
 
     Parameters
     ----------
-    pieces : sequence of Curve
+    pieces : sequence of ParametricCurve
         At least one, of the same dimension and with the same number of derivatives in their jets.
 
     Raises
@@ -40,7 +40,7 @@ class Chain(ParametricCurve):
 
     Attributes
     ----------
-    pieces : tuple of Curve
+    pieces : tuple of ParametricCurve
         The pieces.
     """
 
@@ -181,7 +181,7 @@ class _PieceParameters(NamedTuple):
 
     Attributes
     ----------
-    piece : Curve
+    piece : ParametricCurve
     where : ndarray of int, shape (k,)
         Indices of its parameters among all that were asked for.
     t : ndarray, shape (k,)
