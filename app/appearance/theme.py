@@ -118,7 +118,7 @@ class _SystemFollower(QObject):
     def _follow(self) -> None:
         app = self.parent()
         if self.mode is ThemeMode.SYSTEM and isinstance(app, QApplication):
-            _dress(app, self.system_theme(app))
+            _apply(app, self.system_theme(app))
 
     def system_theme(self, app: QApplication) -> Theme:
         """Return what the system wants; where it does not say, what its palette was at the start."""
@@ -149,7 +149,7 @@ def apply_theme(app: QApplication, mode: ThemeMode) -> Theme:
     follower.mode = mode
     _set_native_scheme(app, mode)
     theme = {ThemeMode.LIGHT: LIGHT, ThemeMode.DARK: DARK}.get(mode) or follower.system_theme(app)
-    _dress(app, theme)
+    _apply(app, theme)
     return theme
 
 
@@ -162,7 +162,7 @@ def _set_native_scheme(app: QApplication, mode: ThemeMode) -> None:
         hints.setColorScheme(Qt.ColorScheme.Dark if mode is ThemeMode.DARK else Qt.ColorScheme.Light)
 
 
-def _dress(app: QApplication, theme: Theme) -> None:
+def _apply(app: QApplication, theme: Theme) -> None:
     palette, sheet = palette_of(theme), style_sheet_of(theme)
     if app.palette() == palette and app.styleSheet() == sheet:
         return  # every widget would be polished again, for nothing

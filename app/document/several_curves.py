@@ -93,7 +93,7 @@ def mapped(document: Document, group: PointGroup, by: Linear) -> Document:
     return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
 
 
-def with_looks(
+def with_appearance(
     document: Document,
     curves: Collection[int],
     *,

@@ -45,7 +45,7 @@ class BendWith(Enum):
     DERIVATIVES = "only derivatives change"
 
 
-class Change(msgspec.Struct, frozen=True):
+class DatumChange(msgspec.Struct, frozen=True):
     """A value of the document, and by how much it changes for every unit that the curve moves at t."""
 
     value: JetValue
@@ -63,7 +63,7 @@ class Hold(msgspec.Struct, frozen=True):
     `price` is what the way of a point counts in that norm.
     """
 
-    changes: tuple[Change, ...]
+    changes: tuple[DatumChange, ...]
     strength: float
     price: float = 1.0
 
@@ -148,10 +148,10 @@ def _control_rows(kinds: int, h: float) -> FloatArray:
 
 def _change(
     view: CurveView, knot: int, order: int, rate: float, strength: float, *, ahead: bool = True
-) -> Change:
+) -> DatumChange:
     index = view.owner(knot)
     values = view.points[index]
     if order and view.sides is not None:
         values = view.sides[ahead][index, order]
     x, y = values.tolist()
-    return Change(JetValue(index, order, ahead, (x, y)), rate / strength if strength else 0.0)
+    return DatumChange(JetValue(index, order, ahead, (x, y)), rate / strength if strength else 0.0)

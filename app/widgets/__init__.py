@@ -4,7 +4,7 @@
 - ``controls``: buttons and boxes, named for tests and screen readers.  ``tool_buttons``: small ones.
 - ``action_switch``: buttons that show an action.  ``choice_style``: style of those that switch something.
   ``toolbar_widget``: what shrinks with a toolbar.
-- ``field_edit``, ``told_spin``: numbers and words to type.  ``number_text``: numbers as they are written.
+- ``field_edit``, ``ranged_spin``: numbers and words to type.  ``number_text``: numbers as they are written.
 - ``field_form``: fields that ask for changes of the document.
 - ``live_slider``, ``setting_slider``: sliders.  ``elided_label``: words that change while a hand moves.
 - ``fitting``: room on small screens.

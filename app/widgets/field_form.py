@@ -74,12 +74,12 @@ class FieldForm(FollowsTheme, QWidget):
         self._standing = text
         self._render_problem()
 
-    def forget_refusal(self) -> None:
+    def clear_refusal(self) -> None:
         """Say no longer why something was refused: it was about something else."""
         self._refusal = ""
 
     def _clear_refusal(self) -> None:
-        self.forget_refusal()
+        self.clear_refusal()
         self._render_problem()
 
     def _render_problem(self) -> None:

@@ -28,7 +28,7 @@ def tool_button(
     """
     button = named(QToolButton(), name, label, tip)
     button.setText(text)
-    _dress(button, icon_size=icon_size, beside=bool(text and icon_size), flat=flat)
+    _style_button(button, icon_size=icon_size, beside=bool(text and icon_size), flat=flat)
     return button
 
 
@@ -45,11 +45,11 @@ def action_button(
     button = QToolButton(parent)
     button.setDefaultAction(action)
     named(button, f"{name or action.objectName()}Button", action.text())
-    _dress(button, icon_size=icon_size, beside=beside, flat=flat)
+    _style_button(button, icon_size=icon_size, beside=beside, flat=flat)
     return button
 
 
-def _dress(button: QToolButton, *, icon_size: int, beside: bool, flat: bool) -> None:
+def _style_button(button: QToolButton, *, icon_size: int, beside: bool, flat: bool) -> None:
     button.setAutoRaise(flat)
     if icon_size:
         button.setIconSize(QSize(icon_size, icon_size))

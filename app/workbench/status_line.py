@@ -125,7 +125,7 @@ class StatusLine(QStatusBar):
         if text and self._said == text:
             self.clear_message()
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Put away all sentences: they were about a document that is another one now."""
         self._progress = self._tip = self._hint = ""
         self.readouts.show_t(None)

@@ -28,7 +28,7 @@ from curvecore.scaling import UNIT_ROUNDOFF
 _NEAR = 32  # places on either side of a left out parameter where roundings are estimated
 
 
-class Samples(NamedTuple):
+class KeptSamples(NamedTuple):
     """A curve at given places.
 
     Attributes
@@ -82,7 +82,7 @@ class LeftOut:
             and np.array_equal(curve.points[self._stays], self._rest.points)
         )
 
-    def evaluate(self, curve: ParametricCurve) -> Samples:
+    def evaluate(self, curve: ParametricCurve) -> KeptSamples:
         """Return a curve that this `serves` at the places."""
         t = curve.parameters[self._moving]
         growth = 1.0
@@ -97,7 +97,7 @@ class LeftOut:
                 growth += float(np.abs(function).max(initial=0.0))
                 result += function[:, None] * missing[k]
         # What is wrong with q at t_k is carried everywhere by the function of t_k.
-        return Samples(result, growth * self._rounding)
+        return KeptSamples(result, growth * self._rounding)
 
     def _rounding_near(self, curve: ParametricCurve) -> float:
         """Estimate the error of q where a point is missing, and the others must bridge the gap."""

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.document.several_curves import move_curves, with_looks
+from app.document.several_curves import move_curves, with_appearance
 from app.families import HERMITE, LAGRANGE
 from app.storage.format import validate
 from app.view_model.curve_view import view_of
@@ -54,9 +54,9 @@ def test_a_new_name_is_free(three):
 
 
 def test_looks_are_set_and_nothing_else(three):
-    changed = with_looks(three, {1}, colour="#0072b2")
-    changed = with_looks(changed, {1}, visible=False)
-    changed = with_looks(changed, {1}, locked=True)
+    changed = with_appearance(three, {1}, colour="#0072b2")
+    changed = with_appearance(changed, {1}, visible=False)
+    changed = with_appearance(changed, {1}, locked=True)
     curve = changed.curves[1]
     assert (curve.colour, curve.visible, curve.locked) == ("#0072b2", False, True)
     assert curve.points == three.curves[1].points
@@ -68,7 +68,7 @@ def test_looks_are_set_and_nothing_else(three):
 
 
 def test_a_locked_curve_may_not_change(three):
-    locked = with_looks(three, {1}, locked=True)
+    locked = with_appearance(three, {1}, locked=True)
     for changed in (
         edits.move_points(locked, 1, [0], (1.0, 0.0)),
         edits.set_family(locked, 1, LAGRANGE),
@@ -79,13 +79,13 @@ def test_a_locked_curve_may_not_change(three):
 
 
 def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
-    locked = with_looks(three, {1}, locked=True)
+    locked = with_appearance(three, {1}, locked=True)
     for changed in (
         locked,
         edits.rename_curve(locked, 1, "Other"),
-        with_looks(locked, {1}, colour="#d55e00"),
-        with_looks(locked, {1}, visible=False),
-        with_looks(locked, {1}, locked=False),
+        with_appearance(locked, {1}, colour="#d55e00"),
+        with_appearance(locked, {1}, visible=False),
+        with_appearance(locked, {1}, locked=False),
         move_curves(locked, {1}, 1, 0),
         curve_edits.remove_curve(locked, 0),
         edits.move_points(locked, 0, [0], (1.0, 0.0)),

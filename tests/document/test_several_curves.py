@@ -22,7 +22,7 @@ from app.document.several_curves import (
     remove_curves,
     step_curves,
     whole_curves,
-    with_looks,
+    with_appearance,
 )
 from app.document.transforms import rotation
 from app.families import HERMITE
@@ -43,7 +43,7 @@ def four():
 
 
 def locked(document, *places):
-    return with_looks(document, places, locked=True)
+    return with_appearance(document, places, locked=True)
 
 
 def test_whole_curves_turn_with_all_derivatives_that_were_set(four):
@@ -95,7 +95,7 @@ def test_locked_curves_that_are_not_meant_are_no_hindrance(four):
 
 
 def test_looks_are_changed_as_far_as_given(four):
-    after = with_looks(four, {0, 2}, visible=False, colour="#d55e00")
+    after = with_appearance(four, {0, 2}, visible=False, colour="#d55e00")
     assert [(curve.visible, curve.colour, curve.locked) for curve in after.curves] == [
         (False, "#d55e00", False),
         (True, "", False),
@@ -106,7 +106,7 @@ def test_looks_are_changed_as_far_as_given(four):
 
 
 def test_copies_come_after_the_last_in_their_order(four):
-    document = with_looks(four, {0}, visible=False, locked=True)
+    document = with_appearance(four, {0}, visible=False, locked=True)
     after = add_copies(document, {0, 2}, ["", "#0072b2"])
     assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
     copy = after.curves[3]

@@ -117,7 +117,7 @@ class KeptEditor:
         window.canvas.clearFocus()
         window.canvas.setFocus()
         editor.settle()
-        window.status_line.forget()
+        window.status_line.reset()
         for plot in (window.canvas, window.basis_panel):
             # Found out when it is first asked for.
             _ = plot.pixel_map

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.appearance.colours import point_colours
 from app.document.model import Document, make_curve
-from app.document.several_curves import with_looks
+from app.document.several_curves import with_appearance
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
@@ -193,8 +193,8 @@ def test_a_colour_is_chosen_from_the_palette_by_keys(three):
 
 
 def test_a_copy_has_the_next_colour_that_is_free(three):
-    three.session.commit(with_looks(three.session.document, {1}, colour="#0072b2"), "Blue")
-    three.session.commit(with_looks(three.session.document, {0}, colour="#d55e00"), "Vermillion")
+    three.session.commit(with_appearance(three.session.document, {1}, colour="#0072b2"), "Blue")
+    three.session.commit(with_appearance(three.session.document, {0}, colour="#d55e00"), "Vermillion")
     three.session.selected.activate(1)
     three.trigger("duplicateCurve")
     assert three.curve.colour == "#009e73"

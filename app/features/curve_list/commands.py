@@ -22,7 +22,7 @@ from app.document.several_curves import (
     named,
     place_in,
     remove_curves,
-    with_looks,
+    with_appearance,
 )
 from app.features.curve_list.panel import CurveList
 from app.view_model.curve_view import CurveView
@@ -224,14 +224,14 @@ class CurveListCommands:
 
     def _switch_visible_of(self, row: int) -> None:
         visible = not self._session.committed.curves[row].visible
-        self._change_looks("Show" if visible else "Hide", row, partial(with_looks, visible=visible))
+        self._change_looks("Show" if visible else "Hide", row, partial(with_appearance, visible=visible))
 
     def _switch_locked_of(self, row: int) -> None:
         locked = not self._session.committed.curves[row].locked
-        self._change_looks("Lock" if locked else "Unlock", row, partial(with_looks, locked=locked))
+        self._change_looks("Lock" if locked else "Unlock", row, partial(with_appearance, locked=locked))
 
     def _paint(self, row: int, code: str) -> None:
-        self._change_looks("Colour", row, partial(with_looks, colour=code))
+        self._change_looks("Colour", row, partial(with_appearance, colour=code))
 
     def _change_looks(
         self, verb: str, row: int, edit: Callable[[Document, frozenset[int]], Document]

@@ -79,7 +79,7 @@ class CurveSettings(FieldForm):
     def render_view(self, view: CurveView) -> None:
         """Show `view`; hidden, when shown again."""
         if view.source != self._view.source:
-            self.forget_refusal()
+            self.clear_refusal()
         self._view = view
         if self.isVisible():
             self._render()

@@ -14,7 +14,7 @@ from app.exchange.options import Check, OneOf, Option, Real, SomeOf, Value, Whol
 from app.widgets.controls import check_box, choice_box
 from app.widgets.field_edit import FieldEdit
 from app.widgets.number_text import decimal_mark, exact_text
-from app.widgets.told_spin import ToldSpinBox
+from app.widgets.ranged_spin import RangedSpinBox
 
 _AUTOMATIC = "automatic"
 
@@ -71,10 +71,10 @@ class CheckField(Field[bool]):
 class WholeField(Field[int]):
     """A spin box that says which numbers are possible."""
 
-    widget: ToldSpinBox
+    widget: RangedSpinBox
 
     def __init__(self, option: Whole, change: Callable[[], object]) -> None:
-        self.widget = ToldSpinBox(option.widget, option.title, option.tip, option.limits)
+        self.widget = RangedSpinBox(option.widget, option.title, option.tip, option.limits)
         self.widget.setKeyboardTracking(False)
         self.widget.setSuffix(option.suffix)
         # Numbers have no signal of the person's alone; what the program sets is the same as before.

@@ -10,7 +10,7 @@ from app.qt.labels import Label
 from app.widgets.boxes import form_of, row_of
 from app.widgets.controls import check_box, choice_box, push_button
 from app.widgets.fitting import FittedDialog
-from app.widgets.told_spin import ToldDoubleSpinBox, ToldSpinBox
+from app.widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
 
 
 class MotionDialog(FittedDialog):
@@ -28,17 +28,17 @@ class MotionDialog(FittedDialog):
         super().__init__("motionDialog", "Export Motion", parent)
         tip = "GIF and APNG play in every browser; MP4 takes ffmpeg"
         self.format_box = choice_box("filmFormat", "Format", tip, (each.title for each in FILMS))
-        self.width_box = ToldSpinBox(
+        self.width_box = RangedSpinBox(
             "filmWidth", "Width", "Width of the picture; the height follows", (64, LARGEST_WIDTH)
         )
         self.width_box.setSingleStep(16)
         self.width_box.setValue(640)
         self.width_box.setSuffix(" px")
-        self.fps_box = ToldSpinBox(
+        self.fps_box = RangedSpinBox(
             "filmFps", "Frames a second", "How many pictures there are in a second", (1, FASTEST)
         )
         self.fps_box.setValue(25)
-        self.seconds_box = ToldDoubleSpinBox(
+        self.seconds_box = RangedDoubleSpinBox(
             "filmSeconds", "Length", "Length of the film: one round of the motion", (0.1, 3600.0)
         )
         self.seconds_box.setSingleStep(0.5)

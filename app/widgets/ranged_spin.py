@@ -15,25 +15,25 @@ from app.widgets.controls import named
 _FAR = 999_999_999
 
 
-def _step_between(box: ToldSpinBox | ToldDoubleSpinBox, steps: int) -> None:
+def _step_between(box: RangedSpinBox | RangedDoubleSpinBox, steps: int) -> None:
     """Step, and stay between the limits; called by Qt."""
     QAbstractSpinBox.stepBy(box, steps)
     box.setValue(min(max(box.value(), box.least), box.most))  # type: ignore[arg-type]  # each has its own kind
 
 
-def _problem_of(box: ToldSpinBox | ToldDoubleSpinBox) -> str:
+def _problem_of(box: RangedSpinBox | RangedDoubleSpinBox) -> str:
     """Why the number that stands here is not possible; empty where it is."""
     if box.least <= box.value() <= box.most:
         return ""
     return f"{box.accessibleName()}: from {number(box.least, 6)} to {number(box.most, 6)}."
 
 
-def _dress(box: ToldSpinBox | ToldDoubleSpinBox, name: str, label: str, tip: str) -> None:
+def _describe(box: RangedSpinBox | RangedDoubleSpinBox, name: str, label: str, tip: str) -> None:
     box.setRange(-_FAR, _FAR)
     named(box, name, label, tip)
 
 
-class ToldSpinBox(Guarded, QSpinBox):
+class RangedSpinBox(Guarded, QSpinBox):
     """A whole number between two limits, typed or stepped; the arrows stay between them.
 
     Attributes
@@ -46,20 +46,20 @@ class ToldSpinBox(Guarded, QSpinBox):
         super().__init__()
         self.least, self.most = limits
         self.setLocale(QLocale.c())
-        _dress(self, name, label, tip)
+        _describe(self, name, label, tip)
 
     # In the body of each class, where `Guarded` finds what overrides Qt's.
     stepBy = _step_between  # noqa: N815 - as Qt calls it
     problem = property(_problem_of)
 
 
-class ToldDoubleSpinBox(Guarded, QDoubleSpinBox):
-    """As `ToldSpinBox`, with decimals."""
+class RangedDoubleSpinBox(Guarded, QDoubleSpinBox):
+    """As `RangedSpinBox`, with decimals."""
 
     def __init__(self, name: str, label: str, tip: str, limits: tuple[float, float]) -> None:
         super().__init__()
         self.least, self.most = limits
-        _dress(self, name, label, tip)
+        _describe(self, name, label, tip)
 
     stepBy = _step_between  # noqa: N815 - as Qt calls it
     problem = property(_problem_of)
