@@ -8,5 +8,6 @@
   polynomials, factored; derivatives from the jets at both ends of a segment.
 - ``product_form``, ``product_series``: the Lagrange basis as products, accurate for any parameters; its
   derivatives, as products of power series.  ``differentiation_matrix``: the same by a short cut.
+- ``parameter_differences``: derivatives by the parameters, where a family has no formula.
 - ``immutable``: copies and pickles of curves.
 """

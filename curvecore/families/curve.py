@@ -20,10 +20,8 @@ from curvecore.arrays import (
 )
 from curvecore.errors import CurveError
 from curvecore.families.immutable import Immutable
+from curvecore.families.parameter_differences import parameter_difference
 from curvecore.scaling import made_finite
-
-_STEP = 2.0**-13
-"""Of the distance of neighbouring parameters: by how much one is moved for a difference quotient."""
 
 
 class LocalBasis(NamedTuple):
@@ -383,7 +381,7 @@ class ParametricCurve(Immutable, ABC):
             ends are moved outwards only, for a basis may end where they are.
         """
         at = parameter_values(t).values
-        moves = [self._moved_by(at, index) for index in range(len(self._parameters))]
+        moves = [parameter_difference(self, at, index) for index in range(len(self._parameters))]
         return np.stack(moves, axis=1)
 
     def parameter_derivative(self, index: int, t: ArrayLike) -> FloatArray:
@@ -395,20 +393,3 @@ class ParametricCurve(Immutable, ABC):
         segment = self.local_basis(t).segment
         moves = self.parameter_derivatives(t)
         return segment, np.take_along_axis(moves, (segment[:, None] + np.arange(2))[:, :, None], axis=1)
-
-    def _moved_by(self, t: FloatArray, index: int) -> FloatArray:
-        joints = self._parameters
-        gap = float(np.diff(joints[max(index - 1, 0) : index + 2]).min())
-        step = gap * _STEP
-
-        def moved(by: float) -> FloatArray:
-            places = joints.copy()
-            places[index] += by * step
-            return self.with_data(self.jets, places).evaluate(t)
-
-        if 0 < index < len(joints) - 1:
-            # Of order 4: what is left out is the fifth derivative.
-            return (8.0 * (moved(1) - moved(-1)) - (moved(2) - moved(-2))) / (12.0 * step)
-        outwards = -1.0 if index == 0 else 1.0
-        here, one, two, three = (moved(outwards * k) for k in range(4))
-        return outwards * (-11.0 * here + 18.0 * one - 9.0 * two + 2.0 * three) / (6.0 * step)
