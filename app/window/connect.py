@@ -20,7 +20,7 @@ from app.window.drops import Drops
 from app.window.focus_commands import FocusCommands
 from app.window.messages import Messages
 from app.window.program_commands import ProgramCommands
-from app.workbench.context import Closes, Follows, Renders, StepsBack, Themed, WindowContext
+from app.workbench.context import WindowContext, hooks
 from app.workbench.docks import declared_panels
 
 COMMAND_SETS: tuple[type, ...] = (FocusCommands, *command_sets(), ProgramCommands)
@@ -51,13 +51,15 @@ class Commands:
         context.connect_plot(context.central.canvas)
         self._sets = {kind: kind(context) for kind in command_sets}
         context.central.fill(self._sets)
-        self._live = [each for each in self._sets.values() if isinstance(each, Follows)]
-        self._slow = [each for each in self._sets.values() if isinstance(each, Renders)]
+        self._follow, self._render = self._hooks("follow"), self._hooks("render")
         self.drops = Drops(context, self._sets.values())
         self.context_menus = ContextMenus(context, self._sets, self.attempt)
         self._had_scrub = False
         for each in self._sets.values():
             context.actions.bind(each, self._run)
+
+    def _hooks(self, name: str) -> list[Callable[..., object]]:
+        return hooks(self._sets.values(), name)
 
     def __getitem__(self, kind: type[_Set]) -> _Set:
         commands = self._sets[kind]
@@ -93,9 +95,8 @@ class Commands:
         """Take a gesture back, or go to the canvas from a panel, or else step back."""
         if self._context.cancel_gesture() or self[FocusCommands].back_to_canvas():
             return
-        for each in self._sets.values():
-            if isinstance(each, StepsBack):
-                each.escape()
+        for escape in self._hooks("escape"):
+            escape()
 
     def build_dock(self, name: str, *parent: QWidget) -> QWidget:
         """Return what stands in a dock; called when the window is built, or when it is first shown."""
@@ -108,25 +109,23 @@ class Commands:
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        for each in self._sets.values():
-            if isinstance(each, Themed):
-                each.set_theme(theme)
+        for set_theme in self._hooks("set_theme"):
+            set_theme(theme)
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
-        for each in self._sets.values():
-            if isinstance(each, Closes):
-                each.close()
+        for close in self._hooks("close"):
+            close()
         close_all(self._context.window.findChildren(TaskOwner))
 
     def follow(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""
-        for each in self._live:
-            each.follow(view)
+        for follow in self._follow:
+            follow(view)
 
     def render(self, view: CurveView) -> None:
         """Check and enable actions, and show the line on the canvas, as `view` has it."""
         self._context.actions.render()
-        for each in self._slow:
-            each.render(view)
+        for render in self._render:
+            render(view)
         self.messages.render(view)

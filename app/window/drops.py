@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -12,7 +12,7 @@ from app.document.words import count_of, listed, names_of
 from app.storage.files import StorageError
 from app.storage.format import FormatError
 from app.window.given import Given, given
-from app.workbench.context import Imports, Traces, WindowContext
+from app.workbench.context import WindowContext, hooks
 
 MOST_WINDOWS = 12
 """Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""
@@ -54,11 +54,10 @@ class Drops:
     def __init__(
         self,
         context: WindowContext,
-        takers: Iterable[object],
+        takers: Collection[object],
     ) -> None:
-        self._context, takers = context, list(takers)
-        self._imports = [each for each in takers if isinstance(each, Imports)]
-        self._traces = [each for each in takers if isinstance(each, Traces)]
+        self._context = context
+        self._import, self._trace = hooks(takers, "import_files"), hooks(takers, "trace")
         self.open_window: OpenWindow | None = None
 
     def take(self, files: Given, problems: Iterable[str] = ()) -> None:
@@ -74,16 +73,16 @@ class Drops:
 
     def _add(self, files: Given, left: list[str]) -> None:
         """Import and trace what was given, and say what was `left` out, and why."""
-        for each in self._traces:
+        for trace in self._trace:
             for path in files.pictures[:1]:
-                each.trace(path)
+                trace(path)
         if len(files.pictures) > 1:
             names = _listed(files.pictures[1:])
             left.append(f"{names} not traced: a document has one picture to trace.")
         if files.elsewhere:
             left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")
-        for importing in self._imports:
-            importing.import_files(files.imports)
+        for import_files in self._import:
+            import_files(files.imports)
         if left:
             self._context.central.message_bar.warn(" ".join(left))
 

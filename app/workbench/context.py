@@ -1,23 +1,19 @@
-"""Context of command sets: the parts of a window, and the protocols by which sets take part in it."""
+"""Context of command sets: the parts of a window, and the methods by which sets take part in it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from pathlib import Path
-from typing import Protocol, runtime_checkable
+from collections.abc import Callable, Iterable
 
 import msgspec
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMainWindow, QToolBar
 
 from app.actions.qactions import Actions
-from app.appearance.theme import Theme
 from app.plotting.tool_plot import ToolPlot
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.state.analysis import Analysis
 from app.state.window_state import WindowStore
-from app.view_model.curve_view import CurveView
 from app.workbench.central_area import CentralArea
 from app.workbench.docks import Docks
 from app.workbench.document_files import DocumentFiles
@@ -74,57 +70,12 @@ class WindowContext(msgspec.Struct, frozen=True):
             changed.connect(plot.hover_again, Qt.ConnectionType.QueuedConnection)
 
 
-@runtime_checkable
-class Follows(Protocol):
-    """A command set behind something that follows a drag frame by frame."""
+def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., object]]:
+    """Return the methods of this name of the command sets that have one.
 
-    def follow(self, view: CurveView) -> None:
-        """Show what belongs to `view`; called for every preview, hence quick where nothing is switched on."""
-
-
-@runtime_checkable
-class Renders(Protocol):
-    """A command set that shows something at the pace of the panels."""
-
-    def render(self, view: CurveView) -> None:
-        """Show what the active curve and the selection have it."""
-
-
-@runtime_checkable
-class Imports(Protocol):
-    """A command set that imports files of other formats."""
-
-    def import_files(self, paths: Iterable[Path]) -> None:
-        """Import these, one after the other."""
-
-
-@runtime_checkable
-class Traces(Protocol):
-    """A command set that puts pictures behind the curves."""
-
-    def trace(self, path: Path) -> None:
-        """Put this picture there, or say why not."""
-
-
-@runtime_checkable
-class StepsBack(Protocol):
-    """A command set that knows where Escape leads, where nothing else takes it."""
-
-    def escape(self) -> None:
-        """Step back."""
-
-
-@runtime_checkable
-class Themed(Protocol):
-    """A command set with a panel that takes the colours of a theme."""
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take them."""
-
-
-@runtime_checkable
-class Closes(Protocol):
-    """A command set that has something to end before the window goes."""
-
-    def close(self) -> None:
-        """End it."""
+    ``follow(view)`` shows what belongs to a curve; called for every preview, hence quick where nothing is
+    switched on. ``render(view)`` does so at the pace of the panels. ``set_theme(theme)`` takes colours,
+    ``close()`` ends what has to end before the window goes, ``escape()`` steps back where nothing else takes
+    the key. ``import_files(paths)`` and ``trace(path)`` take what was dropped.
+    """
+    return [getattr(each, name) for each in command_sets if hasattr(each, name)]
