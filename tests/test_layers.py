@@ -41,7 +41,11 @@ def test_every_feature_has_its_place():
 def packages() -> list[Path]:
     """The packages but those that find their modules by listing: what is put there needs no other place."""
     sources = {name: path.read_text(encoding="utf-8") for name, path in MODULES.items()}
-    listed = {found for text in sources.values() for found in re.findall(r'Records\(\w+, "(.+)"\)', text)}
+    listed = {
+        name.rpartition(".")[0] + found
+        for name, text in sources.items()
+        for found in re.findall(r'Records\(\w+, f"\{__package__\}(.+)"\)', text)
+    }
     listed |= {name for name, text in sources.items() if "iter_modules(__path__)" in text}
     # What is not named in `FEATURES` the test above tells.
     listed.add("app.features")

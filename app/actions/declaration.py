@@ -22,10 +22,10 @@ from typing import Any, ParamSpec, TypeVar
 import msgspec
 from msgspec.structs import replace
 
-from app.actions.needs import NOTHING, Need
-from app.actions.sections import Section
-from app.actions.situation import Situation
-from app.actions.strips import Place
+from .needs import NOTHING, Need
+from .sections import Section
+from .situation import Situation
+from .strips import Place
 
 _DECLARED, _AT_PLACE = "declared_actions", "place_action"
 _ALSO, _WIDGET = "places_in_strips", "widget_in_strip"

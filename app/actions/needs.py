@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from app.actions.situation import Situation
+from .situation import Situation
 
 
 class Need(msgspec.Struct, frozen=True):

@@ -8,13 +8,13 @@ from functools import cache, partial
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import Action, all_declared
-from app.actions.keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
-from app.actions.sections import Menu, Section
-from app.actions.situation import Situation
-from app.actions.strips import Strip
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
+from ..appearance.icons import icon
+from ..appearance.theme import Theme
+from .declaration import Action, all_declared
+from .keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
+from .sections import Menu, Section
+from .situation import Situation
+from .strips import Strip
 
 
 class Actions:

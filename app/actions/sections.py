@@ -10,7 +10,7 @@ from itertools import count
 
 import msgspec
 
-from app.view_model.analysis.overlay import Group
+from ..view_model.analysis.overlay import Group
 
 MENUS: list[Menu] = []
 """The menus of the menu bar, in order."""

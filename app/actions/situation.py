@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.actions.clipboard_watch import ClipboardWatch
-from app.session import Session
-from app.state.window_state import WindowState, WindowStore
-from app.view_model.curve_view import CurveView
+from ..session import Session
+from ..state.window_state import WindowState, WindowStore
+from ..view_model.curve_view import CurveView
+from .clipboard_watch import ClipboardWatch
 
 
 class Situation:

@@ -7,8 +7,8 @@ from typing import Final
 
 from PySide6.QtGui import QColor
 
-from app.appearance.theme import Theme
-from app.view_model.palette import OKABE_ITO, colour_on, point_palette
+from ..view_model.palette import OKABE_ITO, colour_on, point_palette
+from .theme import Theme
 
 CURVE_COLOURS: Final = {
     "Ink": "",

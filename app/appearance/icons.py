@@ -10,9 +10,9 @@ from PySide6.QtCore import QByteArray, QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QIconEngine, QImage, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
-from app.appearance.theme import Theme, mix
-from app.qt.overrides import Guarded
-from app.storage.resources import resource
+from ..qt.overrides import Guarded
+from ..storage.resources import resource
+from .theme import Theme, mix
 
 _PIXELS: Final = (16, 20, 24, 32, 40, 48, 64, 80)
 """16, 20, 24, 32 and 40 px at device pixel ratios 1 and 2."""

@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
-from app.document.words import NamedEnum
-from app.storage.resources import resource
-from app.view_model.palette import ACCENT, INK, PAPER
+from ..document.words import NamedEnum
+from ..storage.resources import resource
+from ..view_model.palette import ACCENT, INK, PAPER
 
 
 class ThemeMode(NamedEnum):

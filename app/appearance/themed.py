@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
 
-from app.appearance.theme import LIGHT, Theme, theme_of
-from app.qt.overrides import Guarded, guard
+from ..qt.overrides import Guarded, guard
+from .theme import LIGHT, Theme, theme_of
 
 
 class FollowsTheme(Guarded):

@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app import canvas
-from app.canvas.figure_layer import FigureLayer
-from app.canvas.other_curves_layer import FileLayer
-from app.canvas.trace_layer import Trace, TraceLayer
-from app.plotting.plot_widget import PlotWidget
-from app.view_model import analysis
-from app.view_model.curve_view import CurveView
-from app.view_model.line_styles import FILE_STYLE, LineStyle
+from .. import canvas
+from ..plotting.plot_widget import PlotWidget
+from ..view_model import analysis
+from ..view_model.curve_view import CurveView
+from ..view_model.line_styles import FILE_STYLE, LineStyle
+from .figure_layer import FigureLayer
+from .other_curves_layer import FileLayer
+from .trace_layer import Trace, TraceLayer
 
 if TYPE_CHECKING:
-    from app.canvas.legend import Legend
-    from app.view_model.analysis.legend import LegendRow
+    from ..view_model.analysis.legend import LegendRow
+    from .legend import Legend
 
 
 class Annotations(QObject):

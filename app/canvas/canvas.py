@@ -7,14 +7,14 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from app.canvas.fitting import Framing
-from app.canvas.scene import CanvasScene
-from app.plotting.tool_plot import ToolPlot
-from app.tools.marks import GestureMarks
-from app.tools.pointer import Hint, Hit, Pointer
-from app.tools.tool import Tool, ToolRecord
-from app.tools.toolbox import Toolbox
-from app.tools.transform import TransformKind
+from ..plotting.tool_plot import ToolPlot
+from ..tools.marks import GestureMarks
+from ..tools.pointer import Hint, Hit, Pointer
+from ..tools.tool import Tool, ToolRecord
+from ..tools.toolbox import Toolbox
+from ..tools.transform import TransformKind
+from .fitting import Framing
+from .scene import CanvasScene
 
 
 class Canvas(ToolPlot):

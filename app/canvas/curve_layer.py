@@ -5,15 +5,16 @@ from __future__ import annotations
 from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.appearance.colours import curve_colour
-from app.document.words import number
-from app.plotting.drawing import Stroke
-from app.plotting.layers import Layer
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, size_of, write_on_plate
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.curve_view import CurveView, Polyline
 from curvecore.arrays import FloatArray
+
+from ..appearance.colours import curve_colour
+from ..document.words import number
+from ..plotting.drawing import Stroke
+from ..plotting.layers import Layer
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import inside, size_of, write_on_plate
+from ..plotting.plot_widget import PlotWidget
+from ..view_model.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""

@@ -10,20 +10,21 @@ import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter
 
-from app.canvas.curve_layer import TOLERANCE
-from app.plotting.area import AreaFill
-from app.plotting.drawing import MARGIN, draw_segments
-from app.plotting.layers import Layer
-from app.plotting.pens import draw_line, draw_mark, pen_of
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, size_of, write_on_plate
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.line_styles import Mark
 from curvecore.arrays import FloatArray
 
+from ..plotting.area import AreaFill
+from ..plotting.drawing import MARGIN, draw_segments
+from ..plotting.layers import Layer
+from ..plotting.pens import draw_line, draw_mark, pen_of
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import inside, size_of, write_on_plate
+from ..plotting.plot_widget import PlotWidget
+from ..view_model.analysis.figures import Figure, Shape
+from ..view_model.line_styles import Mark
+from .curve_layer import TOLERANCE
+
 if TYPE_CHECKING:
-    from app.view_model.analysis.ghosts import GhostView
+    from ..view_model.analysis.ghosts import GhostView
 
 _HEAD = 9.0
 """Length of an arrow's head, in widths of its line, and never more than half the arrow."""

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from app.plotting.camera import Camera
-from app.plotting.pixel_map import PixelMap
-from app.view_model.curve_view import CurveView
 from curvecore.arrays import FloatArray
 
+from ..plotting.camera import Camera
+from ..plotting.pixel_map import PixelMap
+from ..view_model.curve_view import CurveView
+
 if TYPE_CHECKING:
-    from app.canvas.scene import CanvasScene
+    from .scene import CanvasScene
 
 _FIT_MARGIN = 0.12
 

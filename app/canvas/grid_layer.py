@@ -10,12 +10,13 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.document.words import number
-from app.plotting.drawing import Bars
-from app.plotting.layers import Layer
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
 from curvecore.arrays import FloatArray
+
+from ..document.words import number
+from ..plotting.drawing import Bars
+from ..plotting.layers import Layer
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
 
 _LEAST_GAP = 8.0
 """Pixels between two lines of a grid of fixed spacing, at least."""

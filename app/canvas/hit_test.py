@@ -9,12 +9,13 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import Vector
-from app.plotting.pixel_map import PixelMap
-from app.tools.pointer import Hit, Part
-from app.view_model.curve_view import CurveView, ParametricCurve, Polyline
-from app.view_model.handles import Handle
 from curvecore.arrays import FloatArray
+
+from ..document.model import Vector
+from ..plotting.pixel_map import PixelMap
+from ..tools.pointer import Hit, Part
+from ..view_model.curve_view import CurveView, ParametricCurve, Polyline
+from ..view_model.handles import Handle
 
 POINT_REACH = 10.0
 """Pixels from the pointer within which a point or a handle is grabbed."""

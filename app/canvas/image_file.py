@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QSize
 from PySide6.QtGui import QImage, QImageReader
 
-from app.storage.files import StorageError, read
+from ..storage.files import StorageError, read
 
 MAX_PIXELS = 64_000_000
 """More pixels than this are not decoded."""

@@ -8,15 +8,15 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 
-from app.canvas.fitting import PlaneBox, with_margin
-from app.canvas.page_image import inverted_lightness, is_page
-from app.document.model import ReferenceImage, Vector
-from app.plotting.layers import Layer
-from app.plotting.pictures import transparent
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.tools.move_image import CORNERS, corner_of
-from app.tools.pointer import Hit, Part
+from ..document.model import ReferenceImage, Vector
+from ..plotting.layers import Layer
+from ..plotting.pictures import transparent
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
+from ..tools.move_image import CORNERS, corner_of
+from ..tools.pointer import Hit, Part
+from .fitting import PlaneBox, with_margin
+from .page_image import inverted_lightness, is_page
 
 GRIP_REACH = 12.0
 """Pixels from a corner within which it is grabbed."""

@@ -8,10 +8,11 @@ import msgspec
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 
-from app.document.model import Vector
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside
 from curvecore.arrays import FloatArray
+
+from ..document.model import Vector
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import inside
 
 _CORNERS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
 """Right and below first; of corners that are as good as each other the first is taken, so that words rest."""

@@ -8,15 +8,15 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
-from app.appearance.icons import icon
-from app.appearance.theme import mix
-from app.plotting.layers import LayerStack
-from app.plotting.pens import sign_pixmap
-from app.qt.labels import Label, tip_of
-from app.view_model.analysis.ghost import Ghost
-from app.view_model.analysis.legend import LegendRow
-from app.widgets.overlay_frame import OverlayFrame
-from app.widgets.tool_buttons import tool_button
+from ..appearance.icons import icon
+from ..appearance.theme import mix
+from ..plotting.layers import LayerStack
+from ..plotting.pens import sign_pixmap
+from ..qt.labels import Label, tip_of
+from ..view_model.analysis.ghost import Ghost
+from ..view_model.analysis.legend import LegendRow
+from ..widgets.overlay_frame import OverlayFrame
+from ..widgets.tool_buttons import tool_button
 
 _MARGIN = 10
 

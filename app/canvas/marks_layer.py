@@ -7,16 +7,16 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.canvas.label_place import Surroundings, free_corner
-from app.document.model import Vector
-from app.plotting.halo import Halo
-from app.plotting.layers import Layer
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import beyond, size_of, write_on_plate
-from app.plotting.plot_widget import PlotWidget
-from app.tools.marks import GestureMarks, Note, Ruler
-from app.tools.snapping import Snap
-from app.tools.transform_box import TransformBox
+from ..document.model import Vector
+from ..plotting.halo import Halo
+from ..plotting.layers import Layer
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import beyond, size_of, write_on_plate
+from ..plotting.plot_widget import PlotWidget
+from ..tools.marks import GestureMarks, Note, Ruler
+from ..tools.snapping import Snap
+from ..tools.transform_box import TransformBox
+from .label_place import Surroundings, free_corner
 
 _GRIP, _FAR = 3.5, 1e6
 _ARM = 9

@@ -8,17 +8,18 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.appearance.colours import curve_colour
-from app.appearance.theme import mix
-from app.plotting.drawing import draw_segments, is_near
-from app.plotting.layers import Layer
-from app.plotting.pens import draw_line
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import inside, size_of, write_on_plate
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.line_styles import DASHED
-from app.view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of
 from curvecore.arrays import FloatArray
+
+from ..appearance.colours import curve_colour
+from ..appearance.theme import mix
+from ..plotting.drawing import draw_segments, is_near
+from ..plotting.layers import Layer
+from ..plotting.pens import draw_line
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import inside, size_of, write_on_plate
+from ..plotting.plot_widget import PlotWidget
+from ..view_model.line_styles import DASHED
+from ..view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of
 
 _TRAIL_DOT = 3.0
 _FAR = 1e5

@@ -10,21 +10,22 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
-from app.appearance.colours import curve_colour
-from app.appearance.theme import Theme
-from app.canvas.curve_layer import CASING, FAINT_WIDTH, line_of
-from app.canvas.hit_test import CURVE_REACH, PixelOutline
-from app.document.model import Vector
-from app.plotting.drawing import Stroke
-from app.plotting.layers import Layer
-from app.plotting.pens import draw_line, pen_of
-from app.plotting.pictures import transparent
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.tools.pointer import Hit, Part
-from app.view_model.curve_view import CurveView
-from app.view_model.line_styles import FILE_STYLE
 from curvecore.arrays import FloatArray
+
+from ..appearance.colours import curve_colour
+from ..appearance.theme import Theme
+from ..document.model import Vector
+from ..plotting.drawing import Stroke
+from ..plotting.layers import Layer
+from ..plotting.pens import draw_line, pen_of
+from ..plotting.pictures import transparent
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
+from ..tools.pointer import Hit, Part
+from ..view_model.curve_view import CurveView
+from ..view_model.line_styles import FILE_STYLE
+from .curve_layer import CASING, FAINT_WIDTH, line_of
+from .hit_test import CURVE_REACH, PixelOutline
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from PySide6.QtGui import QPainter, QPen
 
-from app.canvas.curve_layer import line_of
-from app.plotting.drawing import Stroke
-from app.plotting.layers import Layer
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.curve_view import CurveView
+from ..plotting.drawing import Stroke
+from ..plotting.layers import Layer
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
+from ..view_model.curve_view import CurveView
+from .curve_layer import line_of
 
 
 class PenLayer(Layer):

@@ -8,19 +8,20 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.appearance.colours import point_colours
-from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
-from app.document.words import with_decimals
-from app.plotting.drawing import is_near
-from app.plotting.layers import Layer
-from app.plotting.pens import diamond
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plates import size_of, write_on_plate
-from app.plotting.plot_widget import PlotWidget
-from app.plotting.stamps import Stamps
-from app.view_model.curve_view import CurveView
-from app.view_model.handles import Handle, handles_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray
+
+from ..appearance.colours import point_colours
+from ..document.words import with_decimals
+from ..plotting.drawing import is_near
+from ..plotting.layers import Layer
+from ..plotting.pens import diamond
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import size_of, write_on_plate
+from ..plotting.plot_widget import PlotWidget
+from ..plotting.stamps import Stamps
+from ..view_model.curve_view import CurveView
+from ..view_model.handles import Handle, handles_of
+from .point_density import RADIUS, Discs, discs_for, with_neighbours
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12

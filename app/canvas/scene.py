@@ -9,32 +9,33 @@ import msgspec
 import numpy as np
 from PySide6.QtGui import QImage
 
-from app import canvas
-from app.canvas.annotations import Annotations
-from app.canvas.curve_layer import CurveLayer
-from app.canvas.grid_layer import GridLayer
-from app.canvas.hit_test import hit_test
-from app.canvas.image_layer import ImageLayer
-from app.canvas.label_place import Surroundings, number_box, segments_near
-from app.canvas.marks_layer import MarksLayer
-from app.canvas.other_curves_layer import OtherCurvesLayer
-from app.canvas.pen_layer import PenLayer
-from app.canvas.point_layer import PointLayer
-from app.canvas.selected_curves_layer import SelectedCurvesLayer
-from app.canvas.unit_layer import UnitLayer
-from app.document.model import Curve, ReferenceImage, Vector
-from app.plotting.drawing import cut_segments
-from app.plotting.tool_plot import ToolPlot
-from app.tools.marks import GestureMarks
-from app.tools.pointer import Hit, Pointer
-from app.tools.tool import Tool
-from app.view_model.basis_view import weights_at
-from app.view_model.curve_view import CurveView
 from curvecore.arrays import FloatArray
 
+from .. import canvas
+from ..document.model import Curve, ReferenceImage, Vector
+from ..plotting.drawing import cut_segments
+from ..plotting.tool_plot import ToolPlot
+from ..tools.marks import GestureMarks
+from ..tools.pointer import Hit, Pointer
+from ..tools.tool import Tool
+from ..view_model.basis_view import weights_at
+from ..view_model.curve_view import CurveView
+from .annotations import Annotations
+from .curve_layer import CurveLayer
+from .grid_layer import GridLayer
+from .hit_test import hit_test
+from .image_layer import ImageLayer
+from .label_place import Surroundings, number_box, segments_near
+from .marks_layer import MarksLayer
+from .other_curves_layer import OtherCurvesLayer
+from .pen_layer import PenLayer
+from .point_layer import PointLayer
+from .selected_curves_layer import SelectedCurvesLayer
+from .unit_layer import UnitLayer
+
 if TYPE_CHECKING:
-    from app.canvas.motion_layer import MotionLayer
-    from app.view_model.motion_picture import Dot, Role
+    from ..view_model.motion_picture import Dot, Role
+    from .motion_layer import MotionLayer
 
 
 class CanvasScene:

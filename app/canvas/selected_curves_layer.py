@@ -8,13 +8,13 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen
 
-from app.appearance.theme import mix
-from app.canvas.curve_layer import FAINT_WIDTH, line_of
-from app.canvas.other_curves_layer import OtherCurvesLayer
-from app.canvas.point_layer import opacity_of
-from app.plotting.drawing import Stroke
-from app.plotting.pixel_map import PixelMap
-from app.view_model.curve_view import CurveView
+from ..appearance.theme import mix
+from ..plotting.drawing import Stroke
+from ..plotting.pixel_map import PixelMap
+from ..view_model.curve_view import CurveView
+from .curve_layer import FAINT_WIDTH, line_of
+from .other_curves_layer import OtherCurvesLayer
+from .point_layer import opacity_of
 
 _WIDTH, _HALO = 2.0, 7.0
 _HALO_SHARE = 0.28

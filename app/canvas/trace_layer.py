@@ -8,13 +8,14 @@ import msgspec
 import numpy as np
 from PySide6.QtGui import QPainter
 
-from app.plotting.drawing import Segments, Stroke
-from app.plotting.layers import Layer
-from app.plotting.pens import line_in_pixels, pen_of
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray
+
+from ..plotting.drawing import Segments, Stroke
+from ..plotting.layers import Layer
+from ..plotting.pens import line_in_pixels, pen_of
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
+from ..view_model.line_styles import LineStyle
 
 _FADED = 0.3
 

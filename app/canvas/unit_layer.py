@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter
 
-from app.plotting.layers import Layer
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
+from ..plotting.layers import Layer
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
 
 
 class UnitLayer(Layer):

@@ -8,8 +8,8 @@ from pathlib import Path
 import PySide6
 from PySide6.QtWidgets import QApplication
 
-from app.cli.display import why_no_window
-from app.cli.refusals import RefusalError
+from .display import why_no_window
+from .refusals import RefusalError
 
 
 def qt_application(without: str) -> QApplication:

@@ -9,10 +9,10 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 
-from app import __version__, cli, exchange, storage
-from app.cli.refusals import RefusalError, one_line, reason_of, say
-from app.diagnostics.log import LEVELS, logged
-from app.exchange import READER_PROCESS
+from .. import __version__, cli, exchange, storage
+from ..diagnostics.log import LEVELS, logged
+from ..exchange import READER_PROCESS
+from .refusals import RefusalError, one_line, reason_of, say
 
 _INTERRUPTED = 130
 """The exit code that a shell expects of a program that Ctrl+C ended."""

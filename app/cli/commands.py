@@ -16,10 +16,20 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from app import cli, exchange
-from app.cli.command_line import common_options
-from app.cli.documents import load_document
-from app.cli.options import (
+from .. import cli, exchange
+from ..document.words import enumerated
+from ..exchange.drawing.animation import FILMS, Film, first_round, write_film
+from ..exchange.errors import ExchangeError
+from ..exchange.formats import FORMATS, can_import, endings_of
+from ..exchange.reading import ImportOptions, import_file
+from ..exchange.writing import export
+from ..families import FAMILIES
+from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
+from ..tasks.progress import Report, part
+from ..view_model.motion_settings import Pace, Repeat
+from .command_line import common_options
+from .documents import load_document
+from .options import (
     STYLES,
     add_convert_options,
     add_motion_options,
@@ -29,22 +39,12 @@ from app.cli.options import (
     picture_options,
     positive_number,
 )
-from app.cli.refusals import RefusalError, one_line, say
-from app.document.words import enumerated
-from app.exchange.drawing.animation import FILMS, Film, first_round, write_film
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import FORMATS, can_import, endings_of
-from app.exchange.reading import ImportOptions, import_file
-from app.exchange.writing import export
-from app.families import FAMILIES
-from app.features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
-from app.tasks.progress import Report, part
-from app.view_model.motion_settings import Pace, Repeat
+from .refusals import RefusalError, one_line, say
 
 if TYPE_CHECKING:
-    from app.document.model import Document
-    from app.exchange.cubics_in import Imported
-    from app.exchange.facts import CurveFacts, Growth
+    from ..document.model import Document
+    from ..exchange.cubics_in import Imported
+    from ..exchange.facts import CurveFacts, Growth
 
 # A bound that was rounded to the nearest would not be one.
 _ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.cli.refusals import RefusalError
-from app.document.model import Document
-from app.storage.files import load
-from app.storage.format import FormatError
+from ..document.model import Document
+from ..storage.files import load
+from ..storage.format import FormatError
+from .refusals import RefusalError
 
 
 def load_document(path: str) -> Document:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from app.cli.refusals import RefusalError
-from app.families import FAMILIES, family_file
+from ..families import FAMILIES, family_file
+from .refusals import RefusalError
 
 
 @contextmanager

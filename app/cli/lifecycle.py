@@ -16,15 +16,15 @@ from typing import IO, Any
 from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
-from app import diagnostics
-from app.diagnostics.crash_handler import CrashHandler
-from app.diagnostics.crash_report import versions
-from app.diagnostics.slow_frames import SlowFrames
-from app.document.model import Document
-from app.features.recovery.autosave import Autosave, snapshot_folder, state_folder
-from app.features.recovery.commands import RecoveryCommands
-from app.session import Session
-from app.window.main_window import MainWindow
+from .. import diagnostics
+from ..diagnostics.crash_handler import CrashHandler
+from ..diagnostics.crash_report import versions
+from ..diagnostics.slow_frames import SlowFrames
+from ..document.model import Document
+from ..features.recovery.autosave import Autosave, snapshot_folder, state_folder
+from ..features.recovery.commands import RecoveryCommands
+from ..session import Session
+from ..window.main_window import MainWindow
 
 _log = logging.getLogger("curvebench.lifecycle")
 

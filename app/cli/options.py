@@ -7,14 +7,14 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from app.document.model import Document
-from app.exchange.drawing.styles import DARK, LIGHT
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import FORMATS, endings_of
-from app.exchange.formats.samples import COLUMNS
-from app.exchange.options import Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
-from app.exchange.units import MILLIMETRES, known_unit
-from app.families import FAMILIES, HERMITE
+from ..document.model import Document
+from ..exchange.drawing.styles import DARK, LIGHT
+from ..exchange.errors import ExchangeError
+from ..exchange.formats import FORMATS, endings_of
+from ..exchange.formats.samples import COLUMNS
+from ..exchange.options import Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
+from ..exchange.units import MILLIMETRES, known_unit
+from ..families import FAMILIES, HERMITE
 
 STYLES = {"light": LIGHT, "dark": DARK}
 

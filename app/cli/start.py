@@ -9,15 +9,15 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app import cli
-from app.cli.display import NO_DISPLAY, has_display, missing_library
-from app.cli.documents import load_document
-from app.cli.refusals import RefusalError
-from app.families import FAMILIES
-from app.features.lessons.commands import LessonCommands
-from app.storage.files import StorageError
-from app.storage.open_file import is_large
-from app.window.given import given
+from .. import cli
+from ..families import FAMILIES
+from ..features.lessons.commands import LessonCommands
+from ..storage.files import StorageError
+from ..storage.open_file import is_large
+from ..window.given import given
+from .display import NO_DISPLAY, has_display, missing_library
+from .documents import load_document
+from .refusals import RefusalError
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication

@@ -8,11 +8,11 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication
 
-from app.cli.lifecycle import Lifecycle
-from app.session import Session
-from app.storage.open_file import is_large
-from app.window.given import given
-from app.window.main_window import MainWindow
+from ..session import Session
+from ..storage.open_file import is_large
+from ..window.given import given
+from ..window.main_window import MainWindow
+from .lifecycle import Lifecycle
 
 
 def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[MainWindow]:

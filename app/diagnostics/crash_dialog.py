@@ -12,11 +12,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.appearance.theme import theme_of
-from app.qt.labels import Label
-from app.widgets.boxes import column_of
-from app.widgets.controls import named
-from app.widgets.fitting import FittedDialog
+from ..appearance.theme import theme_of
+from ..qt.labels import Label
+from ..widgets.boxes import column_of
+from ..widgets.controls import named
+from ..widgets.fitting import FittedDialog
 
 _SAFE = "Your work is safe: a backup has just been written."
 _NOT_SAFE = "A backup could not be written. Save your work under another name now."

@@ -13,8 +13,8 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QDialog
 
-from app import diagnostics
-from app.diagnostics.crash_report import place_of, report_of, signature_of
+from .. import diagnostics
+from .crash_report import place_of, report_of, signature_of
 
 _log = logging.getLogger("curvebench.crash")
 

@@ -9,8 +9,8 @@ import traceback
 from collections.abc import Collection
 from pathlib import Path
 
-from app import __version__
-from app.diagnostics.log import last_lines
+from .. import __version__
+from .log import last_lines
 
 _LIBRARIES = ("PySide6", "pyqtgraph", "numpy", "msgspec")
 _PACKAGES = re.compile(r".*[\\/](?:site-packages|dist-packages|python3\.\d+|Lib)[\\/]")

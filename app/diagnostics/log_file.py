@@ -7,7 +7,7 @@ from contextlib import suppress
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 
-from app.diagnostics.log import FORMAT, NAME, last_lines
+from .log import FORMAT, NAME, last_lines
 
 FILE_NAME = "log.txt"
 

@@ -10,9 +10,9 @@ from itertools import count
 
 from msgspec.structs import replace
 
-from app.document.edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
-from app.document.model import Curve, Document, Parametrization, Point, Vector, empty_document
-from app.document.words import enumerated
+from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
+from .model import Curve, Document, Parametrization, Point, Vector, empty_document
+from .words import enumerated
 
 
 def add_curve(document: Document, index: int, curve: Curve) -> Document:

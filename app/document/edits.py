@@ -12,14 +12,15 @@ from itertools import pairwise
 
 from msgspec.structs import replace
 
-from app.document.kept_handles import DERIVATIVES, with_handles_kept
+from ..families import FAMILIES, Family, titles
+from .kept_handles import DERIVATIVES, with_handles_kept
 
 # Who edits needs these with the edits.
-from app.document.kept_handles import stretched as stretched  # noqa: PLC0414
-from app.document.limits import EditError as EditError  # noqa: PLC0414
-from app.document.limits import checked as checked  # noqa: PLC0414
-from app.document.limits import checked_vector, not_after
-from app.document.model import (
+from .kept_handles import stretched as stretched  # noqa: PLC0414
+from .limits import EditError as EditError  # noqa: PLC0414
+from .limits import checked as checked  # noqa: PLC0414
+from .limits import checked_vector, not_after
+from .model import (
     AccelerationRule,
     Curve,
     Document,
@@ -28,8 +29,7 @@ from app.document.model import (
     Vector,
     VelocityRule,
 )
-from app.document.words import number
-from app.families import FAMILIES, Family, titles
+from .words import number
 
 LEAST_TO_CLOSE = 3
 """Points that a closed curve has at least."""

@@ -17,8 +17,8 @@ from typing import NoReturn
 
 import msgspec
 
-from app.document.model import MAX_MAGNITUDE
-from app.document.words import number
+from .model import MAX_MAGNITUDE
+from .words import number
 
 MAX_LENGTH = 200
 """Characters of the longest text that is read; it bounds the work, and the depth of nesting."""

@@ -6,8 +6,8 @@ import math
 
 from msgspec.structs import replace
 
-from app.document.limits import EditError, checked, checked_vector
-from app.document.model import Document, ReferenceImage, Vector
+from .limits import EditError, checked, checked_vector
+from .model import Document, ReferenceImage, Vector
 
 _LEAST_SIZE = 1e-9
 

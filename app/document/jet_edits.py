@@ -7,8 +7,8 @@ from collections.abc import Iterable
 import msgspec
 from msgspec.structs import replace
 
-from app.document.limits import checked_vector
-from app.document.model import Curve, Vector
+from .limits import checked_vector
+from .model import Curve, Vector
 
 _NAMES = ("position", "velocity", "acceleration")
 

@@ -16,8 +16,8 @@ from itertools import pairwise
 import msgspec
 from msgspec.structs import replace
 
-from app.document.limits import checked_vector
-from app.document.model import Curve, ParametrizationKind, Point
+from .limits import checked_vector
+from .model import Curve, ParametrizationKind, Point
 
 DERIVATIVES = ((1, "velocity"), (2, "acceleration"), (1, "velocity_after"), (2, "acceleration_after"))
 """The derivatives of a point: their orders and names."""

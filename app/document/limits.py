@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from app.document.model import MAX_MAGNITUDE, Vector
-from app.document.words import number
+from .model import MAX_MAGNITUDE, Vector
+from .words import number
 
 
 class EditError(ValueError):

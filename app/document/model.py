@@ -8,8 +8,8 @@ from functools import cached_property
 import msgspec
 from msgspec.structs import replace
 
-from app.document.words import NamedEnum
-from app.families import LAGRANGE, Family
+from ..families import LAGRANGE, Family
+from .words import NamedEnum
 
 Vector = tuple[float, float]
 

@@ -14,8 +14,8 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from app.document.kept_handles import DERIVATIVES
-from app.document.model import Curve, Document, Point, Value, Vector
+from .kept_handles import DERIVATIVES
+from .model import Curve, Document, Point, Value, Vector
 
 Values = TypeVar("Values", bound=Value)
 

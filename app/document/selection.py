@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from app.document.model import Curve, Point, Vector
+from .model import Curve, Point, Vector
 
 
 def followed_curves(

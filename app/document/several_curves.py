@@ -12,10 +12,10 @@ from itertools import chain, count
 import msgspec
 from msgspec.structs import replace
 
-from app.document.curve_edits import locked_sentence, refuse_locked, remove_curve
-from app.document.edits import EditError, move_points
-from app.document.model import Curve, Document, Vector
-from app.document.transforms import Linear, transform_points
+from .curve_edits import locked_sentence, refuse_locked, remove_curve
+from .edits import EditError, move_points
+from .model import Curve, Document, Vector
+from .transforms import Linear, transform_points
 
 PointsEdit = Callable[[Document, int, Collection[int]], Document]
 """An edit of some points of one curve."""

@@ -6,10 +6,10 @@ from collections.abc import Collection, Sequence
 
 from msgspec.structs import replace
 
-from app.document.edits import EditError
-from app.document.jet_edits import JetValue, with_jet_values
-from app.document.model import Curve, Document, Point
-from app.families import Family, titles_with_derivatives
+from ..families import Family, titles_with_derivatives
+from .edits import EditError
+from .jet_edits import JetValue, with_jet_values
+from .model import Curve, Document, Point
 
 
 def why_not_straight(family: Family) -> str:

@@ -15,10 +15,10 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
-from app.document.edits import EditError, placed, with_each_changed, with_points_elsewhere
-from app.document.kept_handles import DERIVATIVES
-from app.document.limits import checked_vector
-from app.document.model import Document, Point, Vector
+from .edits import EditError, placed, with_each_changed, with_points_elsewhere
+from .kept_handles import DERIVATIVES
+from .limits import checked_vector
+from .model import Document, Point, Vector
 
 
 class Linear(msgspec.Struct, frozen=True):

@@ -8,8 +8,8 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Self
 
 if TYPE_CHECKING:
-    from app.document.model import Vector
-    from app.document.several_curves import PointGroup
+    from .model import Vector
+    from .several_curves import PointGroup
 
 NOTHING = "–"
 """Stands where there is no number."""

@@ -14,8 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.exchange.errors import ExchangeError
 from curvecore.arrays import FloatArray
+
+from .errors import ExchangeError
 
 PIECES_OF_A_TURN = 8
 """Pieces of a whole turn, if no tolerance is given: within 4.3e-6 of the radius."""

@@ -18,12 +18,12 @@ from typing import IO
 
 import msgspec
 
-from app.exchange import READER_PROCESS
-from app.exchange.cubics_in import Imported
-from app.exchange.errors import ExchangeError
-from app.storage.coding import from_plain, to_plain
-from app.storage.format import FormatError, validate
-from app.tasks.progress import Report, silent
+from ..storage.coding import from_plain, to_plain
+from ..storage.format import FormatError, validate
+from ..tasks.progress import Report, silent
+from . import READER_PROCESS
+from .cubics_in import Imported
+from .errors import ExchangeError
 
 if sys.platform == "linux":
     import resource
@@ -48,7 +48,7 @@ MEMORY = 400 * 2**20
 _NO_MEMORY = 3
 """Exit code of a process that had no memory left, not even to say so."""
 
-_START = "import sys; sys.path[:] = sys.argv[2:]; from app.exchange.child import main; main(sys.argv[1])"
+_START = f"import sys; sys.path[:] = sys.argv[2:]; from {__name__} import main; main(sys.argv[1])"
 
 
 class Request(msgspec.Struct):

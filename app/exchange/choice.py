@@ -8,9 +8,9 @@ from typing import Any
 
 import msgspec
 
-from app.exchange.drawing.styles import DARK, LIGHT
-from app.exchange.formats import FORMATS, Format
-from app.exchange.options import BASIS, DARK_PAPER, TRUE_SIZE, Option, Options, Value, all_options
+from .drawing.styles import DARK, LIGHT
+from .formats import FORMATS, Format
+from .options import BASIS, DARK_PAPER, TRUE_SIZE, Option, Options, Value, all_options
 
 
 @dataclass(frozen=True)

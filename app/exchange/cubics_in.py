@@ -17,7 +17,9 @@ from itertools import compress
 import msgspec
 import numpy as np
 
-from app.document.model import (
+from curvecore.arrays import FloatArray
+
+from ..document.model import (
     MAX_MAGNITUDE,
     Curve,
     Document,
@@ -26,9 +28,8 @@ from app.document.model import (
     Point,
     Vector,
 )
-from app.exchange.errors import ExchangeError
-from app.families import HERMITE
-from curvecore.arrays import FloatArray
+from ..families import HERMITE
+from .errors import ExchangeError
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""

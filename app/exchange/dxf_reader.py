@@ -11,14 +11,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app import exchange
-from app.exchange.arcs import error_of_arc, pieces_of_arc
-from app.exchange.cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
-from app.exchange.errors import ExchangeError
-from app.exchange.parts import bezier_values, one_line
 from curvecore import LagrangeCurve, chebyshev, cubic_path
 from curvecore.arrays import FloatArray
+
+from .. import exchange
+from .arcs import error_of_arc, pieces_of_arc
+from .cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
+from .drawing.drawing import RELATIVE_TOLERANCE
+from .errors import ExchangeError
+from .parts import bezier_values, one_line
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing

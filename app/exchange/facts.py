@@ -8,18 +8,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.document.model import Curve, Document, Parametrization
-from app.exchange.drawing.drawing import frame_around, refuse_wild, too_much
-from app.exchange.errors import ExchangeError
-from app.families import Family
-from app.tasks.progress import Report, silent
-from app.view_model.arc_lengths import lengths_of
-from app.view_model.curve_view import CurveView, ParametricCurve, view_of
-from app.view_model.growth import growths_of_points
 from curvecore import Length
 from curvecore.analysis.geometry import Box, bounding_boxes, pieces_of
 from curvecore.bezier.pieces import BezierPieces
 from curvecore.scaling import LARGEST
+
+from ..document.model import Curve, Document, Parametrization
+from ..families import Family
+from ..tasks.progress import Report, silent
+from ..view_model.arc_lengths import lengths_of
+from ..view_model.curve_view import CurveView, ParametricCurve, view_of
+from ..view_model.growth import growths_of_points
+from .drawing.drawing import frame_around, refuse_wild, too_much
+from .errors import ExchangeError
 
 LENGTH_TOLERANCE = 1e-9
 """Error that arc lengths aim at, against the whole length."""

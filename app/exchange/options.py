@@ -13,8 +13,8 @@ from typing import Any, Generic, TypeVar
 import msgspec
 from msgspec.structs import replace
 
-from app.exchange.drawing.styles import INK, LIGHT, Style
-from app.tasks.progress import Report, silent
+from ..tasks.progress import Report, silent
+from .drawing.styles import INK, LIGHT, Style
 
 Value = TypeVar("Value")
 

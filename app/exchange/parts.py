@@ -11,14 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app import __version__
-from app.document.model import Curve, Document
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, drawable
-from app.exchange.errors import ExchangeError
-from app.exchange.naming import Names
-from app.tasks.progress import Report, silent
-from app.view_model.curve_view import ParametricCurve
-from app.view_model.refusals import in_words
 from curvecore import (
     CurveError,
     HermiteCurve,
@@ -31,6 +23,15 @@ from curvecore import (
 )
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
+
+from .. import __version__
+from ..document.model import Curve, Document
+from ..tasks.progress import Report, silent
+from ..view_model.curve_view import ParametricCurve
+from ..view_model.refusals import in_words
+from .drawing.drawing import RELATIVE_TOLERANCE, drawable
+from .errors import ExchangeError
+from .naming import Names
 
 HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""

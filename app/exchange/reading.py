@@ -8,17 +8,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app import exchange
-from app.exchange import table
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import FORMATS, ContentKind, Format, ending_in, format_of, is_document
-from app.families import HERMITE, Family
-from app.storage.files import document_in, read
-from app.storage.format import FormatError
-from app.tasks.progress import Report, silent
+from .. import exchange
+from ..families import HERMITE, Family
+from ..storage.files import document_in, read
+from ..storage.format import FormatError
+from ..tasks.progress import Report, silent
+from . import table
+from .errors import ExchangeError
+from .formats import FORMATS, ContentKind, Format, ending_in, format_of, is_document
 
 if TYPE_CHECKING:
-    from app.exchange.cubics_in import Imported
+    from .cubics_in import Imported
 
 
 @dataclass(frozen=True)

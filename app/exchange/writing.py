@@ -6,12 +6,12 @@ import os
 
 from msgspec.structs import replace
 
-from app.document.model import Document
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import FORMATS, Written, format_of
-from app.exchange.options import DEFAULT, Options
-from app.storage.files import write
-from app.tasks.progress import FINAL
+from ..document.model import Document
+from ..storage.files import write
+from ..tasks.progress import FINAL
+from .errors import ExchangeError
+from .formats import FORMATS, Written, format_of
+from .options import DEFAULT, Options
 
 
 def export(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> Written:

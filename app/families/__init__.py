@@ -8,8 +8,8 @@ command line and tests.
 - ``family_file``: families that a person wrote in a file of Python, checked before they are used.
 """
 
-from app.families.family import Family
-from app.families.registry import (
+from .family import Family
+from .registry import (
     FAMILIES,
     HERMITE,
     LAGRANGE,

@@ -28,10 +28,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from app.families.family import Family, families_of_module
-from app.families.registry import Families
 from curvecore import BasisCurve, CurveError, ParametricCurve, Scheme, chebyshev, uniform
 from curvecore.arrays import FloatArray
+
+from .family import Family, families_of_module
+from .registry import Families
 
 _MODULE = "curvebench_families_of_a_file"
 _COUNTS = (2, 3, 4, 7)

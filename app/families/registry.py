@@ -11,8 +11,9 @@ from pkgutil import iter_modules
 from typing import overload
 
 import curvecore.families
-from app.families.family import Family, families_of_module
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
+
+from .family import Family, families_of_module
 
 GROUP = "curvebench.families"
 """Entry points under which installed packages bring families: ``name = "package.module:CurveClass"``."""

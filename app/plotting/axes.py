@@ -8,8 +8,8 @@ import pyqtgraph as pg
 from PySide6.QtGui import QColor, QFont
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
 
-from app.appearance.theme import Theme
-from app.document.words import with_minus
+from ..appearance.theme import Theme
+from ..document.words import with_minus
 
 _WIDTH = 46
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pyqtgraph as pg
 from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
 
-from app.plotting.pixel_map import PixelMap
+from .pixel_map import PixelMap
 
 _INSET = 2
 """Pixels by which layers stay inside the plot area: what is nearer to its edge belongs to the axes."""

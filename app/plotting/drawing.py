@@ -14,8 +14,9 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QLineF, QRectF
 from PySide6.QtGui import QPainter, QPolygonF
 
-from app.plotting.pixel_map import PixelMap
 from curvecore.arrays import BoolArray, FloatArray
+
+from .pixel_map import PixelMap
 
 _PIECE = 24
 """Segments in one piece of a stroke."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCursor, QKeyEvent
 
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.tools.pointer import Cursor
+from ..appearance.icons import icon
+from ..appearance.theme import Theme
+from ..tools.pointer import Cursor
 
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),

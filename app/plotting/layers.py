@@ -13,10 +13,10 @@ from PySide6.QtCore import QPointF, QRect, QSizeF
 from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import LIGHT, Theme
-from app.plotting.fonts import Sizes
-from app.plotting.pixel_map import PixelMap
-from app.qt.overrides import report
+from ..appearance.theme import LIGHT, Theme
+from ..qt.overrides import report
+from .fonts import Sizes
+from .pixel_map import PixelMap
 
 Painting = Callable[[QPainter, PixelMap], None]
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
 
-from app.appearance.colours import line_colour
-from app.appearance.theme import Theme, mix
-from app.plotting.dashes import dashed
-from app.plotting.drawing import Segments, Stroke, visible_segments
-from app.plotting.pictures import transparent
-from app.plotting.pixel_map import PixelMap
-from app.view_model.line_styles import Dashes, LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
+
+from ..appearance.colours import line_colour
+from ..appearance.theme import Theme, mix
+from ..view_model.line_styles import Dashes, LineStyle, Mark, Sign
+from .dashes import dashed
+from .drawing import Segments, Stroke, visible_segments
+from .pictures import transparent
+from .pixel_map import PixelMap
 
 SIGN = QSize(30, 14)
 """Size of a sign in pixels."""

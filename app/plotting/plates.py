@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
-from app.plotting.pixel_map import PixelMap
+from .pixel_map import PixelMap
 
 _EDGE = 4.0
 

@@ -27,15 +27,15 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QGraphicsView, QSizePolicy, QWidget
 
-from app.appearance.theme import Theme, theme_of
-from app.plotting.axes import Axes
-from app.plotting.camera import Camera
-from app.plotting.layers import LayerStack
-from app.plotting.panning import Panning
-from app.plotting.pixel_map import PixelMap
-from app.plotting.scrolling import Scrolling
-from app.qt.overrides import Guarded, guard_library
-from app.tools.pointer import Pointer
+from ..appearance.theme import Theme, theme_of
+from ..qt.overrides import Guarded, guard_library
+from ..tools.pointer import Pointer
+from .axes import Axes
+from .camera import Camera
+from .layers import LayerStack
+from .panning import Panning
+from .pixel_map import PixelMap
+from .scrolling import Scrolling
 
 _FOCUS_WIDTH = 2
 

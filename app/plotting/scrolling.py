@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.plotting.camera import Camera
+from .camera import Camera
 
 ZOOM_STEP = 1.2
 """Zoom factor of one notch of the wheel."""

@@ -10,9 +10,10 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen, QPixmap
 
-from app.appearance.colours import point_colours
-from app.appearance.theme import Theme
 from curvecore.arrays import FloatArray, IntArray
+
+from ..appearance.colours import point_colours
+from ..appearance.theme import Theme
 
 _COLOURS = 256
 """Colours that are told apart; with more points, neighbours on the ramp share one."""

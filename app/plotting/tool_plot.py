@@ -6,11 +6,11 @@ from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from app.plotting.keys import ARROWS, cursor_of, factor_of, key_name
-from app.plotting.plot_widget import PlotWidget
-from app.tools.pointer import Hint, Hit, Pointer
-from app.tools.tool import Tool
-from app.tools.toolbox import Toolbox
+from ..tools.pointer import Hint, Hit, Pointer
+from ..tools.tool import Tool
+from ..tools.toolbox import Toolbox
+from .keys import ARROWS, cursor_of, factor_of, key_name
+from .plot_widget import PlotWidget
 
 
 class ToolPlot(PlotWidget):

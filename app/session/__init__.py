@@ -8,9 +8,9 @@
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """
 
-from app.session.change import Change
-from app.session.history import Beginning
-from app.session.messages import Message, MessageKind
-from app.session.session import Session
+from .change import Change
+from .history import Beginning
+from .messages import Message, MessageKind
+from .session import Session
 
 __all__ = ["Beginning", "Change", "Message", "MessageKind", "Session"]

@@ -6,10 +6,10 @@ import traceback
 
 import msgspec
 
-from app.document.curve_edits import refuse_locked
-from app.document.edits import EditError
-from app.document.model import Document
-from app.storage.format import FormatError, validate_changes
+from ..document.curve_edits import refuse_locked
+from ..document.edits import EditError
+from ..document.model import Document
+from ..storage.format import FormatError, validate_changes
 
 
 class Change(msgspec.Struct, frozen=True):

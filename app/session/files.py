@@ -7,18 +7,18 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.document.edits import EditError
-from app.document.model import Document, empty_document
-from app.document.plain import plain
-from app.session.history import Beginning, State
-from app.storage.examples import template_title
-from app.storage.files import load
-from app.storage.open_file import FileChange, OpenFile, Reading
-from app.storage.resources import is_resource
-from app.view_model.curve_view import CurveView
+from ..document.edits import EditError
+from ..document.model import Document, empty_document
+from ..document.plain import plain
+from ..storage.examples import template_title
+from ..storage.files import load
+from ..storage.open_file import FileChange, OpenFile, Reading
+from ..storage.resources import is_resource
+from ..view_model.curve_view import CurveView
+from .history import Beginning, State
 
 if TYPE_CHECKING:
-    from app.session.session import Session
+    from .session import Session
 
 
 _log = logging.getLogger("curvebench.session")

@@ -11,8 +11,8 @@ import shiboken6
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from app.document.model import Document
-from app.qt.overrides import Guarded
+from ..document.model import Document
+from ..qt.overrides import Guarded
 
 _RUN_SECONDS = 1.0
 """Changes of the same run that follow each other as quickly as this are one step."""

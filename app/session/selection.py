@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
-from app.document.model import Curve
-from app.document.selection import followed_curves, followed_points, returned_curves, returned_points
+from ..document.model import Curve
+from ..document.selection import followed_curves, followed_points, returned_curves, returned_points
 
 if TYPE_CHECKING:
-    from app.session.session import Session
+    from .session import Session
 
 
 class Selection:

@@ -10,18 +10,18 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from app.document.edits import EditError
-from app.document.model import Curve, Document
-from app.document.plain import plain
-from app.session.change import Change, raiser_of, why_locked, why_not_kept
-from app.session.files import Files
-from app.session.history import Beginning, History, State
-from app.session.messages import Message, MessageKind
-from app.session.selection import Selection
-from app.session.views import Views
-from app.storage.examples import first_sketch
-from app.storage.open_file import Reading
-from app.view_model.curve_view import CurveView
+from ..document.edits import EditError
+from ..document.model import Curve, Document
+from ..document.plain import plain
+from ..storage.examples import first_sketch
+from ..storage.open_file import Reading
+from ..view_model.curve_view import CurveView
+from .change import Change, raiser_of, why_locked, why_not_kept
+from .files import Files
+from .history import Beginning, History, State
+from .messages import Message, MessageKind
+from .selection import Selection
+from .views import Views
 
 _log = logging.getLogger("curvebench.session")
 

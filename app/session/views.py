@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from app.document.model import Curve
-from app.view_model.curve_view import CurveView, view_of
+from ..document.model import Curve
+from ..view_model.curve_view import CurveView, view_of
 
 
 class Views:

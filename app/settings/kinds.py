@@ -25,8 +25,8 @@ from typing import Any, Final, Generic, Protocol, TypeVar, overload
 
 from PySide6.QtCore import QByteArray
 
-from app.document.words import enumerated
-from app.settings.file import SettingsFile
+from ..document.words import enumerated
+from .file import SettingsFile
 
 Value = TypeVar("Value")
 Member = TypeVar("Member", bound=Enum)

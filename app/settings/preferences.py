@@ -8,9 +8,10 @@ from typing import Final
 
 from PySide6.QtCore import QSettings
 
-from app.appearance.theme import ThemeMode
-from app.settings.file import SettingsFile
-from app.settings.kinds import (
+from ..appearance.theme import ThemeMode
+from ..tools.snapping import SnapKind
+from .file import SettingsFile
+from .kinds import (
     Choice,
     Distance,
     Folder,
@@ -22,7 +23,6 @@ from app.settings.kinds import (
     SwitchOfAction,
     Text,
 )
-from app.tools.snapping import SnapKind
 
 _MAX_RECENT: Final = 10
 _RECENT: Final = "files/recent"

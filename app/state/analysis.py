@@ -8,12 +8,12 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.state.window_state import WindowState, WindowStore
-from app.view_model.analysis.ghost import Ghost
-from app.view_model.analysis.overlay import Overlay
-from app.view_model.analysis.plot import Plot
-from app.view_model.analysis.plot_lines import PlotData
-from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
+from ..view_model.analysis.ghost import Ghost
+from ..view_model.analysis.overlay import Overlay
+from ..view_model.analysis.plot import Plot
+from ..view_model.analysis.plot_lines import PlotData
+from ..view_model.analysis.settings import AnalysisSettings, OverlaySetting
+from .window_state import WindowState, WindowStore
 
 
 class Analysis(QObject):

@@ -6,14 +6,14 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.appearance.theme import ThemeMode
-from app.settings.preferences import Preferences
-from app.storage.open_file import FileChange
-from app.tools.canvas.select import SELECT
-from app.tools.snapping import SnapKind
-from app.tools.tool import ToolRecord
-from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.motion_settings import MotionSettings
+from ..appearance.theme import ThemeMode
+from ..settings.preferences import Preferences
+from ..storage.open_file import FileChange
+from ..tools.canvas.select import SELECT
+from ..tools.snapping import SnapKind
+from ..tools.tool import ToolRecord
+from ..view_model.analysis.settings import AnalysisSettings
+from ..view_model.motion_settings import MotionSettings
 
 
 class FileSituation(msgspec.Struct, frozen=True):

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import chain
 from operator import attrgetter
 
-from app.document.model import MAX_MAGNITUDE, Point
+from ..document.model import MAX_MAGNITUDE, Point
 
 
 def all_within(points: tuple[Point, ...]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from types import NoneType
 
-from app.families import FAMILIES, Family
+from ..families import FAMILIES, Family
 
 _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
 """The names that msgspec has for the values of JSON in its own refusals."""

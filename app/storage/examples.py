@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.document.model import Document, make_curve
-from app.storage.files import StorageError, load
-from app.storage.format import FormatError
-from app.storage.resources import resource
+from ..document.model import Document, make_curve
+from .files import StorageError, load
+from .format import FormatError
+from .resources import resource
 
 _S_SKETCH = (
     (3.03, 3.34), (2.65, 3.81), (1.39, 3.83), (1.14, 2.38),

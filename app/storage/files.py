@@ -18,14 +18,14 @@ from time import perf_counter
 
 import msgspec
 
-from app import storage
-from app.document.model import Document
-from app.storage.file_access import keep_access
-from app.storage.format import VERSION, decode, encode, version_of
-from app.storage.image_path import relative_to, resolved
-from app.storage.reasons import quoted, reason_of, why_unreadable, why_unwritable
-from app.storage.system_lock import folder_lock
-from app.storage.temporary import temporary_name
+from .. import storage
+from ..document.model import Document
+from .file_access import keep_access
+from .format import VERSION, decode, encode, version_of
+from .image_path import relative_to, resolved
+from .reasons import quoted, reason_of, why_unreadable, why_unwritable
+from .system_lock import folder_lock
+from .temporary import temporary_name
 
 _log = logging.getLogger("curvebench.storage")
 

@@ -15,7 +15,7 @@ from typing import Literal
 import msgspec
 from msgspec.structs import replace
 
-from app.document.model import (
+from ..document.model import (
     MAX_MAGNITUDE,
     Curve,
     Document,
@@ -25,10 +25,10 @@ from app.document.model import (
     Value,
     Vector,
 )
-from app.storage.all_within import all_within
-from app.storage.coding import from_plain, to_plain
-from app.storage.migration import can_migrate, migrated
-from app.storage.repeated_keys import repeated_key
+from .all_within import all_within
+from .coding import from_plain, to_plain
+from .migration import can_migrate, migrated
+from .repeated_keys import repeated_key
 
 FORMAT = "curvebench"
 VERSION = 1

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from app.document.model import Document
+from ..document.model import Document
 
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
 """Endings of the files that are pictures to trace."""

@@ -22,9 +22,9 @@ from pathlib import Path
 
 import msgspec
 
-from app.storage.processes import Process, is_alive, this_process
-from app.storage.reasons import reason_of
-from app.storage.system_lock import folder_lock, try_lock
+from .processes import Process, is_alive, this_process
+from .reasons import reason_of
+from .system_lock import folder_lock, try_lock
 
 if sys.platform != "win32":
     import pwd

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import msgspec
 
-from app.document.model import Document
-from app.document.plain import plain
-from app.storage import files
-from app.storage.files import MissingError, Stamp, StorageError, UnconfirmedError
-from app.storage.format import VERSION, FormatError, version_of
-from app.storage.lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
-from app.storage.temporary import remove_stale
+from ..document.model import Document
+from ..document.plain import plain
+from . import files
+from .files import MissingError, Stamp, StorageError, UnconfirmedError
+from .format import VERSION, FormatError, version_of
+from .lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
+from .temporary import remove_stale
 
 _log = logging.getLogger("curvebench.storage")
 

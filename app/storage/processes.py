@@ -11,7 +11,7 @@ from pathlib import Path
 
 import msgspec
 
-from app import storage
+from .. import storage
 
 _PROC = Path("/proc")
 _ENDED = frozenset("ZXx")

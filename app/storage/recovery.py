@@ -16,12 +16,12 @@ from typing import Literal
 
 import msgspec
 
-from app import storage
-from app.document.model import Document
-from app.storage.files import Stamp, StorageError, load, read, read_content, write
-from app.storage.format import FormatError, decode, encode
-from app.storage.lock import ProcessLock, acquire
-from app.storage.temporary import remove_stale
+from .. import storage
+from ..document.model import Document
+from .files import Stamp, StorageError, load, read, read_content, write
+from .format import FormatError, decode, encode
+from .lock import ProcessLock, acquire
+from .temporary import remove_stale
 
 _log = logging.getLogger("curvebench.storage")
 

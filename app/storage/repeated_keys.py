@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 import msgspec
 
-from app.document.model import Point
+from ..document.model import Point
 
 
 class _Place(str):

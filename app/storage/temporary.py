@@ -9,7 +9,7 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from app.storage.processes import is_number_alive, machine
+from .processes import is_number_alive, machine
 
 TEMPORARY_PREFIX = ".curvebench-"
 """Begins the name of every temporary file, so that what a power cut left behind can be recognised."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.tasks.owner import TaskOwner
-from app.tasks.task import Task, Work
+from .owner import TaskOwner
+from .task import Task, Work
 
 SETTLE_MS = 100
 """Milliseconds without a change before a task begins."""

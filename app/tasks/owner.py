@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QObject
 
-from app.tasks.task import Task, stopped_tasks
+from .task import Task, stopped_tasks
 
 PATIENCE_S = 3.0
 """Seconds that a window that closes waits until its work has noticed."""

@@ -7,8 +7,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.tasks.owner import TaskOwner
-from app.tasks.task import Task, Work
+from .owner import TaskOwner
+from .task import Task, Work
 
 SHOWN_AFTER_MS = 200
 """Milliseconds of work that need no bar."""

@@ -20,7 +20,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from shiboken6 import isValid
 
-from app.tasks.progress import FINAL, Cancelled, Report
+from .progress import FINAL, Cancelled, Report
 
 _log = logging.getLogger("curvebench.tasks")
 

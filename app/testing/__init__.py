@@ -23,8 +23,8 @@ action is disabled, a panel is hidden, a place lies outside the plot or under so
 - ``reach``: which of them a person could send.
 """
 
-from app.testing.editor import Editor
-from app.testing.input_driver import InputDriver, spin, wait_for_rest
-from app.testing.reach import ImpossibleError
+from .editor import Editor
+from .input_driver import InputDriver, spin, wait_for_rest
+from .reach import ImpossibleError
 
 __all__ = ["Editor", "ImpossibleError", "InputDriver", "spin", "wait_for_rest"]

@@ -13,20 +13,20 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
 
-from app.cli.display import has_display
-from app.document.model import Curve, ParametrizationKind, Vector
-from app.families import FAMILIES, Family
-from app.features.basis.panel import BasisPanel
-from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.view import Spot, spot_rect
-from app.features.file_on_disk.bar import FileBar
-from app.session import Session
-from app.settings.preferences import Preferences
-from app.testing.input_driver import InputDriver, spin
-from app.testing.reach import require_enabled, require_reachable, require_under_mouse
-from app.view_model.handles import Handle
-from app.window.command_palette import CommandPalette
-from app.window.main_window import MainWindow
+from ..cli.display import has_display
+from ..document.model import Curve, ParametrizationKind, Vector
+from ..families import FAMILIES, Family
+from ..features.basis.panel import BasisPanel
+from ..features.curve_list.commands import CurveListCommands
+from ..features.curve_list.view import Spot, spot_rect
+from ..features.file_on_disk.bar import FileBar
+from ..session import Session
+from ..settings.preferences import Preferences
+from ..view_model.handles import Handle
+from ..window.command_palette import CommandPalette
+from ..window.main_window import MainWindow
+from .input_driver import InputDriver, spin
+from .reach import require_enabled, require_reachable, require_under_mouse
 
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton

@@ -9,10 +9,10 @@ from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent, QWhee
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
-from app.document.model import Vector
-from app.plotting.plot_widget import PlotWidget
-from app.testing.reach import require_enabled, require_reachable, require_under_mouse
-from app.window.main_window import MainWindow
+from ..document.model import Vector
+from ..plotting.plot_widget import PlotWidget
+from ..window.main_window import MainWindow
+from .reach import require_enabled, require_reachable, require_under_mouse
 
 _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.document.several_curves import named
-from app.tools.drag_machine import EditingHost
-from app.tools.pointer import Hint, Hit, Part
-from app.tools.tool import ToolContext
+from ..document.several_curves import named
+from .drag_machine import EditingHost
+from .pointer import Hint, Hit, Part
+from .tool import ToolContext
 
 
 class CurvePicker:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import msgspec
 
-from app.document.model import Document, Vector
-from app.tools.pointer import Pointer
-from app.view_model.curve_view import CurveView
+from ..document.model import Document, Vector
+from ..view_model.curve_view import CurveView
+from .pointer import Pointer
 
 
 class Drag(msgspec.Struct, frozen=True):

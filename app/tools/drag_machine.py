@@ -8,11 +8,11 @@ from typing import Protocol
 
 import msgspec
 
-from app.document.edits import EditError
-from app.document.model import Document, Vector
-from app.tools.drag import Drag
-from app.tools.pointer import ORIGIN, Pointer
-from app.view_model.curve_view import CurveView
+from ..document.edits import EditError
+from ..document.model import Document, Vector
+from ..view_model.curve_view import CurveView
+from .drag import Drag
+from .pointer import ORIGIN, Pointer
 
 THRESHOLD = 3.0
 """Pixels the pointer must travel before a press becomes a drag."""

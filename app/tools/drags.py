@@ -6,17 +6,17 @@ import math
 
 import msgspec
 
-from app.document import edits, words
-from app.document.model import Document, Vector
-from app.document.several_curves import PointGroup, moved
-from app.document.transforms import step_points
-from app.tools.drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
-from app.tools.pointer import Hit, Part, Pointer
-from app.tools.snapping import Snapper
-from app.view_model.bend import Bend
-from app.view_model.curve_view import CurveView
-from app.view_model.handles import acceleration_from_handle, velocity_from_handle
-from app.view_model.hold import BendWith
+from ..document import edits, words
+from ..document.model import Document, Vector
+from ..document.several_curves import PointGroup, moved
+from ..document.transforms import step_points
+from ..view_model.bend import Bend
+from ..view_model.curve_view import CurveView
+from ..view_model.handles import acceleration_from_handle, velocity_from_handle
+from ..view_model.hold import BendWith
+from .drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
+from .pointer import Hit, Part, Pointer
+from .snapping import Snapper
 
 _TOLERANCE = 0.05
 """Pixels that the grabbed point may be off, where the parameters answer to the points."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from app.tools.pointer import Hint, Part
-from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
+from .pointer import Hint, Part
+from .tool import GestureRow, Tool, ToolContext, ToolRecord
 
 
 class ExplainTool(Tool):

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from app.document import words
-from app.document.edits import LEAST_TO_CLOSE
-from app.document.several_curves import PointGroup
-from app.tools.drags import bend_keys, what_handle_sets
-from app.tools.pen_drags import PenAct
-from app.tools.pointer import Cursor, Hint, Hit, Part
-from app.tools.transform_box import Grip, ScaleBox
-from app.view_model.curve_view import CurveView
+from ..document import words
+from ..document.edits import LEAST_TO_CLOSE
+from ..document.several_curves import PointGroup
+from ..view_model.curve_view import CurveView
+from .drags import bend_keys, what_handle_sets
+from .pen_drags import PenAct
+from .pointer import Cursor, Hint, Hit, Part
+from .transform_box import Grip, ScaleBox
 
 _ENTER = "Enter: finish the curve"
 LOCKED = "“{}” is locked; unlock it in the list of curves to change it."

@@ -5,10 +5,10 @@ from __future__ import annotations
 import msgspec
 from msgspec.structs import asdict, replace
 
-from app.document.model import Vector
-from app.tools.snapping import Snap
-from app.tools.transform_box import TransformBox
-from app.view_model.curve_view import CurveView
+from ..document.model import Vector
+from ..view_model.curve_view import CurveView
+from .snapping import Snap
+from .transform_box import TransformBox
 
 
 class Note(msgspec.Struct, frozen=True):

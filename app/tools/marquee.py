@@ -7,11 +7,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.document import words
-from app.document.model import Vector
-from app.tools.drag_machine import CANCELLED, THRESHOLD
-from app.tools.tool import Gesture, ToolContext
-from app.view_model.curve_view import CurveView
+from ..document import words
+from ..document.model import Vector
+from ..view_model.curve_view import CurveView
+from .drag_machine import CANCELLED, THRESHOLD
+from .tool import Gesture, ToolContext
 
 
 class Marquee(Gesture):

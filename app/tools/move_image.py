@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from app.document.image_edits import move_image, scale_image
-from app.document.model import Document, ReferenceImage, Vector
-from app.tools.drag import Drag, along_axis, longer_axis, minus
-from app.tools.pointer import Cursor, Hint, Part, Pointer
-from app.tools.tool import Tool, ToolContext, ToolRecord
+from ..document.image_edits import move_image, scale_image
+from ..document.model import Document, ReferenceImage, Vector
+from .drag import Drag, along_axis, longer_axis, minus
+from .pointer import Cursor, Hint, Part, Pointer
+from .tool import Tool, ToolContext, ToolRecord
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 """The corners of a picture as shares of its width and height, counterclockwise from the lower left."""

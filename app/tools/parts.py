@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.document.several_curves import points_of
-from app.tools import hints
-from app.tools.drag import Drag
-from app.tools.drags import DragHandle, MovePoints, PullVelocity, Refuse
-from app.tools.pointer import Hit, Part
-from app.tools.tool import GestureRow, ToolContext
+from ..document.several_curves import points_of
+from . import hints
+from .drag import Drag
+from .drags import DragHandle, MovePoints, PullVelocity, Refuse
+from .pointer import Hit, Part
+from .tool import GestureRow, ToolContext
 
 GESTURES = (
     GestureRow("Drag a point", "move it; Shift keeps to one axis"),

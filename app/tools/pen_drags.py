@@ -8,17 +8,17 @@ from functools import cached_property
 
 from msgspec.structs import replace
 
-from app.document import edits, words
-from app.document.curve_edits import replace_curve
-from app.document.model import Document, Vector
-from app.tools.drag import CurveDrag, plus
-from app.tools.drags import in_steps
-from app.tools.pointer import Hit, Part, Pointer
-from app.tools.snapping import Snapper
-from app.view_model.appending import with_point_appended
-from app.view_model.curve_view import CurveView, view_of
-from app.view_model.handles import velocity_from_handle
-from app.view_model.reshape import Reshaped, with_point_inserted
+from ..document import edits, words
+from ..document.curve_edits import replace_curve
+from ..document.model import Document, Vector
+from ..view_model.appending import with_point_appended
+from ..view_model.curve_view import CurveView, view_of
+from ..view_model.handles import velocity_from_handle
+from ..view_model.reshape import Reshaped, with_point_inserted
+from .drag import CurveDrag, plus
+from .drags import in_steps
+from .pointer import Hit, Part, Pointer
+from .snapping import Snapper
 
 
 class PenAct(Enum):

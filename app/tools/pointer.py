@@ -6,7 +6,7 @@ from enum import Enum, auto
 
 import msgspec
 
-from app.document.model import Vector
+from ..document.model import Vector
 
 
 class Part(Enum):

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
-from app.document import words
-from app.document.edits import freeze_parameters, set_parameters
-from app.document.model import Document, Vector
-from app.tools.drag import Drag
-from app.tools.drag_machine import CANCELLED, THRESHOLD, EditingHost
-from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
-from app.tools.tool import Gesture, Tool, ToolContext, ToolRecord
+from ..document import words
+from ..document.edits import freeze_parameters, set_parameters
+from ..document.model import Document, Vector
+from .drag import Drag
+from .drag_machine import CANCELLED, THRESHOLD, EditingHost
+from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .tool import Gesture, Tool, ToolContext, ToolRecord
 
 _LEAST_GAP = 1e-3
 """Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""

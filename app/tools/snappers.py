@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
-from app.document.model import Document
-from app.document.several_curves import PointGroup
-from app.tools.drag_machine import EditingHost
-from app.tools.pointer import Pointer
-from app.tools.snapping import (
+from ..document.model import Document
+from ..document.several_curves import PointGroup
+from ..view_model.curve_view import CurveView
+from .drag_machine import EditingHost
+from .pointer import Pointer
+from .snapping import (
     Snap,
     SnapKind,
     Snapper,
@@ -18,8 +19,7 @@ from app.tools.snapping import (
     targets_of_handle,
     targets_of_side,
 )
-from app.tools.transform_box import Grip
-from app.view_model.curve_view import CurveView
+from .transform_box import Grip
 
 
 class Snappers:

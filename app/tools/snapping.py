@@ -8,12 +8,13 @@ from decimal import Decimal
 import msgspec
 import numpy as np
 
-from app.document.model import Vector
-from app.document.words import NamedEnum
-from app.tools.pointer import Pointer
-from app.view_model.curve_view import CurveView
-from app.view_model.nearest import NearestPoint
 from curvecore.arrays import FloatArray, IntArray
+
+from ..document.model import Vector
+from ..document.words import NamedEnum
+from ..view_model.curve_view import CurveView
+from ..view_model.nearest import NearestPoint
+from .pointer import Pointer
 
 REACH = 8.0
 """Pixels within which something snaps."""

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from app.document.edits import EditError
-from app.document.model import Vector
-from app.document.several_curves import PointGroup, points_of, whole_curves
-from app.tools.drag_machine import EditingHost
-from app.tools.drags import MovePoints
-from app.tools.pointer import Pointer
-from app.tools.snappers import Snappers
-from app.tools.transform import Transform, TransformKind
-from app.tools.transform_box import Grip, ScaleBox, TransformBox, box_of
-from app.view_model.curve_view import CurveView
+from ..document.edits import EditError
+from ..document.model import Vector
+from ..document.several_curves import PointGroup, points_of, whole_curves
+from ..view_model.curve_view import CurveView
+from .drag_machine import EditingHost
+from .drags import MovePoints
+from .pointer import Pointer
+from .snappers import Snappers
+from .transform import Transform, TransformKind
+from .transform_box import Grip, ScaleBox, TransformBox, box_of
 
 
 class TransformTarget:

@@ -8,17 +8,17 @@ from collections.abc import Callable
 import msgspec
 from msgspec.structs import replace
 
-from app.document.model import Vector
-from app.document.transforms import decimal_product
-from app.tools.drag_machine import DragMachine, EditingHost
-from app.tools.drags import NudgePoints
-from app.tools.marks import GestureMarks, Note
-from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
-from app.tools.snappers import Snappers
-from app.tools.snapping import SnapKind, Snapping, with_snap
-from app.tools.target import TransformTarget
-from app.view_model.curve_view import CurveView
-from app.view_model.records import Records
+from ..document.model import Vector
+from ..document.transforms import decimal_product
+from ..view_model.curve_view import CurveView
+from ..view_model.records import Records
+from .drag_machine import DragMachine, EditingHost
+from .drags import NudgePoints
+from .marks import GestureMarks, Note
+from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .snappers import Snappers
+from .snapping import SnapKind, Snapping, with_snap
+from .target import TransformTarget
 
 
 class ToolSettings(msgspec.Struct, frozen=True):
@@ -290,7 +290,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         return (self.place,)
 
 
-TOOLS = Records(ToolRecord, "app.tools.canvas")
+TOOLS = Records(ToolRecord, f"{__package__}.canvas")
 """The tools that a person chooses for the canvas.
 
 To add one: a file in ``canvas`` with a subclass of `Tool` and its `ToolRecord`. The action with its key and

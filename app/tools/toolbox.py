@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from app.document.model import Vector
-from app.tools.drag_machine import DragMachine, EditingHost
-from app.tools.marks import GestureMarks
-from app.tools.pointer import Hint, Hit, Pointer
-from app.tools.snappers import Snappers
-from app.tools.target import TransformTarget
-from app.tools.tool import Tool, ToolContext, ToolRecord, ToolSettings
-from app.tools.transform import TransformKind
-from app.tools.transform_tool import TransformTool
+from ..document.model import Vector
+from .drag_machine import DragMachine, EditingHost
+from .marks import GestureMarks
+from .pointer import Hint, Hit, Pointer
+from .snappers import Snappers
+from .target import TransformTarget
+from .tool import Tool, ToolContext, ToolRecord, ToolSettings
+from .transform import TransformKind
+from .transform_tool import TransformTool
 
 HitTest = Callable[[Pointer, Tool], Hit | None]
 """Finds what of the plot lies under the pointer, as far as a tool can hit it."""

@@ -7,15 +7,15 @@ from enum import Enum
 
 from msgspec.structs import replace
 
-from app.document import words
-from app.document.model import Document, Vector
-from app.document.several_curves import PointGroup, mapped, moved
-from app.document.transforms import rotation, scaling
-from app.tools.drag import Drag, plus
-from app.tools.drags import MovePoints
-from app.tools.pointer import Pointer
-from app.tools.snapping import Snapper
-from app.tools.typed_amount import TypedAmount
+from ..document import words
+from ..document.model import Document, Vector
+from ..document.several_curves import PointGroup, mapped, moved
+from ..document.transforms import rotation, scaling
+from .drag import Drag, plus
+from .drags import MovePoints
+from .pointer import Pointer
+from .snapping import Snapper
+from .typed_amount import TypedAmount
 
 _LEAST_ARM = 20.0
 """Pixels: begun closer to the centre, a scale would jump at the first move."""

@@ -8,14 +8,14 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from app.document import words
-from app.document.model import Document, Vector
-from app.document.several_curves import PointGroup, mapped
-from app.document.transforms import scaling, with_coordinates
-from app.tools.drag import Drag, longer_axis, minus, plus
-from app.tools.pointer import Cursor, Pointer
-from app.tools.snapping import Snapper
-from app.view_model.curve_view import CurveView
+from ..document import words
+from ..document.model import Document, Vector
+from ..document.several_curves import PointGroup, mapped
+from ..document.transforms import scaling, with_coordinates
+from ..view_model.curve_view import CurveView
+from .drag import Drag, longer_axis, minus, plus
+from .pointer import Cursor, Pointer
+from .snapping import Snapper
 
 PADDING = 16.0
 """Pixels between the points and the box: the grips must not lie on the points."""

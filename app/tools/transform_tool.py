@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.tools.marks import GestureMarks
-from app.tools.pointer import Cursor, Hint
-from app.tools.tool import Tool, ToolContext
-from app.tools.transform import TransformKind
+from .marks import GestureMarks
+from .pointer import Cursor, Hint
+from .tool import Tool, ToolContext
+from .transform import TransformKind
 
 _KEYS = frozenset("0123456789.-xygsr") | {"backspace", "tab", "enter"}
 

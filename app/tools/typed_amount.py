@@ -7,8 +7,8 @@ import math
 import msgspec
 from msgspec.structs import replace
 
-from app.document.model import Vector
-from app.document.words import with_minus
+from ..document.model import Vector
+from ..document.words import with_minus
 
 _AXES = "xy"
 

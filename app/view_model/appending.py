@@ -12,13 +12,14 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.edits import EditError, append_point, insert_points, set_closed, stretched
-from app.document.model import Curve, Document, Point, Vector
-from app.view_model.curve_view import CurveView, parameters_of, view_of
-from app.view_model.jets import explicit_sides
-from app.view_model.plane import at_knots, polygon_length
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
+
+from ..document.edits import EditError, append_point, insert_points, set_closed, stretched
+from ..document.model import Curve, Document, Point, Vector
+from .curve_view import CurveView, parameters_of, view_of
+from .jets import explicit_sides
+from .plane import at_knots, polygon_length
 
 _MOST_LOCAL, _MOST_GLOBAL = 200, 24
 """Points up to which it takes a millisecond at each move of the pointer.

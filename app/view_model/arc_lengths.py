@@ -11,14 +11,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.view_model.plane import polygon_length
-from app.view_model.sampling import all_along
 from curvecore import ParametricCurve
 from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
 from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.pieces import BezierPieces, alike
 from curvecore.scaling import scale_by_power
+
+from .plane import polygon_length
+from .sampling import all_along
 
 _PARTS = 4
 _LEAST = 1e-300

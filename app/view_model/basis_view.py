@@ -8,11 +8,12 @@ from functools import cached_property, reduce
 import msgspec
 import numpy as np
 
-from app.families import Family
-from app.view_model.curve_view import CurveView, ParametricCurve
-from app.view_model.sampling import OneSided, crowded_at_ends, one_sided
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
+
+from ..families import Family
+from .curve_view import CurveView, ParametricCurve
+from .sampling import OneSided, crowded_at_ends, one_sided
 
 SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""

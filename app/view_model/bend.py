@@ -15,16 +15,17 @@ from functools import cached_property
 
 import numpy as np
 
-from app.document.jet_edits import JetValue, with_jet_values
-from app.document.kept_handles import with_handles_kept
-from app.document.model import Curve, Vector
-from app.view_model.basis_view import weights_at
-from app.view_model.bend_together import QuadraticCost, broyden, divided, slope_at_rest
-from app.view_model.curve_view import BY_COUNT, CurveView, view_of
-from app.view_model.hold import BendWith, required_hold
-from app.view_model.plane import size_of
-from app.view_model.sampling import segment_at
 from curvecore.arrays import FloatArray
+
+from ..document.jet_edits import JetValue, with_jet_values
+from ..document.kept_handles import with_handles_kept
+from ..document.model import Curve, Vector
+from .basis_view import weights_at
+from .bend_together import QuadraticCost, broyden, divided, slope_at_rest
+from .curve_view import BY_COUNT, CurveView, view_of
+from .hold import BendWith, required_hold
+from .plane import size_of
+from .sampling import segment_at
 
 _ROUNDING, _LEAST_SUM = 1e-9, 0.1
 """The most by which a sum of functions is off 1 by rounding, and the least by which a shift is divided."""

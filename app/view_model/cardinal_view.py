@@ -6,10 +6,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from app.view_model.basis_view import BasisView, segment_samples
-from app.view_model.curve_view import CurveView
 from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arrays import FloatArray
+
+from .basis_view import BasisView, segment_samples
+from .curve_view import CurveView
 
 _MOST_EACH = 64
 """Points up to which every function is sampled; of more, the least and the greatest at each t."""

@@ -8,12 +8,13 @@ from functools import cached_property
 import msgspec
 import numpy as np
 
-from app.document.model import Curve, VelocityRule
-from app.view_model.jets import moved_with_points
-from app.view_model.point_arrays import PointArrays
 from curvecore import CurveError, ParametricCurve, lebesgue_constant
 from curvecore.analysis.cardinal import REACH, CardinalBasis
 from curvecore.arrays import FloatArray
+
+from ..document.model import Curve, VelocityRule
+from .jets import moved_with_points
+from .point_arrays import PointArrays
 
 _MANY, _SHORT_REACH = 200, 24
 """Points from which on an estimate forgets a point after so many: 1e-14 of it is left, as a rule."""

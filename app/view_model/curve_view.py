@@ -9,13 +9,6 @@ from itertools import pairwise
 import msgspec
 import numpy as np
 
-from app.document.model import Curve, ParametrizationKind, Vector
-from app.view_model.cardinals import Cardinal, Cardinals
-from app.view_model.flattener import Box, Flattener, FlatteningKey, Polyline
-from app.view_model.jets import Sides, corner_knots, sides_of
-from app.view_model.plane import at_knots, size_of
-from app.view_model.point_arrays import PointArrays, arrays_of
-from app.view_model.refusals import refusal_of
 from curvecore import (
     CardinalBasis,
     Chain,
@@ -28,6 +21,14 @@ from curvecore import (
     uniform,
 )
 from curvecore.arrays import FloatArray, parameter_array
+
+from ..document.model import Curve, ParametrizationKind, Vector
+from .cardinals import Cardinal, Cardinals
+from .flattener import Box, Flattener, FlatteningKey, Polyline
+from .jets import Sides, corner_knots, sides_of
+from .plane import at_knots, size_of
+from .point_arrays import PointArrays, arrays_of
+from .refusals import refusal_of
 
 __all__ = [
     "BY_COUNT",

@@ -14,12 +14,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.document.model import Curve
-from app.document.words import number
-from app.view_model.curve_view import CurveView
-from app.view_model.growth import growth_of_points
-from app.view_model.plane import size_of
 from curvecore import CurveError, chord_length, joint_report
+
+from ..document.model import Curve
+from ..document.words import number
+from .curve_view import CurveView
+from .growth import growth_of_points
+from .plane import size_of
 
 _GOAL = re.compile(r"(\w+)\s*(<=|>=|<|>|=)\s*(\S+)")
 _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {

@@ -12,12 +12,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.view_model.basis_view import BasisView
-from app.view_model.curve_view import CurveView
 from curvecore import lebesgue_constant
 from curvecore.analysis.stability import lebesgue_constants
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
+
+from .basis_view import BasisView
+from .curve_view import CurveView
 
 
 def growth_at(view: CurveView, t: FloatArray) -> FloatArray:

@@ -11,10 +11,10 @@ from collections.abc import Collection
 
 import msgspec
 
-from app.document.edits import EditError, set_velocity
-from app.document.model import Curve, Document, Vector
-from app.view_model.curve_view import CurveView
-from app.view_model.jets import explicit_sides, is_explicit
+from ..document.edits import EditError, set_velocity
+from ..document.model import Curve, Document, Vector
+from .curve_view import CurveView
+from .jets import explicit_sides, is_explicit
 
 
 class Handle(msgspec.Struct, frozen=True):

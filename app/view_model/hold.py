@@ -17,12 +17,13 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.edits import EditError
-from app.document.jet_edits import JetValue
-from app.view_model.basis_view import weights_at
-from app.view_model.curve_view import CurveView
-from app.view_model.sampling import segment_at
 from curvecore.arrays import FloatArray
+
+from ..document.edits import EditError
+from ..document.jet_edits import JetValue
+from .basis_view import weights_at
+from .curve_view import CurveView
+from .sampling import segment_at
 
 _LEAST_HOLD = 1e-4
 """b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""

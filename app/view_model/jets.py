@@ -12,9 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
-from app.view_model.plane import at_knots
-from app.view_model.point_arrays import PointArrays
 from curvecore import (
     bessel_velocities,
     catmull_rom_velocities,
@@ -24,6 +21,10 @@ from curvecore import (
     zero_accelerations,
 )
 from curvecore.arrays import FloatArray, IntArray
+
+from ..document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
+from .plane import at_knots
+from .point_arrays import PointArrays
 
 Estimate = Callable[[FloatArray, FloatArray], FloatArray]
 

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.document.model import Curve
-from app.document.words import number
-from app.view_model.curve_view import CurveView
-from app.view_model.plane import size_of
-from app.view_model.sampling import all_along
 from curvecore.arrays import FloatArray
+
+from ..document.model import Curve
+from ..document.words import number
+from .curve_view import CurveView
+from .plane import size_of
+from .sampling import all_along
 
 _SAMPLES = 32
 _MOST_SAMPLES = 20_000

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.view_model.arc_lengths import arc_lengths_of
-from app.view_model.curve_view import ParametricCurve
-from app.view_model.motion_settings import Pace, Repeat
-from app.view_model.sampling import Samples
 from curvecore.analysis.lengths import ArcLength
 from curvecore.arrays import FloatArray, IntArray
+
+from .arc_lengths import arc_lengths_of
+from .curve_view import ParametricCurve
+from .motion_settings import Pace, Repeat
+from .sampling import Samples
 
 ACCURACY = 1e-6
 """Error allowed in arc lengths, against the whole length: below a pixel."""

@@ -10,16 +10,17 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import VelocityRule
-from app.families import HERMITE, QUINTIC_HERMITE, Family
-from app.view_model.curve_view import CurveView, view_of
-from app.view_model.line_styles import BLUE, GREEN, ORANGE, PURPLE
-from app.view_model.motion import STATIONS, Course, folded, round_of, runs_back
-from app.view_model.motion_settings import Repeat
-from app.view_model.plane import size_of, usual_length
-from app.view_model.sampling import Samples
 from curvecore.analysis.continuity import joint_report
 from curvecore.arrays import FloatArray
+
+from ..document.model import VelocityRule
+from ..families import HERMITE, QUINTIC_HERMITE, Family
+from .curve_view import CurveView, view_of
+from .line_styles import BLUE, GREEN, ORANGE, PURPLE
+from .motion import STATIONS, Course, folded, round_of, runs_back
+from .motion_settings import Repeat
+from .plane import size_of, usual_length
+from .sampling import Samples
 
 TRAIL = 24
 """Dots of a trail."""

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import curvecore
-from app.document.model import Vector
-from app.view_model.curve_view import CurveView
+
+from ..document.model import Vector
+from .curve_view import CurveView
 
 if TYPE_CHECKING:
     from curvecore import NearestWithin

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.curve_view import CurveView
-from app.view_model.jets import Sides, sides_of
 from curvecore.arrays import FloatArray
+
+from .curve_view import CurveView
+from .jets import Sides, sides_of
 
 _STEP = 1e-5
 """Step of the differences as a share of the narrower gap: what is left out is its square."""

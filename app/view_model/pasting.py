@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from msgspec.structs import replace
 
-from app.document.edits import (
+from ..document.edits import (
     EditError,
     freeze_parameters,
     insert_points,
@@ -15,10 +15,10 @@ from app.document.edits import (
     set_points,
     stretched,
 )
-from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.document.words import number
-from app.view_model.appending import appended_parameter, with_points_appended
-from app.view_model.curve_view import CurveView, view_of
+from ..document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
+from ..document.words import number
+from .appending import appended_parameter, with_points_appended
+from .curve_view import CurveView, view_of
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:

@@ -10,8 +10,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from app.document.model import Point, Vector
 from curvecore.arrays import BoolArray, FloatArray, IntArray
+
+from ..document.model import Point, Vector
 
 _NONE = (np.nan, np.nan)
 

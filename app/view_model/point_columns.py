@@ -14,13 +14,14 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document import edits
-from app.document.edits import EditError
-from app.document.limits import not_after
-from app.document.model import AccelerationRule, Curve, Document, Vector, VelocityRule
-from app.view_model.curve_view import CurveView
-from app.view_model.jets import explicit_sides
 from curvecore.arrays import BoolArray, FloatArray
+
+from ..document import edits
+from ..document.edits import EditError
+from ..document.limits import not_after
+from ..document.model import AccelerationRule, Curve, Document, Vector, VelocityRule
+from .curve_view import CurveView
+from .jets import explicit_sides
 
 PARAMETER, POSITION = -1, 0
 """Orders of what is no derivative."""

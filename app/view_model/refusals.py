@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import re
 
-from app.document.model import Curve
-from app.document.words import with_minus
 from curvecore import CurveError
+
+from ..document.model import Curve
+from ..document.words import with_minus
 
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _ENTRY = re.compile(r"\b(points|velocities|accelerations|parameters)\[(\d+)(?:, (\d+))?\]")

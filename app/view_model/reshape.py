@@ -11,15 +11,16 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.curve_edits import reverse_curve
-from app.document.edits import EditError, freeze_parameters, stretched
-from app.document.jet_edits import JetValue, with_jet_values
-from app.document.model import Curve, Document, Point, Vector
-from app.document.words import number
-from app.view_model.curve_view import CurveView, view_of
-from app.view_model.jets import Sides
-from app.view_model.measure import dense, largest_distance, outcome
 from curvecore.arrays import FloatArray, IntArray
+
+from ..document.curve_edits import reverse_curve
+from ..document.edits import EditError, freeze_parameters, stretched
+from ..document.jet_edits import JetValue, with_jet_values
+from ..document.model import Curve, Document, Point, Vector
+from ..document.words import number
+from .curve_view import CurveView, view_of
+from .jets import Sides
+from .measure import dense, largest_distance, outcome
 
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""

@@ -11,10 +11,10 @@ from collections.abc import Collection
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.edits import EditError, make_corner, make_smooth
-from app.document.model import Curve, Document, Vector
-from app.view_model.curve_view import CurveView
-from app.view_model.reshape import estimates_kept, with_jets
+from ..document.edits import EditError, make_corner, make_smooth
+from ..document.model import Curve, Document, Vector
+from .curve_view import CurveView
+from .reshape import estimates_kept, with_jets
 
 ENDS_STAY = "the ends of an open curve cannot be corners"
 """The words where some of the selected points are such ends."""

@@ -10,15 +10,16 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.edits import EditError
-from app.document.model import Curve, ParametrizationKind, Point, Vector
-from app.document.words import number
-from app.families import HERMITE, titles_with_derivatives
-from app.view_model.curve_view import CurveView, view_of
-from app.view_model.measure import dense, is_kept, largest_distance, outcome
-from app.view_model.plane import polygon_length, size_of
-from app.view_model.reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
 from curvecore import chebyshev
+
+from ..document.edits import EditError
+from ..document.model import Curve, ParametrizationKind, Point, Vector
+from ..document.words import number
+from ..families import HERMITE, titles_with_derivatives
+from .curve_view import CurveView, view_of
+from .measure import dense, is_kept, largest_distance, outcome
+from .plane import polygon_length, size_of
+from .reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
 
 MOST_POINTS_SPLIT = 40
 """Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from app.document.edits import EditError
-from app.document.model import Curve, Document
-from app.document.straight_edits import corners_of, straighten, why_not_straight
-from app.view_model.curve_view import CurveView
-from app.view_model.reshape import refuse_without_curve
-from app.view_model.smoothness import with_corners
+from ..document.edits import EditError
+from ..document.model import Curve, Document
+from ..document.straight_edits import corners_of, straighten, why_not_straight
+from .curve_view import CurveView
+from .reshape import refuse_without_curve
+from .smoothness import with_corners
 
 
 def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from app.document.model import Curve
-from app.view_model.curve_view import CurveView, view_of
+from ..document.model import Curve
+from .curve_view import CurveView, view_of
 
 
 def views_ahead(curves: Sequence[Curve], told: Callable[[float], object]) -> list[CurveView]:

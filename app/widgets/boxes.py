@@ -8,7 +8,7 @@ from typing import TypeVar
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QBoxLayout, QFormLayout, QHBoxLayout, QLayout, QVBoxLayout, QWidget
 
-from app.qt.labels import Label
+from ..qt.labels import Label
 
 Part = QWidget | QLayout | str | int | tuple[QWidget | QLayout, int | Qt.AlignmentFlag]
 """A widget, a layout, a text for a label, or a stretch; a widget or layout with its stretch or its side."""

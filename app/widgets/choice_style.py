@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.appearance.theme import Theme, mix
+from ..appearance.theme import Theme, mix
 
 
 def choice_style(theme: Theme) -> str:

@@ -12,8 +12,8 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy
 
-from app.qt.labels import Label, tip_of
-from app.qt.overrides import Guarded
+from ..qt.labels import Label, tip_of
+from ..qt.overrides import Guarded
 
 _STEP = 16
 """Pixels by which the room of a label grows, so that a digit more or less moves nothing."""

@@ -8,11 +8,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
-from app.document.expression import ExpressionError, parse_number
-from app.document.words import number
-from app.qt.keys import PASSING, ClaimsKeys
-from app.widgets.controls import named
-from app.widgets.number_text import decimal_mark, typed_text
+from ..document.expression import ExpressionError, parse_number
+from ..document.words import number
+from ..qt.keys import PASSING, ClaimsKeys
+from .controls import named
+from .number_text import decimal_mark, typed_text
 
 
 class FieldEdit(ClaimsKeys, QLineEdit):

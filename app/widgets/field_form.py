@@ -7,10 +7,10 @@ from functools import partial
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.qt.labels import Label
-from app.widgets.field_edit import FieldEdit, NumberEdit
+from ..appearance.theme import Theme
+from ..appearance.themed import FollowsTheme
+from ..qt.labels import Label
+from .field_edit import FieldEdit, NumberEdit
 
 
 class FieldForm(FollowsTheme, QWidget):

@@ -9,8 +9,8 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QScreen, QShowEvent
 from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QWidget
 
-from app.qt.overrides import Guarded
-from app.widgets.boxes import column_of
+from ..qt.overrides import Guarded
+from .boxes import column_of
 
 FRAME = QSize(16, 48)
 """Room for title bar and borders, which nobody knows before a window is shown."""

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractSlider, QSlider, QWidget
 
-from app.qt.overrides import Guarded
+from ..qt.overrides import Guarded
 
 _MOVE = QAbstractSlider.SliderAction.SliderMove.value
 

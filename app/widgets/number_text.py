@@ -8,8 +8,9 @@ import msgspec
 import numpy as np
 from PySide6.QtCore import QLocale
 
-from app.document.words import NOTHING, polished
 from curvecore.arrays import FloatArray
+
+from ..document.words import NOTHING, polished
 
 NEGLIGIBLE = 1e-12
 """Share of the greatest number beside it below which a number is a rounding residue, shown as 0."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame, QWidget
 
-from app.appearance.theme import mix
-from app.appearance.themed import FollowsTheme
+from ..appearance.theme import mix
+from ..appearance.themed import FollowsTheme
 
 _MOVES = (QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show, QEvent.Type.Hide)
 

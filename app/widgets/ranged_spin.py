@@ -8,9 +8,9 @@ from __future__ import annotations
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox
 
-from app.document.words import number
-from app.qt.overrides import Guarded
-from app.widgets.controls import named
+from ..document.words import number
+from ..qt.overrides import Guarded
+from .controls import named
 
 _FAR = 999_999_999
 

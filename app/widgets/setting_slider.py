@@ -8,11 +8,11 @@ from math import log10
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.qt.labels import Label
-from app.view_model.analysis.settings import Count, Factor
-from app.widgets.boxes import row_of
-from app.widgets.controls import named
-from app.widgets.live_slider import LiveSlider
+from ..qt.labels import Label
+from ..view_model.analysis.settings import Count, Factor
+from .boxes import row_of
+from .controls import named
+from .live_slider import LiveSlider
 
 _PER_DECADE = 20
 """Steps of a factor."""

@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from app.widgets.controls import named
+from .controls import named
 
 ICON = 16
 """Pixels along the sides of an icon in a panel."""

@@ -29,15 +29,15 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from app.actions.keymap import full_name_of, native, why_not
-from app.appearance.theme import Theme, mix, theme_of
-from app.qt.keys import ENTER
-from app.qt.labels import Label
-from app.qt.overrides import Guarded
-from app.widgets.boxes import column_of
-from app.widgets.controls import named
-from app.widgets.overlay_frame import OverlayFrame
-from app.window.fuzzy import SearchEntry, ranked
+from ..actions.keymap import full_name_of, native, why_not
+from ..appearance.theme import Theme, mix, theme_of
+from ..qt.keys import ENTER
+from ..qt.labels import Label
+from ..qt.overrides import Guarded
+from ..widgets.boxes import column_of
+from ..widgets.controls import named
+from ..widgets.overlay_frame import OverlayFrame
+from .fuzzy import SearchEntry, ranked
 
 _WIDEST, _ROWS, _ROW_HEIGHT, _TOP = 560, 10, 30, 12
 _COMMAND = Qt.ItemDataRole.UserRole + 1

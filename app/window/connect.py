@@ -7,21 +7,21 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import Action, all_declared, declared_widgets
-from app.actions.strips import Place
-from app.appearance.theme import Theme
-from app.document.edits import EditError
-from app.features import command_sets
-from app.tasks.owner import TaskOwner, close_all
-from app.view_model.curve_view import CurveView
-from app.widgets.toolbar_widget import ToolbarWidget
-from app.window.context_menus import ContextMenus
-from app.window.drops import Drops
-from app.window.focus_commands import FocusCommands
-from app.window.messages import Messages
-from app.window.program_commands import ProgramCommands
-from app.workbench.context import WindowContext, hooks
-from app.workbench.docks import declared_panels
+from ..actions.declaration import Action, all_declared, declared_widgets
+from ..actions.strips import Place
+from ..appearance.theme import Theme
+from ..document.edits import EditError
+from ..features import command_sets
+from ..tasks.owner import TaskOwner, close_all
+from ..view_model.curve_view import CurveView
+from ..widgets.toolbar_widget import ToolbarWidget
+from ..workbench.context import WindowContext, hooks
+from ..workbench.docks import declared_panels
+from .context_menus import ContextMenus
+from .drops import Drops
+from .focus_commands import FocusCommands
+from .messages import Messages
+from .program_commands import ProgramCommands
 
 COMMAND_SETS: tuple[type, ...] = (FocusCommands, *command_sets(), ProgramCommands)
 """All command sets. Actions in a section of a menu, and tabs, stand in the order of their sets here."""

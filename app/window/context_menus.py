@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu
 
-from app.actions.declaration import place_actions
-from app.actions.strips import CANVAS_MENU, CURVE_MENU, POINT_MENU
-from app.tools.pointer import Hit, Part
-from app.workbench.context import WindowContext
-from app.workbench.strip_menu import strip_menu
+from ..actions.declaration import place_actions
+from ..actions.strips import CANVAS_MENU, CURVE_MENU, POINT_MENU
+from ..tools.pointer import Hit, Part
+from ..workbench.context import WindowContext
+from ..workbench.strip_menu import strip_menu
 
 
 class ContextMenus:

@@ -8,11 +8,11 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
-from app.document.words import count_of, listed, names_of
-from app.storage.files import StorageError
-from app.storage.format import FormatError
-from app.window.given import Given, given
-from app.workbench.context import WindowContext, hooks
+from ..document.words import count_of, listed, names_of
+from ..storage.files import StorageError
+from ..storage.format import FormatError
+from ..workbench.context import WindowContext, hooks
+from .given import Given, given
 
 MOST_WINDOWS = 12
 """Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""

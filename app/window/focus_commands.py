@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
-from app.actions.declaration import action
-from app.actions.sections import VIEW_FOCUS
-from app.workbench.context import WindowContext
+from ..actions.declaration import action
+from ..actions.sections import VIEW_FOCUS
+from ..workbench.context import WindowContext
 
 
 class FocusCommands:

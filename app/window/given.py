@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.document.words import count_of
-from app.exchange.formats import can_import
-from app.storage.image_path import PICTURE_SUFFIXES
+from ..document.words import count_of
+from ..exchange.formats import can_import
+from ..storage.image_path import PICTURE_SUFFIXES
 
 
 @dataclass(frozen=True)

@@ -23,29 +23,29 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.actions.clipboard_watch import ClipboardWatch
-from app.actions.qactions import Actions
-from app.actions.situation import Situation
-from app.appearance.icons import app_icon
-from app.appearance.theme import Theme, apply_theme, theme_of
-from app.plotting.tool_plot import ToolPlot
-from app.qt.overrides import Guarded
-from app.session import Session
-from app.settings.preferences import Preferences
-from app.state.analysis import Analysis
-from app.state.window_state import WindowState, WindowStore
-from app.window.connect import COMMAND_SETS, Commands
-from app.window.drops import accepted
-from app.window.menus import Menus
-from app.window.rendering import Rendering
-from app.window.toolbar import Toolbar
-from app.window.window_layout import hide_floating, restore_layout, when_first_shown
-from app.workbench.central_area import CentralArea
-from app.workbench.context import WindowContext
-from app.workbench.docks import Docks, declared_panels
-from app.workbench.document_files import DocumentFiles
-from app.workbench.file_work import FileWork
-from app.workbench.status_line import StatusLine
+from ..actions.clipboard_watch import ClipboardWatch
+from ..actions.qactions import Actions
+from ..actions.situation import Situation
+from ..appearance.icons import app_icon
+from ..appearance.theme import Theme, apply_theme, theme_of
+from ..plotting.tool_plot import ToolPlot
+from ..qt.overrides import Guarded
+from ..session import Session
+from ..settings.preferences import Preferences
+from ..state.analysis import Analysis
+from ..state.window_state import WindowState, WindowStore
+from ..workbench.central_area import CentralArea
+from ..workbench.context import WindowContext
+from ..workbench.docks import Docks, declared_panels
+from ..workbench.document_files import DocumentFiles
+from ..workbench.file_work import FileWork
+from ..workbench.status_line import StatusLine
+from .connect import COMMAND_SETS, Commands
+from .drops import accepted
+from .menus import Menus
+from .rendering import Rendering
+from .toolbar import Toolbar
+from .window_layout import hide_floating, restore_layout, when_first_shown
 
 
 class MainWindow(Guarded, QMainWindow):

@@ -8,13 +8,13 @@ from pathlib import Path
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu
 
-from app.actions.keymap import set_full_name
-from app.actions.mnemonics import give_mnemonics, with_mnemonics
-from app.actions.qactions import Actions
-from app.actions.sections import CURVE_TANGENTS, FILE_EXAMPLES, FILE_RECENT, MENUS, VIEW_PANELS, Menu, Section
-from app.qt.labels import menu_text
-from app.settings.preferences import Preferences
-from app.storage.examples import example_name, example_paths
+from ..actions.keymap import set_full_name
+from ..actions.mnemonics import give_mnemonics, with_mnemonics
+from ..actions.qactions import Actions
+from ..actions.sections import CURVE_TANGENTS, FILE_EXAMPLES, FILE_RECENT, MENUS, VIEW_PANELS, Menu, Section
+from ..qt.labels import menu_text
+from ..settings.preferences import Preferences
+from ..storage.examples import example_name, example_paths
 
 
 class Menus:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
-from app.document.model import ParametrizationKind
-from app.state.window_state import WindowState
-from app.tools.canvas.add import ADD
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
+from ..document.model import ParametrizationKind
+from ..state.window_state import WindowState
+from ..tools.canvas.add import ADD
+from ..view_model.curve_view import CurveView
+from ..workbench.context import WindowContext
 
 _GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
 _EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."

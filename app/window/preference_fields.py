@@ -9,14 +9,14 @@ from typing import Any, Generic
 
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
 
-from app.appearance.theme import theme_of
-from app.document.expression import ExpressionError
-from app.document.words import NamedEnum
-from app.qt.labels import Label
-from app.settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
-from app.widgets.controls import check_box, choice_box
-from app.widgets.field_edit import NumberEdit, read_number
-from app.widgets.number_text import typed_text
+from ..appearance.theme import theme_of
+from ..document.expression import ExpressionError
+from ..document.words import NamedEnum
+from ..qt.labels import Label
+from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
+from ..widgets.controls import check_box, choice_box
+from ..widgets.field_edit import NumberEdit, read_number
+from ..widgets.number_text import typed_text
 
 Change = Callable[[Any], object]
 """Is given what the person chose."""

@@ -8,15 +8,15 @@ from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialogButtonBox, QTabWidget, QWidget
 
-from app.actions.keymap import Keymap
-from app.qt.keys import ENTER
-from app.settings.kinds import settings_with_labels
-from app.settings.preferences import Preferences
-from app.widgets.boxes import column_of, form_of
-from app.widgets.controls import named
-from app.widgets.fitting import FittedDialog
-from app.window.preference_fields import field_of
-from app.window.shortcut_editor import ShortcutEditor
+from ..actions.keymap import Keymap
+from ..qt.keys import ENTER
+from ..settings.kinds import settings_with_labels
+from ..settings.preferences import Preferences
+from ..widgets.boxes import column_of, form_of
+from ..widgets.controls import named
+from ..widgets.fitting import FittedDialog
+from .preference_fields import field_of
+from .shortcut_editor import ShortcutEditor
 
 
 class PreferencesDialog(FittedDialog):

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
-from app import window
-from app.actions.declaration import action
-from app.actions.mnemonics import plain
-from app.actions.sections import EDIT_PROGRAM
-from app.workbench.context import WindowContext
+from .. import window
+from ..actions.declaration import action
+from ..actions.mnemonics import plain
+from ..actions.sections import EDIT_PROGRAM
+from ..workbench.context import WindowContext
 
 if TYPE_CHECKING:
-    from app.window.command_palette import CommandPalette
-    from app.window.preferences_dialog import PreferencesDialog
+    from .command_palette import CommandPalette
+    from .preferences_dialog import PreferencesDialog
 
 
 class ProgramCommands:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, QTimer
 
-from app.session import Message, MessageKind
-from app.view_model.curve_view import CurveView
-from app.window.connect import Commands
-from app.workbench.context import WindowContext
-from app.workbench.document_files import title_of
+from ..session import Message, MessageKind
+from ..view_model.curve_view import CurveView
+from ..workbench.context import WindowContext
+from ..workbench.document_files import title_of
+from .connect import Commands
 
 _PANELS_MS = 100
 """Lag of the panels behind a drag, in milliseconds; the canvas and the functions have none."""

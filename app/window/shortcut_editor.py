@@ -14,13 +14,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.actions.keymap import Keymap, keys_text, native, refusal
-from app.appearance.theme import theme_of
-from app.qt.labels import Label
-from app.qt.overrides import Guarded
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import named, push_button
-from app.window.fuzzy import SearchEntry, ranked
+from ..actions.keymap import Keymap, keys_text, native, refusal
+from ..appearance.theme import theme_of
+from ..qt.labels import Label
+from ..qt.overrides import Guarded
+from ..widgets.boxes import column_of, row_of
+from ..widgets.controls import named, push_button
+from .fuzzy import SearchEntry, ranked
 
 _NAME = Qt.ItemDataRole.UserRole
 _HEADERS = ("Action", "Keys", "Menu")

@@ -9,10 +9,10 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
-from app.actions.qactions import Actions
-from app.actions.strips import TOOLBAR, Place
-from app.qt.overrides import Guarded
-from app.widgets.toolbar_widget import ToolbarWidget
+from ..actions.qactions import Actions
+from ..actions.strips import TOOLBAR, Place
+from ..qt.overrides import Guarded
+from ..widgets.toolbar_widget import ToolbarWidget
 
 _Style = Qt.ToolButtonStyle
 

@@ -8,10 +8,10 @@ from PySide6.QtCore import QEvent, QObject, QSize, QTimer
 from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 
-from app.qt.overrides import Guarded
-from app.settings.preferences import Preferences
-from app.widgets.fitting import room_on
-from app.workbench.dock_room import hide_idle_docks
+from ..qt.overrides import Guarded
+from ..settings.preferences import Preferences
+from ..widgets.fitting import room_on
+from ..workbench.dock_room import hide_idle_docks
 
 _SIZE = QSize(1280, 860)
 _LEAST = QSize(200, 150)

@@ -7,15 +7,15 @@ from collections.abc import Mapping
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSplitter, QToolButton, QVBoxLayout, QWidget
 
-from app.canvas.canvas import Canvas
-from app.plotting.camera import CameraOverT
-from app.plotting.tool_plot import ToolPlot
-from app.session import Session
-from app.tools.canvas.select import SELECT
-from app.tools.toolbox import Toolbox
-from app.view_model.basis_view import BasisView
-from app.workbench.central_pane import CentralPane, declared_panes
-from app.workbench.message_bar import MessageBar
+from ..canvas.canvas import Canvas
+from ..plotting.camera import CameraOverT
+from ..plotting.tool_plot import ToolPlot
+from ..session import Session
+from ..tools.canvas.select import SELECT
+from ..tools.toolbox import Toolbox
+from ..view_model.basis_view import BasisView
+from .central_pane import CentralPane, declared_panes
+from .message_bar import MessageBar
 
 _STRETCH, _HEIGHT = 2, 560
 """Of the canvas, in a new window."""

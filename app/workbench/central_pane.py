@@ -8,8 +8,8 @@ from typing import TypeVar
 import msgspec
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import marked
-from app.plotting.tool_plot import ToolPlot
+from ..actions.declaration import marked
+from ..plotting.tool_plot import ToolPlot
 
 _DECLARED = "central_pane"
 

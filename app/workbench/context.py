@@ -8,17 +8,17 @@ import msgspec
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMainWindow, QToolBar
 
-from app.actions.qactions import Actions
-from app.plotting.tool_plot import ToolPlot
-from app.session import Session
-from app.settings.preferences import Preferences
-from app.state.analysis import Analysis
-from app.state.window_state import WindowStore
-from app.workbench.central_area import CentralArea
-from app.workbench.docks import Docks
-from app.workbench.document_files import DocumentFiles
-from app.workbench.file_work import FileWork
-from app.workbench.status_line import StatusLine
+from ..actions.qactions import Actions
+from ..plotting.tool_plot import ToolPlot
+from ..session import Session
+from ..settings.preferences import Preferences
+from ..state.analysis import Analysis
+from ..state.window_state import WindowStore
+from .central_area import CentralArea
+from .docks import Docks
+from .document_files import DocumentFiles
+from .file_work import FileWork
+from .status_line import StatusLine
 
 
 class WindowContext(msgspec.Struct, frozen=True):

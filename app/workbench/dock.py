@@ -7,7 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
 
-from app.widgets.fitting import Scrolled
+from ..widgets.fitting import Scrolled
 
 _IN_DOCK = QSize(350, 96)
 """Largest minimum size of the content of a dock: two of them, one on the other, fit a small screen."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
-from app.widgets.fitting import Scrolled
+from ..widgets.fitting import Scrolled
 
 _LEAST_ABOVE = 150
 _LEAST_BESIDE = 480

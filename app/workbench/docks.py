@@ -10,8 +10,8 @@ import msgspec
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
-from app.actions.declaration import marked
-from app.workbench.dock import Dock, LateDock
+from ..actions.declaration import marked
+from .dock import Dock, LateDock
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
 _WIDTH = 360

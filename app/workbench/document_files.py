@@ -11,18 +11,18 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from app.document.model import empty_document
-from app.qt.labels import breakable
-from app.session import Session
-from app.settings.preferences import Preferences
-from app.storage.files import StorageError, load
-from app.storage.format import FormatError
-from app.storage.open_file import Reading, is_large
-from app.storage.resources import is_resource
-from app.tasks.progress import Report, part
-from app.tasks.task import Work
-from app.view_model.curve_view import CurveView
-from app.view_model.views_ahead import views_ahead
+from ..document.model import empty_document
+from ..qt.labels import breakable
+from ..session import Session
+from ..settings.preferences import Preferences
+from ..storage.files import StorageError, load
+from ..storage.format import FormatError
+from ..storage.open_file import Reading, is_large
+from ..storage.resources import is_resource
+from ..tasks.progress import Report, part
+from ..tasks.task import Work
+from ..view_model.curve_view import CurveView
+from ..view_model.views_ahead import views_ahead
 
 SUFFIX = ".curve.json"
 NEW_NAME = empty_document().curves[0].name

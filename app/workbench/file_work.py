@@ -8,12 +8,12 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from app.exchange.errors import ExchangeError
-from app.session import Session
-from app.storage.files import StorageError
-from app.storage.format import FormatError
-from app.tasks.single_task import SingleTask
-from app.tasks.task import Work
+from ..exchange.errors import ExchangeError
+from ..session import Session
+from ..storage.files import StorageError
+from ..storage.format import FormatError
+from ..tasks.single_task import SingleTask
+from ..tasks.task import Work
 
 _EXPECTED = (ExchangeError, StorageError, FormatError)
 

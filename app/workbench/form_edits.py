@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.document.model import Document
-from app.session import Session
-from app.widgets.field_form import FieldForm
+from ..document.model import Document
+from ..session import Session
+from ..widgets.field_form import FieldForm
 
 
 class FormEdits:

@@ -6,12 +6,12 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.qt.labels import Label
-from app.widgets.boxes import row_of
-from app.widgets.overlay_frame import OverlayFrame
-from app.widgets.tool_buttons import tool_button
+from ..appearance.icons import icon
+from ..appearance.theme import Theme
+from ..qt.labels import Label
+from ..widgets.boxes import row_of
+from ..widgets.overlay_frame import OverlayFrame
+from ..widgets.tool_buttons import tool_button
 
 _TOP, _SIDE, _NARROWEST, _WIDEST = 10, 56, 120, 720
 _AROUND_SENTENCE = 90

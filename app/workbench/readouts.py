@@ -7,10 +7,10 @@ import math
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QStatusBar
 
-from app.document.model import Vector
-from app.document.words import number
-from app.widgets.controls import named
-from app.widgets.elided_label import SteadyLabel
+from ..document.model import Vector
+from ..document.words import number
+from ..widgets.controls import named
+from ..widgets.elided_label import SteadyLabel
 
 _LEBESGUE_TIP = (
     "Lebesgue constant: how much errors in the points can grow on the curve, "

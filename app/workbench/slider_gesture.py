@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.document.model import Document
-from app.session import Session
-from app.tools.drag_machine import CANCELLED
-from app.widgets.live_slider import LiveSlider
+from ..document.model import Document
+from ..session import Session
+from ..tools.drag_machine import CANCELLED
+from ..widgets.live_slider import LiveSlider
 
 
 class SliderGesture:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
 
-from app.appearance.theme import theme_of
-from app.widgets.elided_label import ElidedLabel
-from app.workbench.readouts import Readouts
+from ..appearance.theme import theme_of
+from ..widgets.elided_label import ElidedLabel
+from .readouts import Readouts
 
 _SAID_MS = 6000
 _READ_MS = 1500

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu
 
-from app.actions.strips import Strip
-from app.workbench.context import WindowContext
+from ..actions.strips import Strip
+from .context import WindowContext
 
 
 def strip_menu(context: WindowContext, strip: Strip, name: str = "contextMenu") -> QMenu:

@@ -19,22 +19,22 @@ from typing import IO, TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from app.document.model import Document
-from app.exchange import drawing
-from app.exchange.drawing.styles import LIGHT, Style
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import FileKind, format_of
-from app.storage.files import write
-from app.tasks.progress import FINAL, Report, silent
-from app.view_model.curve_view import view_of
-from app.view_model.motion import Course, round_of
-from app.view_model.motion_picture import Role, rivals_of
-from app.view_model.motion_settings import Pace, Repeat
+from ...document.model import Document
+from ...storage.files import write
+from ...tasks.progress import FINAL, Report, silent
+from ...view_model.curve_view import view_of
+from ...view_model.motion import Course, round_of
+from ...view_model.motion_picture import Role, rivals_of
+from ...view_model.motion_settings import Pace, Repeat
+from .. import drawing
+from ..errors import ExchangeError
+from ..formats import FileKind, format_of
+from .styles import LIGHT, Style
 
 if TYPE_CHECKING:
     from PIL import Image
 
-    from app.exchange.drawing.motion_frames import FrameMaker
+    from .motion_frames import FrameMaker
 
 LARGEST_WIDTH = 1920
 MOST_FRAMES = 1200

@@ -7,16 +7,17 @@ from math import ceil, floor, log10
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import Curve, Document
-from app.exchange.drawing.drawing import MARGIN, Annotation, Drawing, Frame, frame_with
-from app.exchange.errors import ExchangeError
-from app.exchange.options import Options
-from app.view_model.basis_view import BasisView, basis_view
-from app.view_model.cardinal_view import cardinal_view
-from app.view_model.curve_view import view_of
-from app.view_model.handles import Handle, handles_of
-from app.view_model.palette import point_palette
 from curvecore.arrays import FloatArray
+
+from ...document.model import Curve, Document
+from ...view_model.basis_view import BasisView, basis_view
+from ...view_model.cardinal_view import cardinal_view
+from ...view_model.curve_view import view_of
+from ...view_model.handles import Handle, handles_of
+from ...view_model.palette import point_palette
+from ..errors import ExchangeError
+from ..options import Options
+from .drawing import MARGIN, Annotation, Drawing, Frame, frame_with
 
 PANEL = 0.4
 """Height of the basis functions' panel against the picture's longer side."""

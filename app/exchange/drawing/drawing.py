@@ -9,14 +9,15 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import Curve, Document
-from app.exchange.errors import ExchangeError
-from app.tasks.progress import Report, part, silent, told
-from app.view_model.curve_view import ParametricCurve, view_of
-from app.view_model.refusals import in_words
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
+
+from ...document.model import Curve, Document
+from ...tasks.progress import Report, part, silent, told
+from ...view_model.curve_view import ParametricCurve, view_of
+from ...view_model.refusals import in_words
+from ..errors import ExchangeError
 
 RELATIVE_TOLERANCE = 1e-5
 """Default tolerance against the drawing's larger side: a fiftieth of a pixel on a screen of 2000."""

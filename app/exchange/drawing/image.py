@@ -16,17 +16,17 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QS
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgRenderer, QtSvg
 
-from app import __version__
-from app.document.model import Document
-from app.exchange.drawing.drawing import Drawing, Frame
-from app.exchange.drawing.styles import Style
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import Written
-from app.exchange.options import Options
-from app.exchange.svg.writer import accuracy_of, nominal_width, picture_of, svg_text
-from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
-from app.tasks.progress import Report, part, silent
-from app.view_model.palette import adjustment_of
+from ... import __version__
+from ...document.model import Document
+from ...tasks.progress import Report, part, silent
+from ...view_model.palette import adjustment_of
+from ..errors import ExchangeError
+from ..formats import Written
+from ..options import Options
+from ..svg.writer import accuracy_of, nominal_width, picture_of, svg_text
+from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
+from .drawing import Drawing, Frame
+from .styles import Style
 
 DEFAULT_WIDTH = 1600
 LARGEST_SIDE = 16384

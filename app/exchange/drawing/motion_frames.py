@@ -9,15 +9,16 @@ from msgspec.structs import replace
 from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
-from app.document.model import Document
-from app.exchange.drawing.animation import Film
-from app.exchange.drawing.drawing import Drawing, Frame, drawing_of
-from app.exchange.drawing.image import paint_drawing
-from app.view_model.motion import round_of
-from app.view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of, dots_at, scales_of
-from app.view_model.motion_settings import Repeat
-from app.view_model.palette import ACCENT, PAPER, colour_on
 from curvecore.arrays import FloatArray
+
+from ...document.model import Document
+from ...view_model.motion import round_of
+from ...view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of, dots_at, scales_of
+from ...view_model.motion_settings import Repeat
+from ...view_model.palette import ACCENT, PAPER, colour_on
+from .animation import Film
+from .drawing import Drawing, Frame, drawing_of
+from .image import paint_drawing
 
 _NOMINAL = 640.0
 """Longer side of a picture in which dots and lines have their nominal sizes."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from app.view_model import palette
+from ...view_model import palette
 
 
 class Style(msgspec.Struct, frozen=True):

@@ -18,13 +18,13 @@ from pathlib import Path
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from app.document.words import enumerated
-from app.exchange.errors import ExchangeError
+from ...document.words import enumerated
+from ..errors import ExchangeError
 
 if TYPE_CHECKING:
-    from app.document.model import Document
-    from app.exchange.drawing.image import PicturePreview
-    from app.exchange.options import Option, Options
+    from ...document.model import Document
+    from ..drawing.image import PicturePreview
+    from ..options import Option, Options
 
 DOCUMENT_ENDING = ".curve.json"
 

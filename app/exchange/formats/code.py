@@ -12,16 +12,17 @@ from typing import Any
 
 import numpy as np
 
-from app.document.model import Document
-from app.exchange import code_runtime
-from app.exchange.formats import Format, Written
-from app.exchange.naming import Names
-from app.exchange.options import DEFAULT, Options
-from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of
-from app.tasks.progress import part, told
-from app.view_model.curve_view import ParametricCurve
 from curvecore import bezier_segments
 from curvecore.arrays import FloatArray
+
+from ...document.model import Document
+from ...tasks.progress import part, told
+from ...view_model.curve_view import ParametricCurve
+from .. import code_runtime
+from ..naming import Names
+from ..options import DEFAULT, Options
+from ..parts import Source, accuracy, bezier_values, measured, one_line, sources_of
+from . import Format, Written
 
 _TAKEN = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
 

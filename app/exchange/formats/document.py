@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from app.document.model import Document
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import DOCUMENT_ENDING, ContentKind, Format, Written
-from app.exchange.options import Options
-from app.storage.files import folder_of
-from app.storage.format import FormatError, encode
-from app.storage.image_path import relative_to
+from ...document.model import Document
+from ...storage.files import folder_of
+from ...storage.format import FormatError, encode
+from ...storage.image_path import relative_to
+from ..errors import ExchangeError
+from ..options import Options
+from . import DOCUMENT_ENDING, ContentKind, Format, Written
 
 
 def _write(document: Document, options: Options) -> Written:

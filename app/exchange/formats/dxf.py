@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.document.model import Document
-from app.exchange.dxf_reader import CLOSED, PLANAR, WHITE, ezdxf_module, read_dxf
-from app.exchange.formats import ContentKind, Format, Written
-from app.exchange.naming import Names
-from app.exchange.options import DEFAULT, POINTS, TOLERANCE, Check, Options
-from app.exchange.parts import (
+from ...document.model import Document
+from ...tasks.progress import Report, part, told
+from ...view_model.curve_view import ParametricCurve
+from ..dxf_reader import CLOSED, PLANAR, WHITE, ezdxf_module, read_dxf
+from ..naming import Names
+from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options
+from ..parts import (
     Beziers,
     Source,
     accuracy,
@@ -27,9 +28,8 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
-from app.exchange.units import dxf_code
-from app.tasks.progress import Report, part, told
-from app.view_model.curve_view import ParametricCurve
+from ..units import dxf_code
+from . import ContentKind, Format, Written
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing

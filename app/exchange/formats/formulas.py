@@ -10,19 +10,20 @@ from typing import Any
 
 import numpy as np
 
-from app import __version__
-from app.document.model import Document
-from app.exchange.drawing.drawing import drawing_of
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import Format, Written
-from app.exchange.options import DEFAULT, TOLERANCE, Options
-from app.exchange.parts import beziers_of, checked_tolerance, measured, sources_of
-from app.exchange.svg.writer import path_data
-from app.tasks.progress import part, told
-from app.view_model.curve_view import ParametricCurve
 from curvecore import bezier_segments, power_coefficients
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
+
+from ... import __version__
+from ...document.model import Document
+from ...tasks.progress import part, told
+from ...view_model.curve_view import ParametricCurve
+from ..drawing.drawing import drawing_of
+from ..errors import ExchangeError
+from ..options import DEFAULT, TOLERANCE, Options
+from ..parts import beziers_of, checked_tolerance, measured, sources_of
+from ..svg.writer import path_data
+from . import Format, Written
 
 MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""

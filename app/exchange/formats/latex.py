@@ -7,18 +7,19 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.document.model import Document
-from app.exchange.drawing.drawing import Frame, Outline, drawing_of
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import Format, Written
-from app.exchange.options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
-from app.exchange.parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
-from app.exchange.units import MILLIMETRES, known_unit, size_in_words
-from app.tasks.progress import part, told
-from app.view_model.curve_view import ParametricCurve
-from app.view_model.refusals import in_words
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
+
+from ...document.model import Document
+from ...tasks.progress import part, told
+from ...view_model.curve_view import ParametricCurve
+from ...view_model.refusals import in_words
+from ..drawing.drawing import Frame, Outline, drawing_of
+from ..errors import ExchangeError
+from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
+from ..parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
+from ..units import MILLIMETRES, known_unit, size_in_words
+from . import Format, Written
 
 DIGITS = 6
 """Significant digits of the numbers in a formula, unless asked otherwise."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from app.exchange import drawing, svg
-from app.exchange.cubics_in import Imported
-from app.exchange.formats import ContentKind, Format
-from app.exchange.options import PICTURE, SCALE, TOLERANCE, WIDTH
-from app.exchange.svg.writer import svg_of
+from .. import drawing, svg
+from ..cubics_in import Imported
+from ..options import PICTURE, SCALE, TOLERANCE, WIDTH
+from ..svg.writer import svg_of
+from . import ContentKind, Format
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:

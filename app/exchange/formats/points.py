@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from math import isnan, nan
 
-from app.document.edits import interval
-from app.document.model import Document
-from app.exchange.formats import Format, Written
-from app.exchange.options import DEFAULT, Options
-from app.exchange.parts import cell_of_name, cell_of_number, distinct_names, sources_of
-from app.exchange.table.columns import AFTER, ROLES, WORDS
-from app.exchange.table.curves import CLOSED
-from app.tasks.progress import part, told
-from app.view_model.curve_view import CurveView, view_of
+from ...document.edits import interval
+from ...document.model import Document
+from ...tasks.progress import part, told
+from ...view_model.curve_view import CurveView, view_of
+from ..options import DEFAULT, Options
+from ..parts import cell_of_name, cell_of_number, distinct_names, sources_of
+from ..table.columns import AFTER, ROLES, WORDS
+from ..table.curves import CLOSED
+from . import Format, Written
 
 
 def points_table(document: Document, options: Options = DEFAULT) -> Written:

@@ -8,17 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from app.document.model import Document
-from app.document.words import NamedEnum
-from app.exchange.errors import ExchangeError
-from app.exchange.formats import Format, Written
-from app.exchange.options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
-from app.exchange.parts import cell_of_name, cell_of_number, checked_tolerance, distinct_names, sources_of
-from app.tasks.progress import Report, part
-from app.view_model.arc_lengths import arc_lengths_of
-from app.view_model.curve_view import ParametricCurve
 from curvecore import ArcLength, flatten_pieces
 from curvecore.arrays import FloatArray
+
+from ...document.model import Document
+from ...document.words import NamedEnum
+from ...tasks.progress import Report, part
+from ...view_model.arc_lengths import arc_lengths_of
+from ...view_model.curve_view import ParametricCurve
+from ..errors import ExchangeError
+from ..options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
+from ..parts import cell_of_name, cell_of_number, checked_tolerance, distinct_names, sources_of
+from . import Format, Written
 
 MOST_SAMPLES = 1_000_000
 

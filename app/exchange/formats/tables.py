@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from app.exchange.formats import ContentKind, Format
-from app.exchange.table.json_table import read_json
-from app.exchange.table.numpy_array import read_array
+from ..table.json_table import read_json
+from ..table.numpy_array import read_array
+from . import ContentKind, Format
 
 FORMATS = (
     Format(

@@ -17,10 +17,11 @@ from typing import NamedTuple
 import numpy as np
 from svgelements import SVGLexicalParser
 
-from app.exchange.arcs import arc_between
-from app.exchange.cubics_in import lines
-from app.exchange.errors import ExchangeError
 from curvecore.arrays import FloatArray
+
+from ..arcs import arc_between
+from ..cubics_in import lines
+from ..errors import ExchangeError
 
 _GAP = r"[ \t\r\n\f]*"
 _PASSED_OVER = re.compile(rf"(?:^|[A-Za-z,]){_GAP}(,)|[VAa]{_GAP}([A-Za-z]|\Z)")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 
-from app.document.words import enumerated
-from app.exchange.drawing.styles import DARK, INK
+from ...document.words import enumerated
+from ..drawing.styles import DARK, INK
 
 _COLOURS = {
     "black": "#000000", "silver": "#c0c0c0", "gray": "#808080", "grey": "#808080", "white": "#ffffff",

@@ -15,13 +15,14 @@ from math import cos, radians, sin, tan, tau
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.exchange.arcs import arc
-from app.exchange.cubics_in import Imported, ImportedPath, imported, lines
-from app.exchange.errors import ExchangeError
-from app.exchange.svg.path_data import Subpath, read_path_data
-from app.exchange.svg.properties import AREAS, RULES, colour_of, lost_from, property_of, remark_on
-from app.exchange.svg.xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of
 from curvecore.arrays import FloatArray
+
+from ..arcs import arc
+from ..cubics_in import Imported, ImportedPath, imported, lines
+from ..errors import ExchangeError
+from .path_data import Subpath, read_path_data
+from .properties import AREAS, RULES, colour_of, lost_from, property_of, remark_on
+from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of
 
 MAX_PATHS = 2_000
 

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import re
 
-from app import __version__
-from app.document.model import Document
-from app.exchange import drawing
-from app.exchange.drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
-from app.exchange.drawing.styles import Style
-from app.exchange.formats import Written
-from app.exchange.options import DEFAULT, Options
-from app.exchange.parts import rounded_up
-from app.exchange.units import css_length, known_unit
-from app.tasks.progress import Report, part, silent, told
-from app.view_model import palette
+from ... import __version__
+from ...document.model import Document
+from ...tasks.progress import Report, part, silent, told
+from ...view_model import palette
+from .. import drawing
+from ..drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
+from ..drawing.styles import Style
+from ..formats import Written
+from ..options import DEFAULT, Options
+from ..parts import rounded_up
+from ..units import css_length, known_unit
 
 STROKE = 0.003
 """Width of the curve against the picture's longer side."""

@@ -7,7 +7,7 @@ from xml.parsers.expat.errors import XML_ERROR_UNDEFINED_ENTITY, codes
 
 from defusedxml.ElementTree import DefusedXMLParser
 
-from app.exchange.errors import ExchangeError
+from ..errors import ExchangeError
 
 MAX_ELEMENTS = 10_000
 MAX_DEPTH = 200

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 import msgspec
 
-from app.document.expression import ExpressionError, parse_number
+from ...document.expression import ExpressionError, parse_number
 
 MAX_ROWS = 10_000
 MAX_COLUMNS = 16

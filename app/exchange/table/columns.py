@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
-from app.exchange.errors import ExchangeError
+from ..errors import ExchangeError
 
 ROLES = ("t", "x", "y", "vx", "vy", "ax", "ay")
 """Roles of columns of numbers, for every point."""

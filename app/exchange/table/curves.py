@@ -7,19 +7,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
-from app.document.words import NamedEnum
-from app.exchange.cubics_in import Imported
-from app.exchange.errors import ExchangeError
-from app.exchange.naming import numbered
-from app.exchange.table.columns import AFTER, ROLES, ColumnMapping
-from app.exchange.table.layout import MissingNumber, RowProblem
-from app.exchange.table.table import Table
-from app.exchange.table.thinning import Thinning, thinned
-from app.families import FAMILIES, HERMITE, Family
-from app.storage.format import FormatError, validate
-from app.tasks.progress import Report, part, silent
 from curvecore.arrays import FloatArray, IntArray
+
+from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
+from ...document.words import NamedEnum
+from ...families import FAMILIES, HERMITE, Family
+from ...storage.format import FormatError, validate
+from ...tasks.progress import Report, part, silent
+from ..cubics_in import Imported
+from ..errors import ExchangeError
+from ..naming import numbered
+from .columns import AFTER, ROLES, ColumnMapping
+from .layout import MissingNumber, RowProblem
+from .table import Table
+from .thinning import Thinning, thinned
 
 MOST_CURVES = 1_000
 

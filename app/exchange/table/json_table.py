@@ -10,13 +10,14 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from app.exchange.errors import ExchangeError
-from app.exchange.naming import numbered
-from app.exchange.table.columns import numbered_titles
-from app.exchange.table.layout import RowProblem
-from app.exchange.table.table import Table, table_of
-from app.storage.format import not_json
 from curvecore.arrays import FloatArray
+
+from ...storage.format import not_json
+from ..errors import ExchangeError
+from ..naming import numbered
+from .columns import numbered_titles
+from .layout import RowProblem
+from .table import Table, table_of
 
 MOST_BYTES = 32 * 2**20
 """Of a JSON file: as Python's own numbers it takes several times as much."""

@@ -7,8 +7,8 @@ import re
 from dataclasses import dataclass, replace
 from statistics import mode
 
-from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import UNITS, numbered_titles, role_of
+from ..errors import ExchangeError
+from .columns import UNITS, numbered_titles, role_of
 
 
 class RowProblem(ExchangeError):  # noqa: N818 - the word for people

@@ -5,9 +5,9 @@ from __future__ import annotations
 import codecs
 from collections.abc import Iterator
 
-from app.exchange.errors import ExchangeError
-from app.exchange.table.layout import RowProblem
-from app.exchange.table.table import MAX_ROWS
+from ..errors import ExchangeError
+from .layout import RowProblem
+from .table import MAX_ROWS
 
 BLOCK = 2**19
 """Bytes that are read at once: some milliseconds, in which no other thread can do anything."""

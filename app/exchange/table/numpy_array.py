@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import numbered_titles
-from app.exchange.table.table import MAX_COLUMNS, MAX_ROWS, Table, table_of
+from ..errors import ExchangeError
+from .columns import numbered_titles
+from .table import MAX_COLUMNS, MAX_ROWS, Table, table_of
 
 _HEADERS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
 _SHAPES = (

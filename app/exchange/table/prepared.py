@@ -6,16 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.document.model import Document
-from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.curves import Missing, TableOptions, document_of_table
-from app.exchange.table.layout import MissingNumber, RowProblem, TextLayout
-from app.exchange.table.source import TableSource
-from app.exchange.table.table import Table
-from app.exchange.table.thinning import MOST_KEPT, Thinning, TooManyLeftError
-from app.families import HERMITE, Family
-from app.tasks.progress import Report, part, silent
+from ...document.model import Document
+from ...families import HERMITE, Family
+from ...tasks.progress import Report, part, silent
+from ..errors import ExchangeError
+from .columns import ColumnMapping
+from .curves import Missing, TableOptions, document_of_table
+from .layout import MissingNumber, RowProblem, TextLayout
+from .source import TableSource
+from .table import Table
+from .thinning import MOST_KEPT, Thinning, TooManyLeftError
 
 MANY_ROWS = 1_000
 """Rows beyond which thinning them out is suggested."""

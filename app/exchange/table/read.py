@@ -6,17 +6,17 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.exchange.cubics_in import Imported
-from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import mapping_of, words_on
-from app.exchange.table.curves import Missing, TableOptions, document_of_table
-from app.exchange.table.layout import MissingNumber
-from app.exchange.table.source import TableSource
-from app.exchange.table.thinning import Thinning
-from app.tasks.progress import Report, part
+from ...tasks.progress import Report, part
+from ..cubics_in import Imported
+from ..errors import ExchangeError
+from .columns import mapping_of, words_on
+from .curves import Missing, TableOptions, document_of_table
+from .layout import MissingNumber
+from .source import TableSource
+from .thinning import Thinning
 
 if TYPE_CHECKING:
-    from app.exchange.reading import ImportOptions
+    from ..reading import ImportOptions
 
 
 def read_table(path: Path, ending: str, data: bytes, options: ImportOptions, report: Report) -> Imported:

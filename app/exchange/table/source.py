@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from app.exchange.formats import FORMATS, format_of
-from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.curves import Missing
-from app.exchange.table.layout import TextLayout, cells_of_row
-from app.exchange.table.lines import plain_utf_8
-from app.exchange.table.table import Preview, Table, cells_at, preview_of
-from app.exchange.table.text import preview_table, read_table
-from app.tasks.progress import Report, silent
+from ...tasks.progress import Report, silent
+from ..formats import FORMATS, format_of
+from .columns import ColumnMapping
+from .curves import Missing
+from .layout import TextLayout, cells_of_row
+from .lines import plain_utf_8
+from .table import Preview, Table, cells_at, preview_of
+from .text import preview_table, read_table
 
 
 class TableSource:

@@ -6,11 +6,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from app.document.model import MAX_MAGNITUDE
-from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import ColumnMapping, Guess, guess
-from app.exchange.table.layout import RowProblem, TextLayout
 from curvecore.arrays import FloatArray
+
+from ...document.model import MAX_MAGNITUDE
+from ..errors import ExchangeError
+from .columns import ColumnMapping, Guess, guess
+from .layout import RowProblem, TextLayout
 
 MAX_COLUMNS = 64
 MAX_ROWS = 2_000_000

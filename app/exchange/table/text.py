@@ -8,10 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.document.model import MAX_MAGNITUDE
-from app.exchange.errors import ExchangeError
-from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, guess
-from app.exchange.table.layout import (
+from curvecore.arrays import FloatArray
+
+from ...document.model import MAX_MAGNITUDE
+from ...tasks.progress import Report, silent
+from ..errors import ExchangeError
+from .columns import AFTER, ROLES, WORDS, ColumnMapping, guess
+from .layout import (
     MissingNumber,
     RowProblem,
     TextLayout,
@@ -21,10 +24,8 @@ from app.exchange.table.layout import (
     sniffed,
     titles_of,
 )
-from app.exchange.table.lines import is_data, numbered_first_lines, parts_of, plain_utf_8
-from app.exchange.table.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
-from app.tasks.progress import Report, silent
-from curvecore.arrays import FloatArray
+from .lines import is_data, numbered_first_lines, parts_of, plain_utf_8
+from .table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 
 _FORMULA = ("=", "@")
 

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.document.words import NamedEnum
-from app.exchange.errors import ExchangeError
-from app.tasks.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities
 from curvecore.arrays import FloatArray, IntArray
+
+from ...document.words import NamedEnum
+from ...tasks.progress import Report, silent
+from ..errors import ExchangeError
 
 MOST_KEPT = 20_000
 """Points beyond which a curve is hardly thinned out."""

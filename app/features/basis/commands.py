@@ -8,23 +8,23 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import Action, action, action_for_each, also
-from app.actions.keymap import action_name
-from app.actions.needs import TWO_POINTS, Need
-from app.actions.sections import CURVE_PARAMETERS, CURVE_STARTS
-from app.actions.strips import RAIL_MENU
-from app.document import edits
-from app.document.model import ParametrizationKind
-from app.features.basis.pane import BasisPane
-from app.features.basis.panel import BasisPanel
-from app.state.window_state import WindowState
-from app.tools.rail import RAIL
-from app.tools.toolbox import Toolbox
-from app.view_model.curve_view import CurveView, view_of
-from app.view_model.growth import growth_of_points
-from app.workbench.central_pane import Pane
-from app.workbench.context import WindowContext
-from app.workbench.strip_menu import strip_menu
+from ...actions.declaration import Action, action, action_for_each, also
+from ...actions.keymap import action_name
+from ...actions.needs import TWO_POINTS, Need
+from ...actions.sections import CURVE_PARAMETERS, CURVE_STARTS
+from ...actions.strips import RAIL_MENU
+from ...document import edits
+from ...document.model import ParametrizationKind
+from ...state.window_state import WindowState
+from ...tools.rail import RAIL
+from ...tools.toolbox import Toolbox
+from ...view_model.curve_view import CurveView, view_of
+from ...view_model.growth import growth_of_points
+from ...workbench.central_pane import Pane
+from ...workbench.context import WindowContext
+from ...workbench.strip_menu import strip_menu
+from .pane import BasisPane
+from .panel import BasisPanel
 
 
 class _Start(NamedTuple):

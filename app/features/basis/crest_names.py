@@ -10,13 +10,14 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, QTimer
 from PySide6.QtGui import QFontMetricsF, QPainter
 
-from app.appearance.colours import point_colours
-from app.appearance.theme import Theme
-from app.plotting.halo import Halo
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.basis_view import BasisView
 from curvecore.arrays import BoolArray, FloatArray, IntArray
+
+from ...appearance.colours import point_colours
+from ...appearance.theme import Theme
+from ...plotting.halo import Halo
+from ...plotting.pixel_map import PixelMap
+from ...plotting.plot_widget import PlotWidget
+from ...view_model.basis_view import BasisView
 
 MOST = 24
 """Functions that are named, of all kinds together; among more, a number would stand on other lines."""

@@ -9,10 +9,11 @@ import numpy as np
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from PySide6.QtGui import QPolygonF
 
-from app.plotting.drawing import Segments, Stroke, polygon, thinned
-from app.plotting.pixel_map import PixelMap
-from app.view_model.basis_view import BasisView
 from curvecore.arrays import FloatArray
+
+from ...plotting.drawing import Segments, Stroke, polygon, thinned
+from ...plotting.pixel_map import PixelMap
+from ...view_model.basis_view import BasisView
 
 _MOST_EACH = 64
 _LIMIT = 1e4

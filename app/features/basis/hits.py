@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.features.basis.layers import RailLayer, rail_height
-from app.plotting.pixel_map import PixelMap
-from app.tools.pointer import Hit, Part, Pointer
-from app.view_model.basis_view import BasisView
+from ...plotting.pixel_map import PixelMap
+from ...tools.pointer import Hit, Part, Pointer
+from ...view_model.basis_view import BasisView
+from .layers import RailLayer, rail_height
 
 TICK_REACH = 10.0
 """Pixels to either side of a tick within which it is grabbed."""

@@ -11,20 +11,21 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
-from app.appearance.colours import point_colours
-from app.appearance.theme import mix
-from app.document.words import number
-from app.features.basis.crest_names import CrestNames
-from app.features.basis.function_lines import FunctionDrawing, FunctionLines, way_to_draw
-from app.plotting.layers import Layer
-from app.plotting.pens import with_dashes
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.plotting.stamps import Stamps
-from app.view_model.basis_view import BasisView
-from app.view_model.curve_view import CurveView
-from app.view_model.line_styles import KIND_DASHES
 from curvecore.arrays import FloatArray, IntArray
+
+from ...appearance.colours import point_colours
+from ...appearance.theme import mix
+from ...document.words import number
+from ...plotting.layers import Layer
+from ...plotting.pens import with_dashes
+from ...plotting.pixel_map import PixelMap
+from ...plotting.plot_widget import PlotWidget
+from ...plotting.stamps import Stamps
+from ...view_model.basis_view import BasisView
+from ...view_model.curve_view import CurveView
+from ...view_model.line_styles import KIND_DASHES
+from .crest_names import CrestNames
+from .function_lines import FunctionDrawing, FunctionLines, way_to_draw
 
 _RAIL_HEIGHT = 34.0
 

@@ -6,24 +6,24 @@ from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.document.words import number
-from app.features.basis.function_lines import note_on_drawing
-from app.features.basis.panel import BasisPanel
-from app.plotting.pens import SIGN, sign_pixmap
-from app.qt.labels import Label
-from app.view_model.basis_view import BasisView, basis_formulas
-from app.view_model.curve_view import CurveView
-from app.view_model.line_styles import KIND_DASHES, LineStyle
-from app.widgets.action_switch import mirror
-from app.widgets.boxes import Part, column_of, row_of
-from app.widgets.choice_style import choice_style
-from app.widgets.controls import named
-from app.widgets.elided_label import ElidedLabel
-from app.widgets.fitting import Scrolled
-from app.widgets.tool_buttons import tool_button
-from app.workbench.central_pane import CentralPane
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...document.words import number
+from ...plotting.pens import SIGN, sign_pixmap
+from ...qt.labels import Label
+from ...view_model.basis_view import BasisView, basis_formulas
+from ...view_model.curve_view import CurveView
+from ...view_model.line_styles import KIND_DASHES, LineStyle
+from ...widgets.action_switch import mirror
+from ...widgets.boxes import Part, column_of, row_of
+from ...widgets.choice_style import choice_style
+from ...widgets.controls import named
+from ...widgets.elided_label import ElidedLabel
+from ...widgets.fitting import Scrolled
+from ...widgets.tool_buttons import tool_button
+from ...workbench.central_pane import CentralPane
+from .function_lines import note_on_drawing
+from .panel import BasisPanel
 
 _NO_PARAMETERS = "none while the rule gives no parameters"
 _NO_CURVE = "none while there is no curve with these parameters"

@@ -7,15 +7,15 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
-from app.features.basis.hits import hit_test
-from app.features.basis.layers import rail_height
-from app.features.basis.scene import BasisScene
-from app.features.basis.tick_edit import TickEdit
-from app.plotting.camera import CameraOverT
-from app.plotting.tool_plot import ToolPlot
-from app.tools.pointer import Hit, Part, Pointer
-from app.tools.tool import Tool
-from app.tools.toolbox import Toolbox
+from ...plotting.camera import CameraOverT
+from ...plotting.tool_plot import ToolPlot
+from ...tools.pointer import Hit, Part, Pointer
+from ...tools.tool import Tool
+from ...tools.toolbox import Toolbox
+from .hits import hit_test
+from .layers import rail_height
+from .scene import BasisScene
+from .tick_edit import TickEdit
 
 
 class BasisPanel(ToolPlot):

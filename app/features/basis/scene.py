@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from app.features.basis.layers import FunctionLayer, RailLayer, rail_height
-from app.plotting.camera import GREATEST_SPAN, CameraOverT
-from app.plotting.tool_plot import ToolPlot
-from app.view_model.basis_view import BasisView, basis_view
-from app.view_model.cardinal_view import CardinalView, cardinal_view
-from app.view_model.curve_view import CurveView
+from ...plotting.camera import GREATEST_SPAN, CameraOverT
+from ...plotting.tool_plot import ToolPlot
+from ...view_model.basis_view import BasisView, basis_view
+from ...view_model.cardinal_view import CardinalView, cardinal_view
+from ...view_model.curve_view import CurveView
+from .layers import FunctionLayer, RailLayer, rail_height
 
 _CALM_RANGE = (-0.5, 1.2)
 _PADDING = 0.035

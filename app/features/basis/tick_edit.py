@@ -6,14 +6,14 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QWidget
 
-from app.appearance.theme import Theme, mix
-from app.appearance.themed import FollowsTheme
-from app.document.expression import ExpressionError, parse_number
-from app.qt.labels import Label
-from app.qt.overrides import Guarded
-from app.widgets.boxes import column_of
-from app.widgets.controls import named
-from app.widgets.number_text import decimal_mark, exact_text
+from ...appearance.theme import Theme, mix
+from ...appearance.themed import FollowsTheme
+from ...document.expression import ExpressionError, parse_number
+from ...qt.labels import Label
+from ...qt.overrides import Guarded
+from ...widgets.boxes import column_of
+from ...widgets.controls import named
+from ...widgets.number_text import decimal_mark, exact_text
 
 _WIDTH, _WIDEST_REASON = 150, 320
 

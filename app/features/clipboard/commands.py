@@ -9,19 +9,18 @@ from msgspec.structs import replace
 from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 
-from app.actions.clipboard_watch import DERIVATIVES
-from app.actions.declaration import action, also
-from app.actions.needs import HERMITE_POINTS, POINTS_OR_CURVES, Need
-from app.actions.sections import EDIT_CLIPBOARD, EDIT_COPY_AS
-from app.actions.strips import CANVAS_MENU, POINT_MENU
-from app.document import curve_edits, edits
-from app.document.edits import EditError
-from app.document.model import Curve, Document, Point
-from app.document.words import count_of
-from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
-from app.features.clipboard.curve_clipboard import CurveClipboard
-from app.storage.format import FormatError, decode, encode
-from app.view_model.pasting import (
+from ...actions.clipboard_watch import DERIVATIVES
+from ...actions.declaration import action, also
+from ...actions.needs import HERMITE_POINTS, POINTS_OR_CURVES, Need
+from ...actions.sections import EDIT_CLIPBOARD, EDIT_COPY_AS
+from ...actions.strips import CANVAS_MENU, POINT_MENU
+from ...document import curve_edits, edits
+from ...document.edits import EditError
+from ...document.model import Curve, Document, Point
+from ...document.words import count_of
+from ...exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
+from ...storage.format import FormatError, decode, encode
+from ...view_model.pasting import (
     appended,
     appended_with_parameters,
     as_new_curve,
@@ -30,10 +29,11 @@ from app.view_model.pasting import (
     points_of_rows,
     refuse_unordered,
 )
-from app.view_model.point_columns import known_titles
-from app.widgets.number_text import decimal_mark, exact_text
-from app.workbench.clipboard import put_on_clipboard
-from app.workbench.context import WindowContext
+from ...view_model.point_columns import known_titles
+from ...widgets.number_text import decimal_mark, exact_text
+from ...workbench.clipboard import put_on_clipboard
+from ...workbench.context import WindowContext
+from .curve_clipboard import CurveClipboard
 
 POINTS = "application/x-curvebench-points"
 """MIME type of points: a document of one curve that has these points only."""

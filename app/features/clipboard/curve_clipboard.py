@@ -5,14 +5,14 @@ from __future__ import annotations
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from app.document.edits import EditError
-from app.document.model import Document
-from app.document.several_curves import active_after_removal, add_curves, named, remove_curves
-from app.exchange.table.clipboard import write_block
-from app.storage.format import FormatError, decode, encode
-from app.widgets.number_text import decimal_mark, exact_text
-from app.workbench.clipboard import put_on_clipboard
-from app.workbench.context import WindowContext
+from ...document.edits import EditError
+from ...document.model import Document
+from ...document.several_curves import active_after_removal, add_curves, named, remove_curves
+from ...exchange.table.clipboard import write_block
+from ...storage.format import FormatError, decode, encode
+from ...widgets.number_text import decimal_mark, exact_text
+from ...workbench.clipboard import put_on_clipboard
+from ...workbench.context import WindowContext
 
 CURVES = "application/x-curvebench-curves"
 """MIME type of several curves: a document of them."""

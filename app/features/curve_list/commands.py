@@ -7,15 +7,15 @@ from functools import partial
 
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import action, also
-from app.actions.needs import Need
-from app.actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
-from app.actions.situation import Situation
-from app.actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
-from app.appearance.colours import CURVE_COLOURS
-from app.document.edits import rename_curve
-from app.document.model import Document
-from app.document.several_curves import (
+from ...actions.declaration import action, also
+from ...actions.needs import Need
+from ...actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
+from ...actions.situation import Situation
+from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
+from ...appearance.colours import CURVE_COLOURS
+from ...document.edits import rename_curve
+from ...document.model import Document
+from ...document.several_curves import (
     active_after_removal,
     add_copies,
     move_curves,
@@ -24,11 +24,11 @@ from app.document.several_curves import (
     remove_curves,
     with_appearance,
 )
-from app.features.curve_list.panel import CurveList
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import UPPER, Panel
-from app.workbench.strip_menu import strip_menu
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import UPPER, Panel
+from ...workbench.strip_menu import strip_menu
+from .panel import CurveList
 
 
 class CurveListCommands:

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from app.document.model import Curve, Document
-from app.document.words import count_of
-from app.qt.overrides import Guarded
+from ...document.model import Curve, Document
+from ...document.words import count_of
+from ...qt.overrides import Guarded
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()

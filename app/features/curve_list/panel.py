@@ -8,16 +8,16 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QContextMenuEvent, QIcon
 from PySide6.QtWidgets import QMenu, QWidget
 
-from app.appearance.colours import CURVE_COLOURS, curve_colour
-from app.appearance.swatches import swatch
-from app.appearance.theme import theme_of
-from app.document.model import Document
-from app.features.curve_list.model import CurveListModel
-from app.features.curve_list.view import CurveListView, Spot
-from app.qt.overrides import Guarded
-from app.view_model.palette import adjustment_of
-from app.widgets.boxes import column_of, row_of
-from app.widgets.tool_buttons import action_button
+from ...appearance.colours import CURVE_COLOURS, curve_colour
+from ...appearance.swatches import swatch
+from ...appearance.theme import theme_of
+from ...document.model import Document
+from ...qt.overrides import Guarded
+from ...view_model.palette import adjustment_of
+from ...widgets.boxes import column_of, row_of
+from ...widgets.tool_buttons import action_button
+from .model import CurveListModel
+from .view import CurveListView, Spot
 
 
 class CurveList(Guarded, QWidget):

@@ -36,15 +36,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.appearance.colours import curve_colour
-from app.appearance.icons import icon
-from app.appearance.theme import mix, theme_of
-from app.features.curve_list.model import CurveListModel, Row
-from app.qt.keys import DELETE, ENTER, ClaimsKeys
-from app.qt.labels import tip_of
-from app.qt.overrides import Guarded
-from app.view_model.palette import adjustment_of
-from app.widgets.controls import named
+from ...appearance.colours import curve_colour
+from ...appearance.icons import icon
+from ...appearance.theme import mix, theme_of
+from ...qt.keys import DELETE, ENTER, ClaimsKeys
+from ...qt.labels import tip_of
+from ...qt.overrides import Guarded
+from ...view_model.palette import adjustment_of
+from ...widgets.controls import named
+from .model import CurveListModel, Row
 
 Index = QModelIndex | QPersistentModelIndex
 

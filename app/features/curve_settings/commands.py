@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.features.curve_settings.panel import CurveSettings
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import Panel
-from app.workbench.form_edits import FormEdits
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import Panel
+from ...workbench.form_edits import FormEdits
+from .panel import CurveSettings
 
 
 class CurveSettingsCommands:

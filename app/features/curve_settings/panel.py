@@ -9,19 +9,19 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.document import edits
-from app.document.model import AccelerationRule, VelocityRule
-from app.document.words import NamedEnum, count_of, number
-from app.qt.labels import Label
-from app.view_model.curve_view import CurveView, ParametricCurve
-from app.widgets.boxes import column_of, form_of, row_of
-from app.widgets.controls import choice_box
-from app.widgets.field_edit import FieldEdit, NumberEdit
-from app.widgets.field_form import FieldForm
-from app.widgets.number_text import decimal_mark
-from app.widgets.tool_buttons import ICON, tool_button
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...document import edits
+from ...document.model import AccelerationRule, VelocityRule
+from ...document.words import NamedEnum, count_of, number
+from ...qt.labels import Label
+from ...view_model.curve_view import CurveView, ParametricCurve
+from ...widgets.boxes import column_of, form_of, row_of
+from ...widgets.controls import choice_box
+from ...widgets.field_edit import FieldEdit, NumberEdit
+from ...widgets.field_form import FieldForm
+from ...widgets.number_text import decimal_mark
+from ...widgets.tool_buttons import ICON, tool_button
 
 
 class CurveSettings(FieldForm):

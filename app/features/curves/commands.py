@@ -6,21 +6,21 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.actions.declaration import PlaceAction, action, also
-from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
-from app.actions.sections import CURVE_NUMBER, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
-from app.actions.situation import Situation
-from app.actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
-from app.document import curve_edits, edits
-from app.document.model import Curve, Document, Parametrization
-from app.document.several_curves import named, place_in, step_curves
-from app.document.words import number
-from app.view_model.appending import with_closed
-from app.view_model.curve_view import view_of
-from app.view_model.measure import is_kept
-from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
-from app.view_model.split_join import Split, joined, split
-from app.workbench.context import WindowContext
+from ...actions.declaration import PlaceAction, action, also
+from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
+from ...actions.sections import CURVE_NUMBER, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
+from ...actions.situation import Situation
+from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
+from ...document import curve_edits, edits
+from ...document.model import Curve, Document, Parametrization
+from ...document.several_curves import named, place_in, step_curves
+from ...document.words import number
+from ...view_model.appending import with_closed
+from ...view_model.curve_view import view_of
+from ...view_model.measure import is_kept
+from ...view_model.reshape import Reshaped, reversed_curve, with_point_inserted
+from ...view_model.split_join import Split, joined, split
+from ...workbench.context import WindowContext
 
 
 class CurveCommands:

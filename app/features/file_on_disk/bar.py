@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QBoxLayout, QToolButton, QWidget
 
-from app.widgets.boxes import column_of, row_of
-from app.widgets.tool_buttons import action_button
-from app.workbench.message_bar import GAP, SentenceBar, keep_pointer
+from ...widgets.boxes import column_of, row_of
+from ...widgets.tool_buttons import action_button
+from ...workbench.message_bar import GAP, SentenceBar, keep_pointer
 
 
 class FileBar(SentenceBar):

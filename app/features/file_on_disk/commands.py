@@ -6,19 +6,19 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer
 
-from app.actions.declaration import action
-from app.actions.needs import Need
-from app.actions.sections import FILE_DISK
-from app.document.model import Document
-from app.features.file_on_disk.bar import FileBar
-from app.features.file_on_disk.notices import Notice, Ownership, about_content, about_lock, about_refusal
-from app.features.file_on_disk.watch import DiskWatch
-from app.state.window_state import FileSituation
-from app.storage.files import Stamp, StorageError
-from app.storage.format import FormatError
-from app.storage.open_file import FileChange, OpenFile
-from app.view_model.curve_view import view_of
-from app.workbench.context import WindowContext
+from ...actions.declaration import action
+from ...actions.needs import Need
+from ...actions.sections import FILE_DISK
+from ...document.model import Document
+from ...state.window_state import FileSituation
+from ...storage.files import Stamp, StorageError
+from ...storage.format import FormatError
+from ...storage.open_file import FileChange, OpenFile
+from ...view_model.curve_view import view_of
+from ...workbench.context import WindowContext
+from .bar import FileBar
+from .notices import Notice, Ownership, about_content, about_lock, about_refusal
+from .watch import DiskWatch
 
 _RECHECK_MS = 100
 _MOST_CHECKS = 5

@@ -7,9 +7,9 @@ from enum import Enum, auto
 
 import msgspec
 
-from app.storage.files import ChangedOnDiskError, StorageError
-from app.storage.lock import Owner
-from app.storage.open_file import FileChange, LockedError
+from ...storage.files import ChangedOnDiskError, StorageError
+from ...storage.lock import Owner
+from ...storage.open_file import FileChange, LockedError
 
 
 class Notice(msgspec.Struct, frozen=True):

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.qt.overrides import Guarded
+from ...qt.overrides import Guarded
 
 _SETTLE_MS = 100
 """Milliseconds after the first sign: one writing of a file gives many."""

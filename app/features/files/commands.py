@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from app.actions.declaration import action, also
-from app.actions.sections import FILE_OPEN, FILE_QUIT, FILE_SAVE
-from app.actions.strips import TOOLBAR
-from app.features.files.work_commands import WorkCommands
-from app.workbench.context import WindowContext
+from ...actions.declaration import action, also
+from ...actions.sections import FILE_OPEN, FILE_QUIT, FILE_SAVE
+from ...actions.strips import TOOLBAR
+from ...workbench.context import WindowContext
+from .work_commands import WorkCommands
 
 
 class DocumentCommands:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
-from app.qt.labels import Label
-from app.widgets.boxes import row_of
-from app.widgets.controls import ThinProgress
-from app.widgets.tool_buttons import tool_button
+from ...qt.labels import Label
+from ...widgets.boxes import row_of
+from ...widgets.controls import ThinProgress
+from ...widgets.tool_buttons import tool_button
 
 
 class JobBar(QWidget):

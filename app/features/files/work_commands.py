@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from app.actions.declaration import action
-from app.actions.needs import Need
-from app.actions.sections import FILE_WORK
-from app.features.files.job_bar import JobBar
-from app.workbench.context import WindowContext
+from ...actions.declaration import action
+from ...actions.needs import Need
+from ...actions.sections import FILE_WORK
+from ...workbench.context import WindowContext
+from .job_bar import JobBar
 
 _AFTER_HINT = 1
 

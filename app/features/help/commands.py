@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMessageBox
 
-from app import __version__
-from app.actions.declaration import action
-from app.actions.sections import HELP_ALL, MENUS
-from app.features import help as help_feature
-from app.workbench.context import WindowContext
+from ... import __version__
+from ...actions.declaration import action
+from ...actions.sections import HELP_ALL, MENUS
+from ...workbench.context import WindowContext
+from .. import help as help_feature
 
 if TYPE_CHECKING:
-    from app.features.help.shortcut_sheet import ShortcutSheet
+    from .shortcut_sheet import ShortcutSheet
 
 
 class HelpCommands:

@@ -9,15 +9,15 @@ from PySide6.QtCore import QEvent, QMargins, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QScrollArea, QSizePolicy, QWidget
 
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.document.words import count_of
-from app.qt.labels import Label, html_of
-from app.tools.canvas.select import SELECT
-from app.tools.tool import TOOLS, GestureRow, ToolRecord
-from app.widgets.boxes import column_of, row_of
-from app.widgets.overlay_frame import OverlayFrame
-from app.widgets.tool_buttons import ICON, tool_button
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...document.words import count_of
+from ...qt.labels import Label, html_of
+from ...tools.canvas.select import SELECT
+from ...tools.tool import TOOLS, GestureRow, ToolRecord
+from ...widgets.boxes import column_of, row_of
+from ...widgets.overlay_frame import OverlayFrame
+from ...widgets.tool_buttons import ICON, tool_button
 
 Rows = Sequence[tuple[str, str]]
 _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import action, also
-from app.actions.needs import Need
-from app.actions.sections import EDIT_HISTORY, FILE_BACK
-from app.actions.strips import TOOLBAR
-from app.features.history.panel import HistoryPanel
-from app.qt.labels import menu_text
-from app.workbench.context import WindowContext
-from app.workbench.docks import UPPER, Panel
+from ...actions.declaration import action, also
+from ...actions.needs import Need
+from ...actions.sections import EDIT_HISTORY, FILE_BACK
+from ...actions.strips import TOOLBAR
+from ...qt.labels import menu_text
+from ...workbench.context import WindowContext
+from ...workbench.docks import UPPER, Panel
+from .panel import HistoryPanel
 
 
 def _titled(verb: str, step: str) -> str:

@@ -6,10 +6,10 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize
 from PySide6.QtGui import QPalette, QUndoStack
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem, QUndoView, QWidget
 
-from app.appearance.theme import mix, theme_of
-from app.qt.overrides import Guarded
-from app.widgets.boxes import column_of
-from app.widgets.controls import named
+from ...appearance.theme import mix, theme_of
+from ...qt.overrides import Guarded
+from ...widgets.boxes import column_of
+from ...widgets.controls import named
 
 _MARGIN = 6
 """Pixels between the edge and the text of a row, besides what the style leaves."""

@@ -7,20 +7,20 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import action
-from app.actions.sections import PLOTS_IN_PLANE
-from app.features import hodograph
-from app.tasks.debounced_task import DebouncedTask
-from app.tools.rail import SCRUB_ALONG
-from app.tools.toolbox import Toolbox
-from app.view_model import analysis
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import LatePanel
+from ...actions.declaration import action
+from ...actions.sections import PLOTS_IN_PLANE
+from ...tasks.debounced_task import DebouncedTask
+from ...tools.rail import SCRUB_ALONG
+from ...tools.toolbox import Toolbox
+from ...view_model import analysis
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import LatePanel
+from .. import hodograph
 
 if TYPE_CHECKING:
-    from app.features.hodograph.panel import HodographPanel
-    from app.view_model.analysis.hodograph import Hodograph
+    from ...view_model.analysis.hodograph import Hodograph
+    from .panel import HodographPanel
 
 
 class HodographCommands:

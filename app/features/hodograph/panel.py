@@ -7,25 +7,25 @@ from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QWidget
 
-from app.appearance.colours import point_colours
-from app.appearance.icons import icon
-from app.appearance.theme import LIGHT, Theme
-from app.appearance.themed import FollowsTheme
-from app.document.words import number
-from app.plotting.drawing import MARGIN, Stroke, draw_segments
-from app.plotting.layers import Layer
-from app.plotting.pixel_map import PixelMap
-from app.plotting.tool_plot import ToolPlot
-from app.tools.pointer import Hit, Part, Pointer
-from app.tools.tool import Tool
-from app.tools.toolbox import Toolbox
-from app.view_model.analysis.hodograph import Hodograph
-from app.widgets.boxes import column_of, row_of
-from app.widgets.choice_style import choice_style
-from app.widgets.controls import named
-from app.widgets.elided_label import ElidedLabel
-from app.widgets.number_text import decimal_mark
-from app.widgets.tool_buttons import tool_button
+from ...appearance.colours import point_colours
+from ...appearance.icons import icon
+from ...appearance.theme import LIGHT, Theme
+from ...appearance.themed import FollowsTheme
+from ...document.words import number
+from ...plotting.drawing import MARGIN, Stroke, draw_segments
+from ...plotting.layers import Layer
+from ...plotting.pixel_map import PixelMap
+from ...plotting.tool_plot import ToolPlot
+from ...tools.pointer import Hit, Part, Pointer
+from ...tools.tool import Tool
+from ...tools.toolbox import Toolbox
+from ...view_model.analysis.hodograph import Hodograph
+from ...widgets.boxes import column_of, row_of
+from ...widgets.choice_style import choice_style
+from ...widgets.controls import named
+from ...widgets.elided_label import ElidedLabel
+from ...widgets.number_text import decimal_mark
+from ...widgets.tool_buttons import tool_button
 
 _MARGIN = 1.12
 _NUMBERED_UP_TO = 16

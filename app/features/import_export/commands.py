@@ -12,35 +12,35 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QFileDialog
 
-from app import exchange
-from app.actions.declaration import action
-from app.actions.needs import Need
-from app.actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
-from app.document.model import Document
-from app.document.several_curves import add_imported
-from app.document.words import count_of, listed, number
-from app.exchange import table
-from app.exchange.formats import FORMATS, ContentKind, Written, ending_in, format_of, is_document, with_ending
-from app.exchange.options import Options
-from app.exchange.reading import import_file
-from app.exchange.writing import export
-from app.features import import_export
-from app.features.import_export.import_series import ImportSeries
-from app.storage.files import StorageError, read
-from app.tasks.progress import Report, part
-from app.workbench.clipboard import put_on_clipboard
-from app.workbench.context import WindowContext
-from app.workbench.document_files import file_stem
+from ... import exchange
+from ...actions.declaration import action
+from ...actions.needs import Need
+from ...actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
+from ...document.model import Document
+from ...document.several_curves import add_imported
+from ...document.words import count_of, listed, number
+from ...exchange import table
+from ...exchange.formats import FORMATS, ContentKind, Written, ending_in, format_of, is_document, with_ending
+from ...exchange.options import Options
+from ...exchange.reading import import_file
+from ...exchange.writing import export
+from ...storage.files import StorageError, read
+from ...tasks.progress import Report, part
+from ...workbench.clipboard import put_on_clipboard
+from ...workbench.context import WindowContext
+from ...workbench.document_files import file_stem
+from .. import import_export
+from .import_series import ImportSeries
 
 if TYPE_CHECKING:
-    from app.exchange.choice import ExportChoice
-    from app.exchange.cubics_in import Imported
-    from app.exchange.table.prepared import PreparedTable
-    from app.exchange.table.source import TableSource
-    from app.exchange.table.table import Preview
-    from app.features.import_export.export_dialog import ExportDialog
-    from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
-    from app.features.import_export.import_table_dialog import ImportTableDialog
+    from ...exchange.choice import ExportChoice
+    from ...exchange.cubics_in import Imported
+    from ...exchange.table.prepared import PreparedTable
+    from ...exchange.table.source import TableSource
+    from ...exchange.table.table import Preview
+    from .export_dialog import ExportDialog
+    from .import_drawing_dialog import ImportDrawingDialog
+    from .import_table_dialog import ImportTableDialog
 
 # Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
 

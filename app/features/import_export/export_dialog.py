@@ -6,19 +6,19 @@ from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import DARK, LIGHT, mix
-from app.document.expression import ExpressionError
-from app.document.model import Document
-from app.exchange.choice import ExportChoice
-from app.exchange.drawing.image import PicturePreview
-from app.exchange.errors import ExchangeError
-from app.exchange.options import DARK_PAPER
-from app.features.import_export.export_form import ExportForm
-from app.features.import_export.form_parts import buttons
-from app.features.import_export.work_dialog import WorkDialog
-from app.qt.labels import Label
-from app.tasks.progress import Report
-from app.widgets.boxes import column_of, row_of
+from ...appearance.theme import DARK, LIGHT, mix
+from ...document.expression import ExpressionError
+from ...document.model import Document
+from ...exchange.choice import ExportChoice
+from ...exchange.drawing.image import PicturePreview
+from ...exchange.errors import ExchangeError
+from ...exchange.options import DARK_PAPER
+from ...qt.labels import Label
+from ...tasks.progress import Report
+from ...widgets.boxes import column_of, row_of
+from .export_form import ExportForm
+from .form_parts import buttons
+from .work_dialog import WorkDialog
 
 _SOON_MS = 120
 _WIDTH, _HEIGHT = 300, 260

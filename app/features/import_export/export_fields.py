@@ -9,12 +9,12 @@ from typing import Any, Generic
 
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
 
-from app.document.expression import ExpressionError, parse_number
-from app.exchange.options import Check, OneOf, Option, Real, SomeOf, Value, Whole
-from app.widgets.controls import check_box, choice_box
-from app.widgets.field_edit import FieldEdit
-from app.widgets.number_text import decimal_mark, exact_text
-from app.widgets.ranged_spin import RangedSpinBox
+from ...document.expression import ExpressionError, parse_number
+from ...exchange.options import Check, OneOf, Option, Real, SomeOf, Value, Whole
+from ...widgets.controls import check_box, choice_box
+from ...widgets.field_edit import FieldEdit
+from ...widgets.number_text import decimal_mark, exact_text
+from ...widgets.ranged_spin import RangedSpinBox
 
 _AUTOMATIC = "automatic"
 

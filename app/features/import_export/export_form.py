@@ -8,15 +8,15 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
-from app.document.expression import ExpressionError
-from app.exchange.choice import ExportChoice, chosen, offered_options
-from app.exchange.formats import FORMATS
-from app.exchange.options import TRUE_SIZE, Option
-from app.exchange.units import known_unit
-from app.features.import_export.export_fields import field_for, in_columns
-from app.qt.labels import Label
-from app.widgets.boxes import form_of
-from app.widgets.controls import choice_box
+from ...document.expression import ExpressionError
+from ...exchange.choice import ExportChoice, chosen, offered_options
+from ...exchange.formats import FORMATS
+from ...exchange.options import TRUE_SIZE, Option
+from ...exchange.units import known_unit
+from ...qt.labels import Label
+from ...widgets.boxes import form_of
+from ...widgets.controls import choice_box
+from .export_fields import field_for, in_columns
 
 
 class ExportForm(QWidget):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QDialog, QDialogButtonBox, QLineEdit, QPushButton
 
-from app.qt.keys import ENTER
-from app.widgets.controls import choice_box, named
+from ...qt.keys import ENTER
+from ...widgets.controls import choice_box, named
 
 INTO = ("This document", "A new document")
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
-from app.document.words import count_of
-from app.widgets.controls import named
+from ...document.words import count_of
+from ...widgets.controls import named
 
 _DEEPEST = 6
 """Levels that are shown; what lies deeper is taken or left with the group around it."""

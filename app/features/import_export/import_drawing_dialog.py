@@ -5,14 +5,14 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.document.words import count_of, number
-from app.exchange.cubics_in import Imported
-from app.features.import_export.form_parts import into_box
-from app.features.import_export.group_tree import GroupTree
-from app.features.import_export.import_foot import ImportFoot
-from app.qt.labels import Label
-from app.widgets.boxes import column_of, row_of
-from app.widgets.fitting import FittedDialog
+from ...document.words import count_of, number
+from ...exchange.cubics_in import Imported
+from ...qt.labels import Label
+from ...widgets.boxes import column_of, row_of
+from ...widgets.fitting import FittedDialog
+from .form_parts import into_box
+from .group_tree import GroupTree
+from .import_foot import ImportFoot
 
 _MOST_REMARKS = 8
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
 
-from app.document.words import count_of
-from app.features.import_export.form_parts import buttons
-from app.features.import_export.import_series import Turn
-from app.widgets.boxes import row_of
-from app.widgets.controls import push_button
+from ...document.words import count_of
+from ...widgets.boxes import row_of
+from ...widgets.controls import push_button
+from .form_parts import buttons
+from .import_series import Turn
 
 
 class ImportFoot(QWidget):

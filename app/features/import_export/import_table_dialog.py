@@ -8,26 +8,26 @@ from itertools import pairwise
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import theme_of
-from app.document.expression import ExpressionError, parse_number
-from app.document.words import count_of, number
-from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
-from app.exchange.table.curves import Missing
-from app.exchange.table.layout import TextLayout
-from app.exchange.table.prepared import MANY_ROWS, MOST_POINTS, PreparedTable, TableChoice, prepare_table
-from app.exchange.table.source import TableSource
-from app.exchange.table.table import Preview
-from app.exchange.table.thinning import Thinning
-from app.families import FAMILIES, HERMITE
-from app.features.import_export.form_parts import into_box
-from app.features.import_export.import_foot import ImportFoot
-from app.features.import_export.table_preview import TablePreview
-from app.features.import_export.work_dialog import WorkDialog
-from app.qt.labels import Label, tip_of
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import ThinProgress, check_box, choice_box
-from app.widgets.field_edit import FieldEdit
-from app.widgets.number_text import decimal_mark
+from ...appearance.theme import theme_of
+from ...document.expression import ExpressionError, parse_number
+from ...document.words import count_of, number
+from ...exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
+from ...exchange.table.curves import Missing
+from ...exchange.table.layout import TextLayout
+from ...exchange.table.prepared import MANY_ROWS, MOST_POINTS, PreparedTable, TableChoice, prepare_table
+from ...exchange.table.source import TableSource
+from ...exchange.table.table import Preview
+from ...exchange.table.thinning import Thinning
+from ...families import FAMILIES, HERMITE
+from ...qt.labels import Label, tip_of
+from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import ThinProgress, check_box, choice_box
+from ...widgets.field_edit import FieldEdit
+from ...widgets.number_text import decimal_mark
+from .form_parts import into_box
+from .import_foot import ImportFoot
+from .table_preview import TablePreview
+from .work_dialog import WorkDialog
 
 IGNORE = "ignore"
 _SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}

@@ -8,8 +8,8 @@ from PySide6.QtCore import QRect, QSize, Qt, Signal
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QComboBox, QHeaderView, QTableView
 
-from app.qt.overrides import Guarded
-from app.widgets.controls import choice_box
+from ...qt.overrides import Guarded
+from ...widgets.controls import choice_box
 
 _GAP = 4
 

@@ -10,10 +10,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
-from app.appearance.theme import mix, theme_of
-from app.features.import_export.role_header import RoleHeader
-from app.qt.labels import tip_of
-from app.widgets.controls import named
+from ...appearance.theme import mix, theme_of
+from ...qt.labels import tip_of
+from ...widgets.controls import named
+from .role_header import RoleHeader
 
 _FITTING = 12
 """Characters that a cell has room for, as many as a number with six digits and a power of ten."""

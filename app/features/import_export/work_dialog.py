@@ -6,11 +6,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import theme_of
-from app.features.import_export.form_parts import enters_number
-from app.qt.labels import Label
-from app.tasks.single_task import SingleTask
-from app.widgets.fitting import FittedDialog
+from ...appearance.theme import theme_of
+from ...qt.labels import Label
+from ...tasks.single_task import SingleTask
+from ...widgets.fitting import FittedDialog
+from .form_parts import enters_number
 
 
 class WorkDialog(FittedDialog):

@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import action
-from app.actions.sections import ANALYSIS_JOINTS
-from app.features import joints
-from app.view_model import analysis
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import LatePanel
+from ...actions.declaration import action
+from ...actions.sections import ANALYSIS_JOINTS
+from ...view_model import analysis
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import LatePanel
+from .. import joints
 
 if TYPE_CHECKING:
-    from app.features.joints.panel import JointsPanel
-    from app.view_model.analysis.joints import JointRow
+    from ...view_model.analysis.joints import JointRow
+    from .panel import JointsPanel
 
 _CLOSE_UP = 0.6
 """Half the width of a close-up, in distances to the nearer neighbour."""

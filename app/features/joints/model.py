@@ -7,11 +7,11 @@ from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
-from app.appearance.theme import LIGHT, Theme
-from app.document.words import NOTHING, number
-from app.qt.overrides import Guarded
-from app.view_model.analysis.joints import JointKind, JointRow
-from app.widgets.number_text import decimal_mark
+from ...appearance.theme import LIGHT, Theme
+from ...document.words import NOTHING, number
+from ...qt.overrides import Guarded
+from ...view_model.analysis.joints import JointKind, JointRow
+from ...widgets.number_text import decimal_mark
 
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "∠", "κ")
 _TIPS = (

@@ -8,17 +8,17 @@ from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.document.words import number
-from app.features.joints.model import JointsModel
-from app.qt.keys import ENTER, ClaimsKeys
-from app.qt.labels import Label
-from app.view_model.analysis.joints import Certificate, JointKind, JointRow
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import named
-from app.widgets.number_text import decimal_mark
-from app.widgets.tool_buttons import action_button
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...document.words import number
+from ...qt.keys import ENTER, ClaimsKeys
+from ...qt.labels import Label
+from ...view_model.analysis.joints import Certificate, JointKind, JointRow
+from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import named
+from ...widgets.number_text import decimal_mark
+from ...widgets.tool_buttons import action_button
+from .model import JointsModel
 
 _PADDING = 5
 _DETAIL_LINES = 4

@@ -8,26 +8,26 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from app.actions.declaration import action
-from app.actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
-from app.canvas.trace_layer import Trace
-from app.document.words import number
-from app.features import laboratory
-from app.features.laboratory.error_plot import TITLE, error_plot
-from app.qt.overrides import Guarded
-from app.tasks.debounced_task import DebouncedTask
-from app.view_model import analysis
-from app.view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
-from app.view_model.curve_view import CurveView
-from app.view_model.growth import growth_of_data
-from app.workbench.context import WindowContext
-from app.workbench.dock_room import make_room_once
-from app.workbench.docks import LatePanel
+from ...actions.declaration import action
+from ...actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
+from ...canvas.trace_layer import Trace
+from ...document.words import number
+from ...qt.overrides import Guarded
+from ...tasks.debounced_task import DebouncedTask
+from ...view_model import analysis
+from ...view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
+from ...view_model.curve_view import CurveView
+from ...view_model.growth import growth_of_data
+from ...workbench.context import WindowContext
+from ...workbench.dock_room import make_room_once
+from ...workbench.docks import LatePanel
+from .. import laboratory
+from .error_plot import TITLE, error_plot
 
 if TYPE_CHECKING:
-    from app.features.laboratory.panel import LaboratoryPanel
-    from app.view_model.analysis.cost import SolvingCost
-    from app.view_model.analysis.laboratory import Digits, Trial
+    from ...view_model.analysis.cost import SolvingCost
+    from ...view_model.analysis.laboratory import Digits, Trial
+    from .panel import LaboratoryPanel
 
 _GROUP = "laboratory"
 _HEIGHT = 480

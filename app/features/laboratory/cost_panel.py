@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from app.document.words import number
-from app.features.laboratory.log_plot import LogLine, LogPlot
-from app.qt.labels import Label
-from app.view_model.analysis.cost import SolvingCost, cost_chart
-from app.view_model.analysis.laboratory_settings import Calculation
-from app.view_model.analysis.wording import short
-from app.widgets.boxes import column_of
+from ...document.words import number
+from ...qt.labels import Label
+from ...view_model.analysis.cost import SolvingCost, cost_chart
+from ...view_model.analysis.laboratory_settings import Calculation
+from ...view_model.analysis.wording import short
+from ...widgets.boxes import column_of
+from .log_plot import LogLine, LogPlot
 
 _SMALL = 30
 _ROWS = {"first": "Operations, first point", "further": "Each further point", "time": "Time, measured"}

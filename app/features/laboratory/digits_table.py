@@ -6,10 +6,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontDatabase, QPalette
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from app.document.words import number, with_minus
-from app.qt.labels import Label
-from app.view_model.analysis.laboratory import Digits
-from app.widgets.controls import named
+from ...document.words import number, with_minus
+from ...qt.labels import Label
+from ...view_model.analysis.laboratory import Digits
+from ...widgets.controls import named
 
 _USUAL_DIGITS = 9
 _SMALLER = 0.75

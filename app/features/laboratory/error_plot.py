@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from app.view_model import analysis
+from ...view_model import analysis
 
 if TYPE_CHECKING:
-    from app.view_model.analysis.laboratory import Trial
-    from app.view_model.analysis.plot_lines import PlotData
+    from ...view_model.analysis.laboratory import Trial
+    from ...view_model.analysis.plot_lines import PlotData
 
 TITLE = "Errors of the methods"
 

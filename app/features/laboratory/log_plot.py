@@ -11,17 +11,18 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.plotting.camera import FixedCamera
-from app.plotting.layers import Layer
-from app.plotting.pens import colour_of, draw_line
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.analysis.wording import power
-from app.view_model.line_styles import LineStyle
-from app.widgets.controls import named
 from curvecore.arrays import FloatArray
+
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...plotting.camera import FixedCamera
+from ...plotting.layers import Layer
+from ...plotting.pens import colour_of, draw_line
+from ...plotting.pixel_map import PixelMap
+from ...plotting.plot_widget import PlotWidget
+from ...view_model.analysis.wording import power
+from ...view_model.line_styles import LineStyle
+from ...widgets.controls import named
 
 _MOST_TICKS = 5
 _LEAST_DECADES = 2.0

@@ -8,15 +8,15 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.document.words import number
-from app.plotting.pens import SIGN, sign_pixmap
-from app.qt.labels import Label
-from app.view_model.analysis.laboratory import Trial
-from app.view_model.analysis.laboratory_settings import Calculation, RoundedPart
-from app.view_model.analysis.wording import short
-from app.widgets.controls import check_box, named
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...document.words import number
+from ...plotting.pens import SIGN, sign_pixmap
+from ...qt.labels import Label
+from ...view_model.analysis.laboratory import Trial
+from ...view_model.analysis.laboratory_settings import Calculation, RoundedPart
+from ...view_model.analysis.wording import short
+from ...widgets.controls import check_box, named
 
 _HEADINGS = (
     ("Method", "Choose what is computed and drawn"),

@@ -7,15 +7,12 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QTabWidget, QWidget
 
-from app.document.expression import ExpressionError
-from app.document.words import count_of
-from app.features.laboratory.cost_panel import CostPanel
-from app.features.laboratory.digits_table import DigitsTable
-from app.features.laboratory.method_table import MethodTable
-from app.qt.labels import Label
-from app.state.analysis import Analysis
-from app.view_model.analysis.laboratory import Digits, Trial, calculations
-from app.view_model.analysis.laboratory_settings import (
+from ...document.expression import ExpressionError
+from ...document.words import count_of
+from ...qt.labels import Label
+from ...state.analysis import Analysis
+from ...view_model.analysis.laboratory import Digits, Trial, calculations
+from ...view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,
     MOST_DECIMALS,
     MOST_DIGITS,
@@ -24,13 +21,16 @@ from app.view_model.analysis.laboratory_settings import (
     LaboratorySettings,
     RoundedPart,
 )
-from app.view_model.analysis.laboratory_words import growth_words, trial_words
-from app.view_model.curve_view import CurveView
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import choice_box, named, push_button
-from app.widgets.field_edit import NumberEdit, read_number
-from app.widgets.fitting import Scrolled
-from app.widgets.tool_buttons import action_button
+from ...view_model.analysis.laboratory_words import growth_words, trial_words
+from ...view_model.curve_view import CurveView
+from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import choice_box, named, push_button
+from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.fitting import Scrolled
+from ...widgets.tool_buttons import action_button
+from .cost_panel import CostPanel
+from .digits_table import DigitsTable
+from .method_table import MethodTable
 
 _LARGEST_SHIFT = 1e9
 

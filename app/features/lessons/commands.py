@@ -9,24 +9,24 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from app import view_model
-from app.actions.declaration import action
-from app.actions.sections import ANALYSIS, HELP_ALL
-from app.features import lessons
-from app.session import Beginning
-from app.storage.files import load
-from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
-from app.view_model.analysis.laboratory_settings import Calculation
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import LEFT, LatePanel
+from ... import view_model
+from ...actions.declaration import action
+from ...actions.sections import ANALYSIS, HELP_ALL
+from ...session import Beginning
+from ...storage.files import load
+from ...view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
+from ...view_model.analysis.laboratory_settings import Calculation
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import LEFT, LatePanel
+from .. import lessons
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
 
-    from app.document.model import Document
-    from app.features.lessons.lesson import Lesson, Step
-    from app.features.lessons.panel import LessonPanel
+    from ...document.model import Document
+    from .lesson import Lesson, Step
+    from .panel import LessonPanel
 
 _GALLERY = -1
 _ERRORS = {"epsilon": POINT_ERROR, "delta": PARAMETER_ERROR}

@@ -18,9 +18,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from app.storage.resources import resource
-from app.view_model.analysis.laboratory_settings import RoundedPart
-from app.view_model.goals import Goal, GoalError, parse_goal
+from ...storage.resources import resource
+from ...view_model.analysis.laboratory_settings import RoundedPart
+from ...view_model.goals import Goal, GoalError, parse_goal
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 _KEYS = ("curve", "show", "set", "goal", "keep")

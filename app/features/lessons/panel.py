@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.features.lessons.lesson import Lesson
-from app.qt.labels import Label, html_of
-from app.view_model.goals import GoalResult
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import named, push_button
+from ...qt.labels import Label, html_of
+from ...view_model.goals import GoalResult
+from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import named, push_button
+from .lesson import Lesson
 
 _MARGIN = 10
 _LEAST_WIDTH = 256

@@ -8,17 +8,17 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolButton, QWidget
 
-from app.actions.keymap import action_name
-from app.actions.mnemonics import plain
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.document.words import with_decimals
-from app.view_model.motion_picture import Dot, Role, in_three_digits
-from app.view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import choice_box
-from app.widgets.elided_label import ElidedLabel
-from app.widgets.tool_buttons import ICON, action_button, tool_button
+from ...actions.keymap import action_name
+from ...actions.mnemonics import plain
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...document.words import with_decimals
+from ...view_model.motion_picture import Dot, Role, in_three_digits
+from ...view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
+from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import choice_box
+from ...widgets.elided_label import ElidedLabel
+from ...widgets.tool_buttons import ICON, action_button, tool_button
 
 _READ_MS = 80
 """Numbers that change faster cannot be read."""

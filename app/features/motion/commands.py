@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from app.actions.declaration import Action, action, action_for_each, also
-from app.actions.keymap import action_name
-from app.actions.needs import CURVE_THROUGH_TWO, Need
-from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN, Section
-from app.actions.strips import TOOLBAR
-from app.features import motion
-from app.view_model.curve_view import CurveView
-from app.view_model.motion_settings import Pace, Repeat
-from app.workbench.context import WindowContext
+from ...actions.declaration import Action, action, action_for_each, also
+from ...actions.keymap import action_name
+from ...actions.needs import CURVE_THROUGH_TWO, Need
+from ...actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN, Section
+from ...actions.strips import TOOLBAR
+from ...view_model.curve_view import CurveView
+from ...view_model.motion_settings import Pace, Repeat
+from ...workbench.context import WindowContext
+from .. import motion
 
 if TYPE_CHECKING:
-    from app.features.motion.stage import MotionStage
+    from .stage import MotionStage
 
 
 class _Choice(NamedTuple):

@@ -5,12 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
-from app.qt.labels import Label
-from app.widgets.boxes import form_of, row_of
-from app.widgets.controls import check_box, choice_box, push_button
-from app.widgets.fitting import FittedDialog
-from app.widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
+from ...exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
+from ...qt.labels import Label
+from ...widgets.boxes import form_of, row_of
+from ...widgets.controls import check_box, choice_box, push_button
+from ...widgets.fitting import FittedDialog
+from ...widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
 
 
 class MotionDialog(FittedDialog):

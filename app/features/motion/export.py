@@ -7,15 +7,15 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from app.appearance.theme import theme_of
-from app.exchange.drawing.animation import Film, FilmFormat, write_film
-from app.exchange.drawing.styles import DARK, LIGHT
-from app.features.motion.dialog import MotionDialog
-from app.tasks.progress import Report
-from app.view_model.motion import round_of
-from app.view_model.motion_settings import MotionSettings
-from app.workbench.context import WindowContext
-from app.workbench.document_files import file_stem
+from ...appearance.theme import theme_of
+from ...exchange.drawing.animation import Film, FilmFormat, write_film
+from ...exchange.drawing.styles import DARK, LIGHT
+from ...tasks.progress import Report
+from ...view_model.motion import round_of
+from ...view_model.motion_settings import MotionSettings
+from ...workbench.context import WindowContext
+from ...workbench.document_files import file_stem
+from .dialog import MotionDialog
 
 
 class MotionExport:

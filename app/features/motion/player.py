@@ -9,11 +9,11 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from app.session import Session
-from app.state.window_state import WindowStore
-from app.view_model.curve_view import ParametricCurve
-from app.view_model.motion import Course, folded, round_of
-from app.view_model.motion_settings import SPEEDS, MotionSettings, Repeat
+from ...session import Session
+from ...state.window_state import WindowStore
+from ...view_model.curve_view import ParametricCurve
+from ...view_model.motion import Course, folded, round_of
+from ...view_model.motion_settings import SPEEDS, MotionSettings, Repeat
 
 FRAME_MS = 16
 """Milliseconds from frame to frame; what takes longer drops frames, because the clock is asked each time."""

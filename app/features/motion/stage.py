@@ -5,16 +5,17 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
 
-from app.appearance.theme import theme_of
-from app.features.motion.bar import MotionBar
-from app.features.motion.export import MotionExport
-from app.features.motion.player import Player
-from app.qt.overrides import Guarded
-from app.view_model.curve_view import CurveView
-from app.view_model.motion import Course
-from app.view_model.motion_picture import Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
-from app.workbench.context import WindowContext
 from curvecore.arrays import FloatArray
+
+from ...appearance.theme import theme_of
+from ...qt.overrides import Guarded
+from ...view_model.curve_view import CurveView
+from ...view_model.motion import Course
+from ...view_model.motion_picture import Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
+from ...workbench.context import WindowContext
+from .bar import MotionBar
+from .export import MotionExport
+from .player import Player
 
 
 class MotionStage(Guarded, QObject):

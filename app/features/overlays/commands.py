@@ -6,23 +6,23 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import Action, action, action_for_each
-from app.actions.sections import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
-from app.features import overlays
-from app.tasks.debounced_task import DebouncedTask
-from app.tasks.progress import Report
-from app.view_model import analysis
-from app.view_model.analysis.ghost import Ghost, all_ghosts
-from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
-from app.view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
-from app.view_model.analysis.settings import AnalysisSettings, ErrorSize
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import LatePanel
+from ...actions.declaration import Action, action, action_for_each
+from ...actions.sections import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
+from ...tasks.debounced_task import DebouncedTask
+from ...tasks.progress import Report
+from ...view_model import analysis
+from ...view_model.analysis.ghost import Ghost, all_ghosts
+from ...view_model.analysis.overlay import OVERLAYS, Group, Overlay
+from ...view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
+from ...view_model.analysis.settings import AnalysisSettings, ErrorSize
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import LatePanel
+from .. import overlays
 
 if TYPE_CHECKING:
-    from app.view_model.analysis.ghosts import GhostView
-    from app.view_model.analysis.picture import Picture
+    from ...view_model.analysis.ghosts import GhostView
+    from ...view_model.analysis.picture import Picture
 
 
 _GROUP = "overlays"

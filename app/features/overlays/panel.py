@@ -9,21 +9,21 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QAction, QIcon
 from PySide6.QtWidgets import QCheckBox, QFrame, QGridLayout, QScrollArea, QSizePolicy, QWidget
 
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.document.expression import ExpressionError
-from app.plotting.pens import SIGN, sign_pixmap
-from app.qt.labels import Label
-from app.state.analysis import Analysis
-from app.view_model.analysis.ghost import Ghost, all_ghosts
-from app.view_model.analysis.overlay import OVERLAYS, Overlay
-from app.view_model.analysis.settings import Count, ErrorSize, Factor
-from app.widgets.action_switch import mirror
-from app.widgets.boxes import Part, column_of, row_of
-from app.widgets.controls import check_box
-from app.widgets.field_edit import NumberEdit, read_number
-from app.widgets.setting_slider import SettingSlider, slider_of
-from app.widgets.tool_buttons import action_button, tool_button
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...document.expression import ExpressionError
+from ...plotting.pens import SIGN, sign_pixmap
+from ...qt.labels import Label
+from ...state.analysis import Analysis
+from ...view_model.analysis.ghost import Ghost, all_ghosts
+from ...view_model.analysis.overlay import OVERLAYS, Overlay
+from ...view_model.analysis.settings import Count, ErrorSize, Factor
+from ...widgets.action_switch import mirror
+from ...widgets.boxes import Part, column_of, row_of
+from ...widgets.controls import check_box
+from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.setting_slider import SettingSlider, slider_of
+from ...widgets.tool_buttons import action_button, tool_button
 
 _NOTES_MS = 60
 """Milliseconds that the words may lag behind a drag."""

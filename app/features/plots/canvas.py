@@ -9,13 +9,14 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from app.features.plots.layers import PlotLayer, ScrubLayer
-from app.features.plots.value_scale import ValueScale
-from app.plotting.camera import CameraOverT
-from app.plotting.tool_plot import ToolPlot
-from app.tools.toolbox import Toolbox
-from app.view_model.analysis.plot_lines import PlotData
 from curvecore.arrays import FloatArray
+
+from ...plotting.camera import CameraOverT
+from ...plotting.tool_plot import ToolPlot
+from ...tools.toolbox import Toolbox
+from ...view_model.analysis.plot_lines import PlotData
+from .layers import PlotLayer, ScrubLayer
+from .value_scale import ValueScale
 
 _PIXELS_A_NUMBER = 24.0
 _EDGE = 7.0

@@ -9,23 +9,23 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import Action, action_for_each
-from app.actions.sections import PLOTS_OVER_T
-from app.features import plots
-from app.features.plots.panel import PlotPanel
-from app.tasks.debounced_task import DebouncedTask
-from app.tools.rail import SCRUB
-from app.tools.toolbox import Toolbox
-from app.view_model import analysis
-from app.view_model.analysis.plot import PLOTS, Plot
-from app.view_model.curve_view import CurveView
-from app.view_model.growth import growth_of_points
-from app.workbench.central_pane import Pane
-from app.workbench.context import WindowContext
+from ...actions.declaration import Action, action_for_each
+from ...actions.sections import PLOTS_OVER_T
+from ...tasks.debounced_task import DebouncedTask
+from ...tools.rail import SCRUB
+from ...tools.toolbox import Toolbox
+from ...view_model import analysis
+from ...view_model.analysis.plot import PLOTS, Plot
+from ...view_model.curve_view import CurveView
+from ...view_model.growth import growth_of_points
+from ...workbench.central_pane import Pane
+from ...workbench.context import WindowContext
+from .. import plots
+from .panel import PlotPanel
 
 if TYPE_CHECKING:
-    from app.features.plots.pane import PlotPane
-    from app.view_model.analysis.plot_lines import PlotData
+    from ...view_model.analysis.plot_lines import PlotData
+    from .pane import PlotPane
 
 
 _CALM_MS = 300

@@ -9,15 +9,16 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 
-from app.features.plots.value_scale import ValueScale
-from app.plotting.drawing import Segments, Stroke, cut_segments
-from app.plotting.layers import Layer
-from app.plotting.pens import colour_of, line_in_pixels, with_dashes
-from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
-from app.view_model.analysis.plot_lines import PlotData, PlotLine
-from app.view_model.line_styles import DASHED
 from curvecore.arrays import FloatArray
+
+from ...plotting.drawing import Segments, Stroke, cut_segments
+from ...plotting.layers import Layer
+from ...plotting.pens import colour_of, line_in_pixels, with_dashes
+from ...plotting.pixel_map import PixelMap
+from ...plotting.plot_widget import PlotWidget
+from ...view_model.analysis.plot_lines import PlotData, PlotLine
+from ...view_model.line_styles import DASHED
+from .value_scale import ValueScale
 
 _STRIP, _LARGEST_STRIP = 17.0, 0.4
 """Pixels above a plot for its title, and the share of the height that they never surpass."""

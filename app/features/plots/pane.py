@@ -8,18 +8,18 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.document.words import number
-from app.features.plots.canvas import PlotCanvas
-from app.widgets.action_switch import mirror
-from app.widgets.boxes import column_of, row_of
-from app.widgets.choice_style import choice_style
-from app.widgets.controls import named
-from app.widgets.elided_label import ElidedLabel
-from app.widgets.number_text import decimal_mark
-from app.widgets.tool_buttons import tool_button
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...document.words import number
+from ...widgets.action_switch import mirror
+from ...widgets.boxes import column_of, row_of
+from ...widgets.choice_style import choice_style
+from ...widgets.controls import named
+from ...widgets.elided_label import ElidedLabel
+from ...widgets.number_text import decimal_mark
+from ...widgets.tool_buttons import tool_button
+from .canvas import PlotCanvas
 
 _HEIGHT_A_PLOT = 64
 """Pixels that a plot should have at least where there is room."""

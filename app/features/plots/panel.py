@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.qt.overrides import Guarded
-from app.workbench.central_pane import CentralPane
+from ...qt.overrides import Guarded
+from ...workbench.central_pane import CentralPane
 
 if TYPE_CHECKING:
-    from app.features.plots.pane import PlotPane
+    from .pane import PlotPane
 
 
 USUAL_HEIGHT = 170

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.document.words import number, with_minus
-from app.view_model.analysis.plot_lines import PlotData, Scale
 from curvecore.arrays import FloatArray
+
+from ...document.words import number, with_minus
+from ...view_model.analysis.plot_lines import PlotData, Scale
 
 _MARGIN = 0.06
 _LEAST_DECADES = math.log10(2)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.features.point_table.controller import PointTableController
-from app.features.point_table.panel import PointTable
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import UPPER, Panel
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import UPPER, Panel
+from .controller import PointTableController
+from .panel import PointTable
 
 
 class PointTableCommands:

@@ -7,13 +7,13 @@ from itertools import compress
 
 import numpy as np
 
-from app.document.edits import EditError
-from app.document.model import Document
-from app.document.words import count_of
-from app.features.point_table.edits import fill_cells, keepers, passed_over, paste_block, reset_name
-from app.features.point_table.panel import PointTable
-from app.session import Session
-from app.view_model.point_columns import POSITION, Column
+from ...document.edits import EditError
+from ...document.model import Document
+from ...document.words import count_of
+from ...session import Session
+from ...view_model.point_columns import POSITION, Column
+from .edits import fill_cells, keepers, passed_over, paste_block, reset_name
+from .panel import PointTable
 
 
 class PointTableController:

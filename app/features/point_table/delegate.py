@@ -26,11 +26,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.appearance.theme import LIGHT, Theme, mix
-from app.features.point_table.model import PointTableModel
-from app.qt.keys import ENTER, PASSING
-from app.qt.overrides import Guarded
-from app.widgets.number_text import (
+from ...appearance.theme import LIGHT, Theme, mix
+from ...qt.keys import ENTER, PASSING
+from ...qt.overrides import Guarded
+from ...widgets.number_text import (
     Extent,
     column_decimals,
     column_text,
@@ -39,6 +38,7 @@ from app.widgets.number_text import (
     most_decimals,
     widest_texts,
 )
+from .model import PointTableModel
 
 _MARK = 6
 """Pixels along the sides of the mark that a number has a second one, after the corner."""

@@ -6,14 +6,15 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from app.document import edits
-from app.document.edits import EditError
-from app.document.model import Document, Point
-from app.view_model.appending import appended_parameter, with_points_appended
-from app.view_model.curve_view import CurveView, view_of
-from app.view_model.jets import explicit_sides
-from app.view_model.point_columns import PARAMETER, POSITION, Column, knot_parameters
 from curvecore.arrays import FloatArray
+
+from ...document import edits
+from ...document.edits import EditError
+from ...document.model import Document, Point
+from ...view_model.appending import appended_parameter, with_points_appended
+from ...view_model.curve_view import CurveView, view_of
+from ...view_model.jets import explicit_sides
+from ...view_model.point_columns import PARAMETER, POSITION, Column, knot_parameters
 
 
 def fill_cells(

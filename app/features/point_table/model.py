@@ -9,18 +9,19 @@ import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QFont, QPixmap
 
-from app.appearance.colours import point_colours
-from app.appearance.swatches import swatch
-from app.appearance.theme import LIGHT, Theme
-from app.document.edits import EditError, checked
-from app.document.expression import ExpressionError, parse_number
-from app.document.model import Point
-from app.document.words import number, with_minus
-from app.qt.overrides import Guarded
-from app.view_model.curve_view import CurveView
-from app.view_model.point_columns import Column, columns_of
-from app.widgets.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
 from curvecore.arrays import FloatArray
+
+from ...appearance.colours import point_colours
+from ...appearance.swatches import swatch
+from ...appearance.theme import LIGHT, Theme
+from ...document.edits import EditError, checked
+from ...document.expression import ExpressionError, parse_number
+from ...document.model import Point
+from ...document.words import number, with_minus
+from ...qt.overrides import Guarded
+from ...view_model.curve_view import CurveView
+from ...view_model.point_columns import Column, columns_of
+from ...widgets.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()

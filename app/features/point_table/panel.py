@@ -10,21 +10,21 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.document.edits import EditError
-from app.document.words import count_of
-from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
-from app.features.point_table.edits import explicit_orders, keeping_sentence
-from app.features.point_table.model import PointTableModel
-from app.features.point_table.view import PointTableView
-from app.qt.labels import Label, html_of
-from app.view_model.curve_view import CurveView
-from app.view_model.point_columns import POSITION, Column, known_titles
-from app.widgets.boxes import column_of, row_of
-from app.widgets.number_text import decimal_mark, exact_text
-from app.widgets.tool_buttons import ICON, tool_button
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...document.edits import EditError
+from ...document.words import count_of
+from ...exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
+from ...qt.labels import Label, html_of
+from ...view_model.curve_view import CurveView
+from ...view_model.point_columns import POSITION, Column, known_titles
+from ...widgets.boxes import column_of, row_of
+from ...widgets.number_text import decimal_mark, exact_text
+from ...widgets.tool_buttons import ICON, tool_button
+from .edits import explicit_orders, keeping_sentence
+from .model import PointTableModel
+from .view import PointTableView
 
 INTERVAL_MS = 100
 """The table follows a drag at this pace; the canvas is what the eye is on."""

@@ -16,10 +16,10 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from app.features.point_table.delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
-from app.features.point_table.model import PointTableModel
-from app.qt.keys import DELETE, ENTER, ClaimsKeys
-from app.widgets.controls import named
+from ...qt.keys import DELETE, ENTER, ClaimsKeys
+from ...widgets.controls import named
+from .delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
+from .model import PointTableModel
 
 _PLAIN = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from app.actions.declaration import action, also
-from app.actions.needs import SELECTED_POINTS, Need
-from app.actions.sections import (
+from ...actions.declaration import action, also
+from ...actions.needs import SELECTED_POINTS, Need
+from ...actions.sections import (
     CURVE_VELOCITIES,
     EDIT_DELETE,
     EDIT_SELECT,
 )
-from app.actions.situation import Situation
-from app.actions.strips import CANVAS_MENU, POINT_MENU
-from app.document import edits
-from app.view_model.jets import is_explicit
-from app.workbench.context import WindowContext
+from ...actions.situation import Situation
+from ...actions.strips import CANVAS_MENU, POINT_MENU
+from ...document import edits
+from ...view_model.jets import is_explicit
+from ...workbench.context import WindowContext
 
 
 def _has_explicit(now: Situation) -> bool:

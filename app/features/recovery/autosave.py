@@ -8,10 +8,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
-from app.document.model import Document
-from app.session import Session
-from app.storage.recovery import Origin, SnapshotFile
-from app.tasks.task import Task
+from ...document.model import Document
+from ...session import Session
+from ...storage.recovery import Origin, SnapshotFile
+from ...tasks.task import Task
 
 _log = logging.getLogger("curvebench.autosave")
 

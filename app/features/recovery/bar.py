@@ -8,17 +8,17 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPixmap
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QScrollArea, QWidget
 
-from app.appearance.icons import icon
-from app.appearance.theme import Theme
-from app.document.words import count_of
-from app.features.recovery.offers import Offer
-from app.features.recovery.thumbnail import thumbnail
-from app.qt.labels import Label, tip_of
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import push_button
-from app.widgets.elided_label import ElidedLabel
-from app.widgets.overlay_frame import OverlayFrame
-from app.widgets.tool_buttons import tool_button
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...document.words import count_of
+from ...qt.labels import Label, tip_of
+from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import push_button
+from ...widgets.elided_label import ElidedLabel
+from ...widgets.overlay_frame import OverlayFrame
+from ...widgets.tool_buttons import tool_button
+from .offers import Offer
+from .thumbnail import thumbnail
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44
 _PICTURE = (88, 56)

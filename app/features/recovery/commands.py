@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from app.actions.declaration import action
-from app.actions.sections import FILE_RECOVERY
-from app.document.model import Document
-from app.features import recovery
-from app.features.recovery.autosave import Autosave, snapshot_folder
-from app.features.recovery.set_aside import SetAside
-from app.storage.recovery import Found, Snapshot, list_snapshots
-from app.workbench.context import WindowContext
+from ...actions.declaration import action
+from ...actions.sections import FILE_RECOVERY
+from ...document.model import Document
+from ...storage.recovery import Found, Snapshot, list_snapshots
+from ...workbench.context import WindowContext
+from .. import recovery
+from .autosave import Autosave, snapshot_folder
+from .set_aside import SetAside
 
 OpenBeside = Callable[[Document, Path | None], Autosave]
 """Opens another window on a document with changes that are not in its file."""

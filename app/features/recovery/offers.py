@@ -11,10 +11,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QDateTime, QLocale
 
-from app.document.model import Document
-from app.document.words import count_of
-from app.storage.recovery import Snapshot
-from app.workbench.document_files import NEW_NAME
+from ...document.model import Document
+from ...document.words import count_of
+from ...storage.recovery import Snapshot
+from ...workbench.document_files import NEW_NAME
 
 _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
 

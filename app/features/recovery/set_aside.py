@@ -6,10 +6,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
-from app.document.model import Document
-from app.session import Session
-from app.storage.format import FormatError
-from app.storage.recovery import Origin, SnapshotFile
+from ...document.model import Document
+from ...session import Session
+from ...storage.format import FormatError
+from ...storage.recovery import Origin, SnapshotFile
 
 
 class SetAside(QObject):

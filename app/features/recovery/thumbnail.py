@@ -6,10 +6,10 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen
 
-from app.appearance.theme import Theme
-from app.document.model import Curve, Document
-from app.exchange.drawing.drawing import Drawing, drawing_of
-from app.exchange.errors import ExchangeError
+from ...appearance.theme import Theme
+from ...document.model import Curve, Document
+from ...exchange.drawing.drawing import Drawing, drawing_of
+from ...exchange.errors import ExchangeError
 
 _LINE, _POINT = 1.5, 2.0
 _MARGIN = 3.0

@@ -8,21 +8,21 @@ from pathlib import Path
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDockWidget, QFileDialog, QWidget
 
-from app.actions.declaration import action, also
-from app.actions.needs import Need
-from app.actions.sections import FILE_IMAGE
-from app.actions.strips import IMAGE_BUTTONS
-from app.canvas.image_file import ImageFileError, read_image
-from app.document.image_edits import set_image, set_image_file, set_image_opacity
-from app.document.model import ReferenceImage
-from app.features.reference_image.panel import STEPS, ImagePanel
-from app.state.window_state import WindowState
-from app.tools.move_image import MOVE_IMAGE
-from app.view_model.curve_view import CurveView
-from app.workbench.context import WindowContext
-from app.workbench.docks import Panel
-from app.workbench.form_edits import FormEdits
-from app.workbench.slider_gesture import SliderGesture
+from ...actions.declaration import action, also
+from ...actions.needs import Need
+from ...actions.sections import FILE_IMAGE
+from ...actions.strips import IMAGE_BUTTONS
+from ...canvas.image_file import ImageFileError, read_image
+from ...document.image_edits import set_image, set_image_file, set_image_opacity
+from ...document.model import ReferenceImage
+from ...state.window_state import WindowState
+from ...tools.move_image import MOVE_IMAGE
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import Panel
+from ...workbench.form_edits import FormEdits
+from ...workbench.slider_gesture import SliderGesture
+from .panel import STEPS, ImagePanel
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
 _MISSING = "The reference image is not shown. {}"

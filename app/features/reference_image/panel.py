@@ -9,17 +9,17 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.document.image_edits import place_image, set_image_locked
-from app.document.model import ReferenceImage, Vector
-from app.document.words import number
-from app.qt.labels import Label, tip_of
-from app.widgets.boxes import column_of, form_of, row_of
-from app.widgets.controls import check_box, named
-from app.widgets.field_edit import NumberEdit
-from app.widgets.field_form import FieldForm
-from app.widgets.live_slider import LiveSlider
-from app.widgets.number_text import decimal_mark
-from app.widgets.tool_buttons import action_button
+from ...document.image_edits import place_image, set_image_locked
+from ...document.model import ReferenceImage, Vector
+from ...document.words import number
+from ...qt.labels import Label, tip_of
+from ...widgets.boxes import column_of, form_of, row_of
+from ...widgets.controls import check_box, named
+from ...widgets.field_edit import NumberEdit
+from ...widgets.field_form import FieldForm
+from ...widgets.live_slider import LiveSlider
+from ...widgets.number_text import decimal_mark
+from ...widgets.tool_buttons import action_button
 
 STEPS = 100
 """Positions of the slider from nothing to all of the image."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
-from app.document.model import ParametrizationKind
-from app.qt.labels import Label
-from app.view_model.curve_view import CurveView
-from app.widgets.boxes import row_of
-from app.widgets.controls import choice_box, named
-from app.widgets.live_slider import LiveSlider
-from app.widgets.toolbar_widget import ToolbarWidget
+from ...document.model import ParametrizationKind
+from ...qt.labels import Label
+from ...view_model.curve_view import CurveView
+from ...widgets.boxes import row_of
+from ...widgets.controls import choice_box, named
+from ...widgets.live_slider import LiveSlider
+from ...widgets.toolbar_widget import ToolbarWidget
 
 STEPS = 100
 """Positions of the slider from α 0 to 1."""

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from app.actions.declaration import Action, action, action_for_each, also, widget_at
-from app.actions.needs import Need
-from app.actions.sections import CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
-from app.actions.strips import CURVE_MENU, RAIL_MENU, TOOLBAR
-from app.document import edits
-from app.document.edits import EditError
-from app.document.model import Curve, Document, ParametrizationKind
-from app.families import FAMILIES, Family
-from app.features.rules.bar import STEPS, ParametrizationBar
-from app.storage.resources import has_resource
-from app.view_model.curve_view import CurveView
-from app.widgets.toolbar_widget import ToolbarWidget
-from app.workbench.context import WindowContext
-from app.workbench.slider_gesture import SliderGesture
+from ...actions.declaration import Action, action, action_for_each, also, widget_at
+from ...actions.needs import Need
+from ...actions.sections import CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
+from ...actions.strips import CURVE_MENU, RAIL_MENU, TOOLBAR
+from ...document import edits
+from ...document.edits import EditError
+from ...document.model import Curve, Document, ParametrizationKind
+from ...families import FAMILIES, Family
+from ...storage.resources import has_resource
+from ...view_model.curve_view import CurveView
+from ...widgets.toolbar_widget import ToolbarWidget
+from ...workbench.context import WindowContext
+from ...workbench.slider_gesture import SliderGesture
+from .bar import STEPS, ParametrizationBar
 
 _MOST_KEYS = 10
 """One more than there are digits for."""

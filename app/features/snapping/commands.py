@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from app.actions.declaration import action, also
-from app.actions.sections import VIEW_DRAWING
-from app.actions.strips import CANVAS_MENU, TOOLBAR
-from app.state.window_state import WindowState
-from app.tools.snapping import Snapping
-from app.workbench.context import WindowContext
+from ...actions.declaration import action, also
+from ...actions.sections import VIEW_DRAWING
+from ...actions.strips import CANVAS_MENU, TOOLBAR
+from ...state.window_state import WindowState
+from ...tools.snapping import Snapping
+from ...workbench.context import WindowContext
 
 
 class SnapCommands:

@@ -5,22 +5,22 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Collection, Sequence
 
-from app.actions.declaration import PlaceAction, action, also
-from app.actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
-from app.actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
-from app.actions.situation import Situation
-from app.actions.strips import POINT_MENU
-from app.document import edits, words
-from app.document.curve_edits import replace_curve
-from app.document.edits import EditError
-from app.document.model import Curve, Document, Point
-from app.document.straight_edits import corners_of, ends_of, why_not_straight
-from app.view_model.curve_view import CurveView
-from app.view_model.handles import with_velocities_pulled
-from app.view_model.sampling import segment_at
-from app.view_model.smoothness import ENDS_STAY, inner_points, made_smooth, with_corners
-from app.view_model.straight import segments_between, with_straight_segments
-from app.workbench.context import WindowContext
+from ...actions.declaration import PlaceAction, action, also
+from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
+from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
+from ...actions.situation import Situation
+from ...actions.strips import POINT_MENU
+from ...document import edits, words
+from ...document.curve_edits import replace_curve
+from ...document.edits import EditError
+from ...document.model import Curve, Document, Point
+from ...document.straight_edits import corners_of, ends_of, why_not_straight
+from ...view_model.curve_view import CurveView
+from ...view_model.handles import with_velocities_pulled
+from ...view_model.sampling import segment_at
+from ...view_model.smoothness import ENDS_STAY, inner_points, made_smooth, with_corners
+from ...view_model.straight import segments_between, with_straight_segments
+from ...workbench.context import WindowContext
 
 _VISIBLE = 16.0
 """Pixels from a point at which a handle is clear of the point's disc."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
-from app.features.teaching.teaching_badge import TeachingBadge
-from app.qt.labels import Label
-from app.view_model.analysis.teaching import Topic, Warned, warnings_of
-from app.view_model.curve_view import CurveView
-from app.view_model.growth import growth_of_points
-from app.workbench.context import WindowContext
+from ...qt.labels import Label
+from ...view_model.analysis.teaching import Topic, Warned, warnings_of
+from ...view_model.curve_view import CurveView
+from ...view_model.growth import growth_of_points
+from ...workbench.context import WindowContext
+from .teaching_badge import TeachingBadge
 
 
 class TeachingCommands(QObject):

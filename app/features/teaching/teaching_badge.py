@@ -6,13 +6,13 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QToolButton, QWidget
 
-from app.appearance.theme import Theme
-from app.appearance.themed import FollowsTheme
-from app.qt.labels import Label, tip_of
-from app.qt.overrides import Guarded
-from app.view_model.analysis.teaching import Warned
-from app.widgets.boxes import column_of, row_of
-from app.widgets.controls import push_button
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...qt.labels import Label, tip_of
+from ...qt.overrides import Guarded
+from ...view_model.analysis.teaching import Warned
+from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import push_button
 
 _WIDTH = 340
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from app.actions.declaration import Action, action, action_for_each
-from app.actions.needs import THREE_SELECTED, TWO_SELECTED
-from app.actions.sections import (
+from ...actions.declaration import Action, action, action_for_each
+from ...actions.needs import THREE_SELECTED, TWO_SELECTED
+from ...actions.sections import (
     EDIT_ALIGN_ACROSS,
     EDIT_ALIGN_UP,
     EDIT_DISTRIBUTE,
@@ -14,11 +14,11 @@ from app.actions.sections import (
     EDIT_TRANSFORM_BOX,
     Section,
 )
-from app.document import words
-from app.document.transforms import Edge, align_points, distribute_points
-from app.state.window_state import WindowState
-from app.tools.transform import TransformKind
-from app.workbench.context import WindowContext
+from ...document import words
+from ...document.transforms import Edge, align_points, distribute_points
+from ...state.window_state import WindowState
+from ...tools.transform import TransformKind
+from ...workbench.context import WindowContext
 
 
 class _Transform(NamedTuple):

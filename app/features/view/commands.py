@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
-from app.actions.declaration import Action, action, action_for_each, also, also_for_each
-from app.actions.needs import CURVE_DRAWN, HERMITE_CURVE
-from app.actions.sections import (
+from ...actions.declaration import Action, action, action_for_each, also, also_for_each
+from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
+from ...actions.sections import (
     EDIT_TOOLS,
     VIEW_DRAWING,
     VIEW_SHOWN,
@@ -15,15 +15,15 @@ from app.actions.sections import (
     VIEW_THEME,
     VIEW_ZOOM,
 )
-from app.actions.strips import CANVAS_MENU, TOOLBAR
-from app.appearance.theme import ThemeMode
-from app.plotting.scrolling import ZOOM_STEP
-from app.state.window_state import WindowState
-from app.tools.canvas.select import SELECT
-from app.tools.tool import TOOLS, ToolRecord
-from app.workbench.context import WindowContext
-from app.workbench.dock import LateDock
-from app.workbench.dock_room import hide_idle_docks
+from ...actions.strips import CANVAS_MENU, TOOLBAR
+from ...appearance.theme import ThemeMode
+from ...plotting.scrolling import ZOOM_STEP
+from ...state.window_state import WindowState
+from ...tools.canvas.select import SELECT
+from ...tools.tool import TOOLS, ToolRecord
+from ...workbench.context import WindowContext
+from ...workbench.dock import LateDock
+from ...workbench.dock_room import hide_idle_docks
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 

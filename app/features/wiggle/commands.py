@@ -7,24 +7,24 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import PlaceAction, action
-from app.actions.needs import CURVE_THROUGH_TWO
-from app.actions.sections import ANALYSIS_EXPLAIN
-from app.canvas.trace_layer import Trace
-from app.document.model import Document
-from app.features import wiggle
-from app.tasks.debounced_task import DebouncedTask
-from app.tools.explain import EXPLAIN
-from app.view_model import analysis
-from app.view_model.curve_view import CurveView
-from app.view_model.line_styles import CURE_STYLE
-from app.workbench.context import WindowContext
-from app.workbench.dock_room import make_room_once
-from app.workbench.docks import LatePanel
+from ...actions.declaration import PlaceAction, action
+from ...actions.needs import CURVE_THROUGH_TWO
+from ...actions.sections import ANALYSIS_EXPLAIN
+from ...canvas.trace_layer import Trace
+from ...document.model import Document
+from ...tasks.debounced_task import DebouncedTask
+from ...tools.explain import EXPLAIN
+from ...view_model import analysis
+from ...view_model.curve_view import CurveView
+from ...view_model.line_styles import CURE_STYLE
+from ...workbench.context import WindowContext
+from ...workbench.dock_room import make_room_once
+from ...workbench.docks import LatePanel
+from .. import wiggle
 
 if TYPE_CHECKING:
-    from app.features.wiggle.panel import WigglePanel
-    from app.view_model.analysis.cures import Cure, Cures
+    from ...view_model.analysis.cures import Cure, Cures
+    from .panel import WigglePanel
 
 _GROUP = "cure"
 _HEIGHT = 460

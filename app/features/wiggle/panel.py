@@ -8,15 +8,15 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QWidget
 
-from app.document.words import number
-from app.features.wiggle.weight_bars import WeightBars
-from app.qt.labels import Label
-from app.qt.overrides import Guarded
-from app.view_model.analysis.cures import CURES, Cure, Cures
-from app.view_model.analysis.wiggle import Explanation
-from app.view_model.analysis.wording import short
-from app.widgets.boxes import column_of
-from app.widgets.controls import named
+from ...document.words import number
+from ...qt.labels import Label
+from ...qt.overrides import Guarded
+from ...view_model.analysis.cures import CURES, Cure, Cures
+from ...view_model.analysis.wiggle import Explanation
+from ...view_model.analysis.wording import short
+from ...widgets.boxes import column_of
+from ...widgets.controls import named
+from .weight_bars import WeightBars
 
 _NOWHERE = "Click on the curve where it swings out."
 

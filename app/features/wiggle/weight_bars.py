@@ -8,12 +8,12 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.appearance.colours import point_colours
-from app.appearance.theme import theme_of
-from app.qt.overrides import Guarded
-from app.view_model.analysis.wiggle import MOST_PULLS, Pull
-from app.view_model.analysis.wording import short
-from app.widgets.controls import named
+from ...appearance.colours import point_colours
+from ...appearance.theme import theme_of
+from ...qt.overrides import Guarded
+from ...view_model.analysis.wiggle import MOST_PULLS, Pull
+from ...view_model.analysis.wording import short
+from ...widgets.controls import named
 
 _ROW = 19
 _NAMES = ("", "velocity ", "acceler. ")

@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from app.document.curve_edits import add_curve, fresh_curve
-from app.document.model import Vector
-from app.tools import hints
-from app.tools.drag_machine import EditingHost
-from app.tools.marks import GestureMarks
-from app.tools.parts import GESTURES, press_on_part
-from app.tools.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
-from app.tools.pointer import Hint, Hit
-from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
-from app.view_model.appending import closed_by_pen, view_with_point
-from app.view_model.curve_view import CurveView, view_of
+from ...document.curve_edits import add_curve, fresh_curve
+from ...document.model import Vector
+from ...view_model.appending import closed_by_pen, view_with_point
+from ...view_model.curve_view import CurveView, view_of
+from .. import hints
+from ..drag_machine import EditingHost
+from ..marks import GestureMarks
+from ..parts import GESTURES, press_on_part
+from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
+from ..pointer import Hint, Hit
+from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 
 
 class AddTool(Tool):

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from app.document import words
-from app.document.model import Vector
-from app.tools.drag import minus, plus
-from app.tools.drags import in_steps
-from app.tools.marks import GestureMarks, Ruler
-from app.tools.pointer import Hint, Pointer
-from app.tools.snapping import with_snap
-from app.tools.tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
+from ...document import words
+from ...document.model import Vector
+from ..drag import minus, plus
+from ..drags import in_steps
+from ..marks import GestureMarks, Ruler
+from ..pointer import Hint, Pointer
+from ..snapping import with_snap
+from ..tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
 
 _KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
 """Effects of the modifier keys while something is measured."""

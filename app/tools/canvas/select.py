@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from app.document import words
-from app.tools import hints
-from app.tools.curve_picker import CurvePicker
-from app.tools.drags import BendCurve
-from app.tools.marks import GestureMarks
-from app.tools.marquee import Marquee
-from app.tools.parts import GESTURES, press_on_part, unless_locked
-from app.tools.pointer import Cursor, Hint, Hit, Part
-from app.tools.tool import GestureRow, Tool, ToolContext, ToolRecord
-from app.tools.transform import TransformKind
-from app.tools.transform_box import Grip, TransformBox
+from ...document import words
+from .. import hints
+from ..curve_picker import CurvePicker
+from ..drags import BendCurve
+from ..marks import GestureMarks
+from ..marquee import Marquee
+from ..parts import GESTURES, press_on_part, unless_locked
+from ..pointer import Cursor, Hint, Hit, Part
+from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+from ..transform import TransformKind
+from ..transform_box import Grip, TransformBox
 
 
 class SelectTool(Tool):

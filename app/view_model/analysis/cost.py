@@ -11,12 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.tasks.progress import Report, silent
-from app.view_model.analysis.laboratory import calculations
-from app.view_model.analysis.laboratory_settings import Calculation
-from app.view_model.curve_view import CurveView
 from curvecore import operation_counts
 from curvecore.arrays import FloatArray
+
+from ...tasks.progress import Report, silent
+from ..curve_view import CurveView
+from .laboratory import calculations
+from .laboratory_settings import Calculation
 
 MOST_POINTS = 1000
 """The chart ends here."""

@@ -8,14 +8,15 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from app.document import edits
-from app.document.model import Curve, Document, ParametrizationKind, VelocityRule
-from app.families import HERMITE, QUINTIC_HERMITE, Family
-from app.tasks.progress import Report, silent, told
-from app.view_model.analysis.wiggle import overshoot
-from app.view_model.curve_view import CurveView, view_of
-from app.view_model.growth import growth_of_points
 from curvecore.arrays import FloatArray
+
+from ...document import edits
+from ...document.model import Curve, Document, ParametrizationKind, VelocityRule
+from ...families import HERMITE, QUINTIC_HERMITE, Family
+from ...tasks.progress import Report, silent, told
+from ..curve_view import CurveView, view_of
+from ..growth import growth_of_points
+from .wiggle import overshoot
 
 _IN_USE = "The curve is like that already."
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.view_model.analysis.figures import number
-from app.view_model.analysis.settings import AnalysisSettings, ErrorSize
-from app.view_model.curve_view import CurveView
-from app.view_model.plane import size_of
+from ..curve_view import CurveView
+from ..plane import size_of
+from .figures import number
+from .settings import AnalysisSettings, ErrorSize
 
 
 def usual_error(view: CurveView) -> float:

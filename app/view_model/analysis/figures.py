@@ -6,9 +6,10 @@ import enum
 
 import msgspec
 
-from app.document.words import with_minus
-from app.view_model.line_styles import LineStyle
 from curvecore.arrays import FloatArray
+
+from ...document.words import with_minus
+from ..line_styles import LineStyle
 
 
 class Shape(enum.Enum):

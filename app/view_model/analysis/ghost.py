@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import msgspec
 
-from app.document.model import ParametrizationKind
-from app.families import FAMILIES, Family
-from app.view_model.line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
+from ...document.model import ParametrizationKind
+from ...families import FAMILIES, Family
+from ..line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 

@@ -6,13 +6,14 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from app.document import edits
-from app.document.model import Curve, Document
-from app.view_model.analysis.ghost import Ghost, all_ghosts
-from app.view_model.analysis.scene import is_quick
-from app.view_model.curve_view import Box, CurveView, view_of
-from app.view_model.sampling import all_along
 from curvecore.arrays import FloatArray
+
+from ...document import edits
+from ...document.model import Curve, Document
+from ..curve_view import Box, CurveView, view_of
+from ..sampling import all_along
+from .ghost import Ghost, all_ghosts
+from .scene import is_quick
 
 
 def rules_text(curve: Curve) -> str:

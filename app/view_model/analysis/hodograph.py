@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.view_model.analysis.plot_samples import derivatives_of, samples_over
-from app.view_model.curve_view import CurveView
 from curvecore.arrays import FloatArray
+
+from ..curve_view import CurveView
+from .plot_samples import derivatives_of, samples_over
 
 _SAMPLES = 600
 

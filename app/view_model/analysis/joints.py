@@ -10,9 +10,10 @@ from enum import Enum
 
 import numpy as np
 
-from app.view_model.curve_view import CurveView
-from app.view_model.plane import size_of
 from curvecore import Joint, joint_report
+
+from ..curve_view import CurveView
+from ..plane import size_of
 
 _MOST_NAMED = 3
 """Joints named one by one in the summary; of more, their number is told."""

@@ -13,11 +13,6 @@ from typing import TypeVar
 
 import numpy as np
 
-from app.tasks.progress import Report, silent
-from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
-from app.view_model.curve_view import CurveView, ParametricCurve
-from app.view_model.refusals import in_words
-from app.view_model.sampling import all_along
 from curvecore import (
     CurveError,
     available_methods,
@@ -29,6 +24,12 @@ from curvecore import (
     rounded_decimals,
 )
 from curvecore.arrays import FloatArray
+
+from ...tasks.progress import Report, silent
+from ..curve_view import CurveView, ParametricCurve
+from ..refusals import in_words
+from ..sampling import all_along
+from .laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 
 SAMPLES = 240
 """About so many parameters t on the whole curve."""

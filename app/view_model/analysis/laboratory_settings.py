@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
-from app.document.words import NamedEnum
-from app.view_model.line_styles import BLUE, GREEN, PURPLE, USUAL_STYLE, VERMILLION, LineStyle
+from ...document.words import NamedEnum
+from ..line_styles import BLUE, GREEN, PURPLE, USUAL_STYLE, VERMILLION, LineStyle
 
 LEAST_DIGITS, MOST_DIGITS = 2, 16
 MOST_DECIMALS = 6

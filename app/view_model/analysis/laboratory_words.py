@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from math import log10
 
-from app.view_model.analysis.laboratory import Outcome, Trial
-from app.view_model.analysis.laboratory_settings import Calculation, RoundedPart
-from app.view_model.analysis.wording import short
+from .laboratory import Outcome, Trial
+from .laboratory_settings import Calculation, RoundedPart
+from .wording import short
 
 _HOPELESS = 0.7
 """With fewer right digits than this nothing is right."""

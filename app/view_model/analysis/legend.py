@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
-from app.view_model.analysis.figures import Figure
-from app.view_model.analysis.ghost import Ghost
-from app.view_model.analysis.ghosts import GhostView, rules_text
-from app.view_model.analysis.overlay import Overlay
-from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.curve_view import CurveView
-from app.view_model.line_styles import CURVE_STYLE, LineStyle
+from ..curve_view import CurveView
+from ..line_styles import CURVE_STYLE, LineStyle
+from .figures import Figure
+from .ghost import Ghost
+from .ghosts import GhostView, rules_text
+from .overlay import Overlay
+from .settings import AnalysisSettings
 
 
 @dataclass(frozen=True)

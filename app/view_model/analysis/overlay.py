@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from app.view_model.analysis.figures import Figure
-from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
-from app.view_model.line_styles import LineStyle
-from app.view_model.records import Records
+from ..line_styles import LineStyle
+from ..records import Records
+from .figures import Figure
+from .settings import AnalysisSettings, OverlaySetting
 
 if TYPE_CHECKING:
-    from app.view_model.analysis.scene import Scene
-    from app.view_model.curve_view import CurveView
+    from ..curve_view import CurveView
+    from .scene import Scene
 
 Drawn = tuple[list[Figure], str]
 """Figures, the first one at the bottom, and what there is to say about them."""
@@ -94,5 +94,5 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         return f"overlay{self.name.capitalize()}"
 
 
-OVERLAYS = Records(Overlay, "app.view_model.analysis.overlays")
+OVERLAYS = Records(Overlay, f"{__package__}.overlays")
 """All overlays, in the order of the menu."""

@@ -7,12 +7,12 @@ from collections.abc import Collection
 import msgspec
 import numpy as np
 
-from app.tasks.progress import Report, silent
-from app.view_model.analysis.figures import Figure
-from app.view_model.analysis.overlay import Overlay
-from app.view_model.analysis.scene import Scene, is_quick
-from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.curve_view import CurveView
+from ...tasks.progress import Report, silent
+from ..curve_view import CurveView
+from .figures import Figure
+from .overlay import Overlay
+from .scene import Scene, is_quick
+from .settings import AnalysisSettings
 
 
 class Picture(msgspec.Struct, frozen=True, eq=False):

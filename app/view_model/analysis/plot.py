@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from app.view_model.analysis.plot_lines import PlotData, Scale
-from app.view_model.records import Records
 from curvecore.arrays import FloatArray
 
+from ..records import Records
+from .plot_lines import PlotData, Scale
+
 if TYPE_CHECKING:
-    from app.view_model.curve_view import CurveView
+    from ..curve_view import CurveView
 
 
 class Sampled(msgspec.Struct, frozen=True, eq=False):
@@ -86,5 +87,5 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         return f"plot{self.name.capitalize()}"
 
 
-PLOTS = Records(Plot, "app.view_model.analysis.plots")
+PLOTS = Records(Plot, f"{__package__}.plots")
 """All plots over t, in the order in which they stand below each other."""

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from app.view_model.line_styles import USUAL_STYLE, LineStyle
 from curvecore.arrays import FloatArray
+
+from ..line_styles import USUAL_STYLE, LineStyle
 
 
 class Scale(enum.Enum):

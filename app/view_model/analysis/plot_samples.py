@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.view_model.curve_view import CurveView
-from app.view_model.sampling import crowded_at_ends, one_sided
 from curvecore import lebesgue_function
 from curvecore.arrays import FloatArray, IntArray
+
+from ..curve_view import CurveView
+from ..sampling import crowded_at_ends, one_sided
 
 _MOST = 500
 """Samples of a polynomial, as many as the basis panel takes and some."""

@@ -6,10 +6,10 @@ from collections.abc import Collection
 
 import numpy as np
 
-from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import PlotData, PlotLine, plot_of
-from app.view_model.analysis.plot_samples import PlotSamples, derivatives_of, samples_over
-from app.view_model.curve_view import CurveView
+from ..curve_view import CurveView
+from .plot import Plot, Sampled
+from .plot_lines import PlotData, PlotLine, plot_of
+from .plot_samples import PlotSamples, derivatives_of, samples_over
 
 
 def plots_of(

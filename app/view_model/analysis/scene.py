@@ -7,12 +7,13 @@ from functools import cached_property
 import msgspec
 import numpy as np
 
-from app.tasks.progress import Report, silent
-from app.view_model.analysis.settings import AnalysisSettings, OverlaySetting
-from app.view_model.curve_view import CurveView
-from app.view_model.plane import size_of
-from app.view_model.sampling import Samples, one_sided
 from curvecore.arrays import FloatArray
+
+from ...tasks.progress import Report, silent
+from ..curve_view import CurveView
+from ..plane import size_of
+from ..sampling import Samples, one_sided
+from .settings import AnalysisSettings, OverlaySetting
 
 _QUICK = 64
 """Points of the longest polynomial whose derivatives are found within a frame."""

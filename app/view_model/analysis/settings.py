@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from app.view_model.analysis.laboratory_settings import LaboratorySettings
+from .laboratory_settings import LaboratorySettings
 
 if TYPE_CHECKING:
-    from app.view_model.analysis.ghost import Ghost
-    from app.view_model.analysis.overlay import Overlay
-    from app.view_model.analysis.plot import Plot
-    from app.view_model.curve_view import CurveView
+    from ..curve_view import CurveView
+    from .ghost import Ghost
+    from .overlay import Overlay
+    from .plot import Plot
 
 
 class OverlaySetting(msgspec.Struct, frozen=True):

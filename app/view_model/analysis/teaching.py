@@ -7,10 +7,11 @@ import enum
 import msgspec
 import numpy as np
 
-from app.view_model.analysis.wording import short
-from app.view_model.curve_view import CurveView
-from app.view_model.growth import growth_of_points
 from curvecore.arrays import FloatArray
+
+from ..curve_view import CurveView
+from ..growth import growth_of_points
+from .wording import short
 
 LARGE_LEBESGUE = 100.0
 """The Lebesgue constant above which two digits of the points' accuracy are gone."""

@@ -6,14 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.view_model.analysis.wording import short
-from app.view_model.basis_view import weights_at
-from app.view_model.curve_view import CurveView
-from app.view_model.growth import growth_at
-from app.view_model.jets import is_explicit
-from app.view_model.sampling import segment_at, within_segments
 from curvecore.arrays import FloatArray
 from curvecore.bezier.polylines import segment_distance
+
+from ..basis_view import weights_at
+from ..curve_view import CurveView
+from ..growth import growth_at
+from ..jets import is_explicit
+from ..sampling import segment_at, within_segments
+from .wording import short
 
 MOST_PULLS = 6
 _COARSE, _FINE = 17, 65

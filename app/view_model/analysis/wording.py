@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from app.document.words import with_minus
+from ...document.words import with_minus
 
 _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _THIN = "\N{NARROW NO-BREAK SPACE}"

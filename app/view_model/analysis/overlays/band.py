@@ -13,16 +13,17 @@ from itertools import pairwise
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
-from app.view_model.analysis.figures import Figure, Shape, number
-from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.line_styles import LineStyle, Sign
-from app.view_model.parameter_slopes import parameter_moves
-from app.view_model.plane import to_the_left, unit_tangents
-from app.view_model.sampling import Samples
 from curvecore.arrays import BoolArray, FloatArray
+
+from ...line_styles import LineStyle, Sign
+from ...parameter_slopes import parameter_moves
+from ...plane import to_the_left, unit_tangents
+from ...sampling import Samples
+from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
+from ..figures import Figure, Shape, number
+from ..overlay import Drawn, Entry, Group, Overlay
+from ..scene import Scene
+from ..settings import AnalysisSettings
 
 AREA = LineStyle("accent", 0.16, sign=Sign.AREA)
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.figures import Figure, Shape, number
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.curve_view import CurveView
-from app.view_model.line_styles import LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
+
+from ...curve_view import CurveView
+from ...line_styles import LineStyle, Mark, Sign
+from ..figures import Figure, Shape, number
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
 
 SIDES = LineStyle("handle", 0.9, mark=Mark.SQUARE, sign=Sign.LINE_WITH_MARK)
 CONTROL_POINT = LineStyle("handle", mark=Mark.SQUARE)

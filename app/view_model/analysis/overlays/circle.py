@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.figures import Figure, Shape, number
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.line_styles import PURPLE, LineStyle
-from app.view_model.plane import to_the_left, unit_tangents
+
+from ...line_styles import PURPLE, LineStyle
+from ...plane import to_the_left, unit_tangents
+from ..figures import Figure, Shape, number
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
 
 LINE = LineStyle(PURPLE, width=1.4)
 CENTRE = LineStyle(PURPLE, 0.8)

@@ -9,14 +9,15 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.analysis.settings import Factor
-from app.view_model.line_styles import LineStyle
-from app.view_model.plane import to_the_left, unit_tangents, usual_length
-from app.view_model.sampling import Samples
 from curvecore.arrays import FloatArray
+
+from ...line_styles import LineStyle
+from ...plane import to_the_left, unit_tangents, usual_length
+from ...sampling import Samples
+from ..figures import Figure, Shape
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
+from ..settings import Factor
 
 TEETH = LineStyle("accent", 0.35)
 EDGE = LineStyle("accent", 0.9)

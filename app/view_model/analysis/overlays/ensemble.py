@@ -7,15 +7,16 @@ from functools import partial
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
-from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.analysis.settings import Count, OverlaySetting
-from app.view_model.curve_view import curve_through
-from app.view_model.line_styles import LineStyle
-from app.view_model.refusals import in_words
-from app.view_model.sampling import all_along
+
+from ...curve_view import curve_through
+from ...line_styles import LineStyle
+from ...refusals import in_words
+from ...sampling import all_along
+from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
+from ..figures import Figure, Shape
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
+from ..settings import Count, OverlaySetting
 
 LINES = LineStyle("muted", 0.3)
 

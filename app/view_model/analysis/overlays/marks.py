@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 import curvecore
-from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.line_styles import GREEN, PURPLE, SKY, VERMILLION, LineStyle, Mark, Sign
 from curvecore.arrays import FloatArray
+
+from ...line_styles import GREEN, PURPLE, SKY, VERMILLION, LineStyle, Mark, Sign
+from ..figures import Figure, Shape
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
 
 INFLECTION = LineStyle(SKY, width=1.8, mark=Mark.RING, sign=Sign.MARK)
 SHARPEST = LineStyle(VERMILLION, width=1.4, mark=Mark.DIAMOND, sign=Sign.MARK)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.line_styles import LineStyle
+from ...line_styles import LineStyle
+from ..figures import Figure, Shape
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
 
 SIDES = LineStyle("muted", 0.8, dashes=(2.0, 4.0))
 

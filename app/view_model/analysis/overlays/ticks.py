@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.analysis.settings import Count
-from app.view_model.line_styles import LineStyle
-from app.view_model.plane import to_the_left, unit_tangents
+from ...line_styles import LineStyle
+from ...plane import to_the_left, unit_tangents
+from ..figures import Figure, Shape
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
+from ..settings import Count
 
 TICK = LineStyle("accent", width=1.4)
 

@@ -6,13 +6,14 @@ from functools import partial
 
 import numpy as np
 
-from app.view_model.analysis.figures import Figure, Shape, number
-from app.view_model.analysis.overlay import Drawn, Group, Overlay
-from app.view_model.analysis.scene import Scene
-from app.view_model.analysis.settings import Factor
-from app.view_model.line_styles import GREEN, VERMILLION, LineStyle
-from app.view_model.plane import usual_length
 from curvecore.arrays import FloatArray
+
+from ...line_styles import GREEN, VERMILLION, LineStyle
+from ...plane import usual_length
+from ..figures import Figure, Shape, number
+from ..overlay import Drawn, Group, Overlay
+from ..scene import Scene
+from ..settings import Factor
 
 VELOCITY = LineStyle(GREEN, width=1.6)
 ACCELERATION = LineStyle(VERMILLION, width=1.6)

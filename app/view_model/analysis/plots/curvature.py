@@ -6,9 +6,10 @@ import numpy as np
 from msgspec.structs import replace
 
 import curvecore
-from app.document.words import number
-from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import PlotData
+
+from ....document.words import number
+from ..plot import Plot, Sampled
+from ..plot_lines import PlotData
 
 _SPIKE = 6.0
 """The most by which a curvature surpasses nine tenths of all: at a cusp it would be infinite."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.words import number
-from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import Level, PlotData, Scale
-from app.view_model.growth import growth_at
 from curvecore.arrays import FloatArray
+
+from ....document.words import number
+from ...growth import growth_at
+from ..plot import Plot, Sampled
+from ..plot_lines import Level, PlotData, Scale
 
 
 def _values(sampled: Sampled) -> FloatArray:

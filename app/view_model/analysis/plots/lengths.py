@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from app.view_model.analysis.plot import Plot
 from curvecore.vectors import vector_lengths
+
+from ..plot import Plot
 
 
 def _length_of(order: int, title: str, symbol: str, tip: str) -> Plot:
