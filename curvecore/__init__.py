@@ -27,6 +27,13 @@ bezier.bernstein     Bernstein form: fast evaluation from control points
                      samples (flatten_samples); polylines: their geometry
   arcs               Bezier arcs that searches halve
 
+calculus             curves differentiated, integrated, solved, and brought to SciPy:
+                     methods of every curve
+  derivative         `Derivative`, a curve; `Antiderivative`, likewise
+  integrals          between two parameters
+  solutions          where a coordinate has a value
+  scipy_objects      `BPoly` and `PPoly`
+
 drag                 updates while points or parameters move:
   frozen_samples     polylines while points move and parameters stay
   frozen_segments    the same for curves of Bezier pieces, whatever moves

@@ -52,6 +52,8 @@ from curvecore.bezier.flatten import flatten_parameters as flatten_parameters
 from curvecore.bezier.flatten import flatten_pieces as flatten_pieces
 from curvecore.bezier.polylines import MAX_VERTICES as MAX_VERTICES
 from curvecore.bezier.polylines import Pieces as Pieces
+from curvecore.calculus.antiderivative import Antiderivative as Antiderivative
+from curvecore.calculus.derivative import Derivative as Derivative
 from curvecore.drag.frozen_samples import FrozenFlattening as FrozenFlattening
 from curvecore.drag.frozen_segments import FrozenSegments as FrozenSegments
 from curvecore.errors import CurveError as CurveError

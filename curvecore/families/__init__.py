@@ -1,6 +1,7 @@
 """The families of curves, one file each.
 
 - ``curve``: the base class of all of them: everything follows from basis functions and breaks.
+- ``evaluation``: its `evaluate` and `basis`: t of any shape, inside the domain or not.
 - ``lagrange``, ``hermite``, ``quintic_hermite``: the built-in families.
 - ``basis_curve``: a curve of which nothing is known but its basis functions.
 - ``chain``: curves end to end: corners.

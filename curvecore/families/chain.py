@@ -86,6 +86,11 @@ class Chain(ParametricCurve):
         return all(piece.is_local for piece in self._pieces)
 
     @property
+    def interpolates(self) -> bool:  # type: ignore[override]
+        """Whether all pieces run through their points."""
+        return all(piece.interpolates for piece in self._pieces)
+
+    @property
     def is_positive(self) -> bool:
         """Whether no B_i0 of any piece is negative there."""
         return all(piece.is_positive for piece in self._pieces)
