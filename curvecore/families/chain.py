@@ -51,6 +51,7 @@ class Chain(ParametricCurve):
     def __init__(self, pieces: Sequence[ParametricCurve]) -> None:
         self._pieces = tuple(pieces)
         _check(self._pieces)
+        self._chosen = tuple(self._pieces[0].chosen.items())
         self._parameters = read_only(end_to_end(piece.parameters for piece in self._pieces))
         self._jets = read_only(np.concatenate([piece.jets for piece in self._pieces]))
 

@@ -21,6 +21,7 @@ from curvecore.errors import CurveError
 from curvecore.families.evaluation import Evaluation
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_differences import parameter_difference
+from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import made_finite
 
 
@@ -101,16 +102,20 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         p_i, finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
+    **settings : int or str
+        Values of the family's `settings`, by their names; the defaults where none is given.
 
     Raises
     ------
     CurveError
-        If an argument does not have the shape or values above.
+        If an argument does not have the shape or values above, or a setting is not allowed.
 
     Attributes
     ----------
     name : str
-        The family's, as files store it: of one name, one set of functions for given parameters.
+        The family's, as files store it: of one name, one set of functions for given parameters and settings.
+    settings : tuple of FamilySetting
+        What may be chosen about the functions beside the parameters.
     title : str
         The family's, as people read it.
     derivatives : int
@@ -130,10 +135,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
     """
 
-    __slots__ = ("_jets", "_parameters")
+    __slots__ = ("_chosen", "_jets", "_parameters")
 
     name: ClassVar[str]
     title: ClassVar[str]
+    settings: ClassVar[tuple[FamilySetting, ...]] = ()
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
     can_close: ClassVar[bool] = False
@@ -142,14 +148,16 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     is_one_polynomial: ClassVar[bool] = False
     most_points: ClassVar[int | None] = 2000
 
+    _chosen: tuple[tuple[str, SettingValue], ...]
     _jets: FloatArray
     _parameters: FloatArray
 
-    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
-        self._keep(stacked_jets(points), parameters)
+    def __init__(self, points: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> None:
+        self._keep(stacked_jets(points), parameters, **settings)
 
-    def _keep(self, jets: FloatArray, parameters: ArrayLike) -> None:
-        """Store jets that are checked, and parameters, which are checked here."""
+    def _keep(self, jets: FloatArray, parameters: ArrayLike, **settings: SettingValue) -> None:
+        """Store jets that are checked, and parameters and settings, which are checked here."""
+        self._chosen = tuple(chosen_values(self.settings, settings, self.title).items())
         self._jets = read_only(jets)
         self._parameters = read_only(parameter_array(parameters, len(jets)))
         for name in self._caches:
@@ -202,12 +210,22 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return None
 
     @property
+    def chosen(self) -> dict[str, SettingValue]:
+        """The values of all settings, by their names."""
+        return dict(self._chosen)
+
+    @property
+    def functions_key(self) -> tuple[object, ...]:
+        """The name and the settings: curves of one key and the same parameters have the same functions."""
+        return (self.name, *self._chosen)
+
+    @property
     def pieces(self) -> tuple[ParametricCurve, ...]:
         """The curves that this one is a chain of: itself, unless it is a `Chain`."""
         return (self,)
 
     @classmethod
-    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> Self:
         """Return a curve of this family.
 
         Parameters
@@ -216,15 +234,18 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
             Finite numbers; n >= 2.
         parameters : array_like, shape (n,)
             Finite and strictly increasing.
+        **settings : int or str
+            Values of the family's `settings`, by their names; the defaults where none is given.
 
         Raises
         ------
         CurveError
-            If they are no such numbers, or more than `most_points`.
+            If they are no such numbers, or more than `most_points`, or a setting is not allowed.
         """
         cls._check_count(np.shape(jets)[0] if np.ndim(jets) else 0, cls.name)
+        chosen_values(cls.settings, settings, cls.title)
         data = jet_array(jets, (len(np.asarray(jets)), cls.derivatives + 1))
-        return cls(*data.swapaxes(0, 1), parameters)  # type: ignore[call-arg]
+        return cls(*data.swapaxes(0, 1), parameters, **settings)  # type: ignore[call-arg]
 
     @classmethod
     def _check_count(cls, count: int, name: str) -> None:
@@ -232,8 +253,8 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
             raise CurveError(f"a curve of {name} can have {cls.most_points} points, not {count}")
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve of the same family with other data and parameters, as many as there may be."""
-        return self.from_jets(jets, parameters)
+        """Return a curve of the same family and settings with other data and parameters."""
+        return self.from_jets(jets, parameters, **self.chosen)
 
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with other data, (n, R, dim); its parameters are shared and not checked again."""
