@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer
 from curvecore.calculus.integrals import Integral, integral_of
+from curvecore.calculus.of_a_curve import OfCurve
 from curvecore.calculus.polynomials import joined_pieces
 from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import made_finite
 
 
-class Antiderivative(ParametricCurve):
+class Antiderivative(OfCurve):
     """The integral of a curve from the beginning of its domain, as a curve: 0 there, with derivative c(t).
 
     It is linear in the data of the curve, and does not pass through its points.
@@ -40,31 +40,18 @@ class Antiderivative(ParametricCurve):
     [[0.0], [9.0]]
     """
 
-    __slots__ = ("_curve", "_of_basis", "_of_curve")
+    __slots__ = ("_of_basis", "_of_curve")
     _caches = ("_of_basis", "_of_curve")
 
     title = "Antiderivative"
-    interpolates = False
-    most_points = None
 
-    _curve: ParametricCurve
     _of_basis: Integral | None
     _of_curve: Integral | None
-
-    def __init__(self, curve: ParametricCurve) -> None:
-        self._curve = curve
-        self._jets, self._parameters = curve.jets, curve.parameters
-        self._of_basis = self._of_curve = None
 
     @property
     def name(self) -> str:  # type: ignore[override]
         """That of the curve, behind an integral sign."""
         return "∫" + self._curve.name
-
-    @property
-    def breaks(self) -> FloatArray:
-        """Those of the curve."""
-        return self._curve.breaks
 
     @property
     def degree(self) -> int | None:
@@ -105,14 +92,6 @@ class Antiderivative(ParametricCurve):
         """Return the curve, or its derivative of an order less by one."""
         rank = integer(order, "order", 0)
         return self._curve.derivative(rank - 1) if rank else self
-
-    def with_jets(self, jets: ArrayLike) -> Antiderivative:
-        """Return the antiderivative of the curve with other data, (n, R, dim)."""
-        return Antiderivative(self._curve.with_jets(jets))
-
-    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Antiderivative:
-        """Return the antiderivative of the curve with other data, (n, R, dim), and parameters, (n,)."""
-        return Antiderivative(self._curve.with_data(jets, parameters))
 
 
 def antiderivative_of(curve: ParametricCurve, order: int) -> ParametricCurve:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Self
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer
 from curvecore.bezier import bernstein_algebra
+from curvecore.calculus.of_a_curve import OfCurve
 from curvecore.families.chain import Chain
 from curvecore.families.curve import LocalBasis, ParametricCurve
 
 
-class Derivative(ParametricCurve):
+class Derivative(OfCurve):
     """The derivative of a curve with respect to t, as a curve: c'(t) = sum over i, r of B_ir'(t) d_ir.
 
     It is linear in the data of the curve and does not pass through its points. Values are those that
@@ -42,29 +45,20 @@ class Derivative(ParametricCurve):
     [[0.0, 4.0], [2.0, 0.0], [4.0, -4.0]]
     """
 
-    __slots__ = ("_curve", "_order")
+    __slots__ = ("_order",)
 
     title = "Derivative"
-    interpolates = False
-    most_points = None
 
-    _curve: ParametricCurve
     _order: int
 
     def __init__(self, curve: ParametricCurve, order: int = 1) -> None:
-        self._curve = curve
+        super().__init__(curve)
         self._order = integer(order, "order", 1)
-        self._jets, self._parameters = curve.jets, curve.parameters
 
     @property
     def name(self) -> str:  # type: ignore[override]
         """That of the curve, with a prime for each derivative."""
         return self._curve.name + "'" * self._order
-
-    @property
-    def breaks(self) -> FloatArray:
-        """Those of the curve; at the inner ones the derivative itself may jump."""
-        return self._curve.breaks
 
     @property
     def degree(self) -> int | None:
@@ -111,13 +105,8 @@ class Derivative(ParametricCurve):
         """Return the derivative of a higher order; see `ParametricCurve.derivative`."""
         return self._curve.derivative(self._order + integer(order, "order", 0))
 
-    def with_jets(self, jets: ArrayLike) -> Derivative:
-        """Return the derivative of the curve with other data, (n, R, dim)."""
-        return Derivative(self._curve.with_jets(jets), self._order)
-
-    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Derivative:
-        """Return the derivative of the curve with other data, (n, R, dim), and parameters, (n,)."""
-        return Derivative(self._curve.with_data(jets, parameters), self._order)
+    def _like(self, curve: ParametricCurve) -> Self:
+        return type(self)(curve, self._order)
 
 
 def derivative_of(curve: ParametricCurve, order: int) -> ParametricCurve:
