@@ -70,4 +70,5 @@ first used (SPEC 1): the list of names is ``__init__.pyi``.
 
 from curvecore.late_names import late_names
 
+__version__ = "0.1.0"
 __getattr__, __dir__, __all__ = late_names(__name__, __file__)

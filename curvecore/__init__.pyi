@@ -89,3 +89,5 @@ from curvecore.tangents import finite_difference_velocities as finite_difference
 from curvecore.tangents import natural_spline_accelerations as natural_spline_accelerations
 from curvecore.tangents import natural_spline_velocities as natural_spline_velocities
 from curvecore.tangents import zero_accelerations as zero_accelerations
+
+__version__: str

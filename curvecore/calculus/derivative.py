@@ -55,6 +55,10 @@ class Derivative(OfCurve):
         super().__init__(curve)
         self._order = integer(order, "order", 1)
 
+    def __repr__(self) -> str:
+        """Return a short description, with that of the curve."""
+        return f"Derivative({self._curve!r}, order={self._order})"
+
     @property
     def name(self) -> str:  # type: ignore[override]
         """That of the curve, with a prime for each derivative."""

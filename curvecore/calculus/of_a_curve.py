@@ -33,6 +33,10 @@ class OfCurve(ParametricCurve):
         for name in self._caches:
             setattr(self, name, None)
 
+    def __repr__(self) -> str:
+        """Return a short description, with that of the curve."""
+        return f"{type(self).__name__}({self._curve!r})"
+
     @property
     def breaks(self) -> FloatArray:
         """Those of the curve."""

@@ -163,6 +163,15 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         for name in self._caches:
             setattr(self, name, None)
 
+    def __repr__(self) -> str:
+        """Return a short description: class, number of points, dimension, domain and settings."""
+        settings = "".join(f", {name}={value!r}" for name, value in self._chosen)
+        return f"{type(self).__name__}({self._shape_in_words()}{settings})"
+
+    def _shape_in_words(self) -> str:
+        first, last = self.domain
+        return f"n={len(self._parameters)}, dim={self._jets.shape[2]}, domain=({first:.6g}, {last:.6g})"
+
     # What a family says
 
     # `_basis` is abstract in `Evaluation`.
