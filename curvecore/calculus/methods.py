@@ -92,7 +92,8 @@ class Calculus:
         a, b : float
             Finite; a may exceed b.
         extrapolate : bool or "periodic", optional
-            As for `evaluate`: where a or b lie outside the domain.
+            Where a or b lie outside the domain: True, the first or the last piece goes on; False, the integral
+            is NaN; "periodic", the curve repeats itself.
 
         Returns
         -------
