@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, NamedTuple, Self, final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,11 +14,13 @@ from curvecore.arrays import (
     integer,
     jet_array,
     parameter_array,
+    parameter_row,
     parameter_values,
     read_only,
     stacked_jets,
 )
 from curvecore.errors import CurveError
+from curvecore.families.extrapolation import Extrapolate, within_domain
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_differences import parameter_difference
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
@@ -91,7 +93,7 @@ class ParametricCurve(Immutable, ABC):
     the families that have them, d_i1 = c'(t_i), d_i2 = c''(t_i) and so on, all
     per unit of t. Curves are immutable: their arrays are read-only copies.
 
-    A family says what its basis functions are, by `basis`, and where their
+    A family says what its basis functions are, by `_basis`, and where their
     derivatives may jump, by `breaks`. All else is derived here, correct if
     slower; families override what they know how to do faster or exactly. One with
     derivatives in its data has a constructor of its own.
@@ -131,8 +133,8 @@ class ParametricCurve(Immutable, ABC):
     is_one_polynomial : bool
         Whether it is the polynomial of degree n - 1 through its n points.
     most_points : int or None
-        How many points a curve can have: what is derived from `basis` takes m * n numbers. None, any number,
-        in a family that overrides `evaluate`, `bezier_pieces` and whatever else it knows how to do with less.
+        How many points a curve can have: what is derived from `_basis` takes m * n numbers. None, any
+        number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
     """
 
     __slots__ = ("_chosen", "_jets", "_parameters")
@@ -166,22 +168,21 @@ class ParametricCurve(Immutable, ABC):
     # What a family says
 
     @abstractmethod
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t.
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        """Return B_ir^(order) at finite t (m,), inside the domain or not, as (m, n, R); order >= 0.
 
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            Finite, inside the domain or not; a scalar counts as m = 1. At a break the piece to the right
-            counts.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (m, n, R)
-            ``[k, i, r]`` is B_ir at t_k.
+        At a break the piece to the right counts.
         """
+
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        """Return the order-th derivative of the curve at finite t (m,), as (m, dim)."""
+        basis = self._basis(t, order)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            data = self.jets.reshape(-1, self.jets.shape[2])
+            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
+        if order == 0 and self.interpolates:
+            self._put_points(curve, t)
+        return curve
 
     @property
     def breaks(self) -> FloatArray:
@@ -270,35 +271,62 @@ class ParametricCurve(Immutable, ABC):
 
     # What follows from the basis
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t.
+    @final
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t.
 
         Parameters
         ----------
-        t : float or array_like, shape (m,)
-            As for `basis`.
+        t : float or array_like of any shape
+            Finite, inside the domain or not. At a break the piece to the right counts.
         order : int, optional
             Order of the derivative, at least 0.
 
         Returns
         -------
-        ndarray, shape (dim,) or (m, dim)
+        ndarray, shape (*shape of t, n, R)
+            ``[..., i, r]`` is B_ir; of a single t of the shape (n, R).
+
+        Raises
+        ------
+        CurveError
+            If t is not finite, or order is negative.
+        """
+        at = parameter_values(t)
+        return at.shaped(self._basis(at.values, integer(order, "order", 0)))
+
+    @final
+    def evaluate(self, t: ArrayLike, order: int = 0, extrapolate: Extrapolate = True) -> FloatArray:
+        """Return the curve, or a derivative with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like of any shape
+            As for `basis`.
+        order : int, optional
+            Order of the derivative, at least 0.
+        extrapolate : bool or "periodic", optional
+            Outside the domain: True, the first or the last piece goes on; False, NaN; "periodic", the curve
+            repeats itself, so that the end of the domain counts as its beginning.
+
+        Returns
+        -------
+        ndarray, shape (*shape of t, dim)
             At a parameter t_i and order 0 exactly p_i.
 
         Raises
         ------
         CurveError
-            If t is not finite or has another shape, or order is negative.
+            If t is not finite, order is negative, or extrapolate something else.
         """
         at = parameter_values(t)
         rank = integer(order, "order", 0)
-        basis = self.basis(at.values, rank)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            data = self.jets.reshape(-1, self.jets.shape[2])
-            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
-        if rank == 0 and self.interpolates:
-            self._put_points(curve, at.values)
-        return curve[0] if at.is_scalar else curve
+        if extrapolate is True:
+            return at.shaped(self._evaluate(at.values, rank))
+        within = within_domain(at.values, self.domain, extrapolate)
+        curve = self._evaluate(within.t, rank)
+        curve[within.outside] = np.nan
+        return at.shaped(curve)
 
     def _put_points(self, curve: FloatArray, t: FloatArray) -> None:
         """Put p_i into rows of `curve` where t is t_i."""
@@ -379,7 +407,7 @@ class ParametricCurve(Immutable, ABC):
             t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
         values, scale = [], []
         for order in range(3):
-            basis = self.basis(t, order).reshape(len(t), -1)
+            basis = self._basis(t, order).reshape(len(t), -1)
             data = self.jets.reshape(basis.shape[1], -1)
             values.append(basis @ data)
             scale.append((np.abs(basis) @ np.abs(data)).max(axis=1))
@@ -401,7 +429,7 @@ class ParametricCurve(Immutable, ABC):
             Per unit of t. Here by differences of curves with moved parameters, to some nine digits; the
             ends are moved outwards only, for a basis may end where they are.
         """
-        at = parameter_values(t).values
+        at = parameter_row(t)
         moves = [parameter_difference(self, at, index) for index in range(len(self._parameters))]
         return np.stack(moves, axis=1)
 
