@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, parameter_values
+from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.rational_form import RationalForm
 from curvecore.families.setting import FamilySetting
@@ -82,27 +81,23 @@ class FloaterHormannCurve(ParametricCurve):
             self._form = RationalForm.of(self._parameters, int(self.chosen["degree"]))
         return self._form
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives; each function lies contiguous in memory."""
-        at, rank = parameter_values(t).values, integer(order, "order", 0)
-        result = np.empty((len(self._parameters), at.size))
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        result = np.empty((len(self._parameters), t.size))
         with np.errstate(over="ignore", under="ignore"):
-            for where, values in self._rational_form.parts(at, rank):
+            for where, values in self._rational_form.parts(t, order):
                 result[:, where] = scale_by_power(*values)
         return result.T[:, :, None]
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t; outside the domain the same quotient."""
-        at, rank = parameter_values(t), integer(order, "order", 0)
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         # As in `LagrangeCurve.evaluate`: points near 1 keep a sum of large terms that cancel in range.
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
-        result = np.empty((self.points.shape[1], at.values.size))
+        result = np.empty((self.points.shape[1], t.size))
         with np.errstate(over="ignore", under="ignore"):
             points = np.ldexp(self.points, -exponent)
-            for where, values in self._rational_form.parts(at.values, rank):
+            for where, values in self._rational_form.parts(t, order):
                 rows = normalise(values)
                 result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
         curve = np.ascontiguousarray(result.T)
-        if rank == 0:
-            self._put_points(curve, at.values)
-        return curve[0] if at.is_scalar else curve
+        if order == 0:
+            self._put_points(curve, t)
+        return curve
