@@ -14,8 +14,9 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`,
 tangents             velocities and accelerations estimated from points
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
-                     `HermiteCurve`, `QuinticHermiteCurve`; `BasisCurve` of
-                     any basis functions; `Chain`, curves end to end: corners
+                     `HermiteCurve`, `QuinticHermiteCurve`, `FloaterHormannCurve`;
+                     `BasisCurve` of any basis functions; `Chain`, curves end to
+                     end: corners; `FamilySetting`
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots

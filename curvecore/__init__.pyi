@@ -63,6 +63,7 @@ from curvecore.families.chain import Chain as Chain
 from curvecore.families.curve import Interpolant as Interpolant
 from curvecore.families.curve import LocalBasis as LocalBasis
 from curvecore.families.curve import ParametricCurve as ParametricCurve
+from curvecore.families.floater_hormann import FloaterHormannCurve as FloaterHormannCurve
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve

@@ -3,6 +3,8 @@
 - ``curve``: the base class of all of them: everything follows from basis functions and breaks.
 - ``evaluation``: its `evaluate` and `basis`: t of any shape, inside the domain or not.
 - ``lagrange``, ``hermite``, ``quintic_hermite``: the built-in families.
+- ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
+  for any parameters.
 - ``basis_curve``: a curve of which nothing is known but its basis functions.
 - ``chain``: curves end to end: corners.
 - ``piecewise_hermite``, ``hermite_basis``, ``hermite_ends``: what the Hermite families share; their cardinal
