@@ -62,10 +62,11 @@ rounding.evaluation  curves computed with k decimal digits, and the truth
 
 scaling, vectors     numbers with separate exponents; lengths, cross products
 double_double        numbers of 106 bits, where plain ones would cancel
+working_memory       arrays that are kept from call to call
 ===================  =======================================================
 
 Arguments are copied and checked; attributes are read-only; there is no global
-state. Indices count from 0. A module is imported when one of its names is
+state but working memory. Indices count from 0. A module is imported when one of its names is
 first used (SPEC 1): the list of names is ``__init__.pyi``.
 """
 
