@@ -14,7 +14,8 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`,
 tangents             velocities and accelerations estimated from points
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
-                     `HermiteCurve`, `QuinticHermiteCurve`; `BasisCurve` of
+                     `HermiteCurve`, `QuinticHermiteCurve`; over control points
+                     `BezierCurve` and `BSplineCurve`; `BasisCurve` of
                      any basis functions; `Chain`, curves end to end: corners
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
