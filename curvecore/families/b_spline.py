@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, integer, parameter_values
+from curvecore.arrays import BoolArray, FloatArray, IntArray, integer, parameter_values
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
 from curvecore.families.curve import JointDerivatives, ParametricCurve
+from curvecore.parametrization import with_one_more
 from curvecore.scaling import made_finite
 
 
@@ -55,6 +56,7 @@ class BSplineCurve(ParametricCurve):
 
     name = "b_spline"
     title = "B-spline"
+    functions = "B-spline functions"
     interpolates = False
     most_points = None
 
@@ -134,22 +136,25 @@ class BSplineCurve(ParametricCurve):
             scale.append(np.einsum("mk,mkd->md", np.abs(functions), np.abs(data)).max(axis=1))
         return JointDerivatives(np.stack(values, axis=1), np.stack(scale, axis=1))
 
-    def refined(self, t: float) -> BSplineCurve:
-        """Return the same curve with a control point more: a knot is inserted, by Boehm's algorithm.
+    @property
+    def idle_parameters(self) -> BoolArray:
+        """Those that are no knots."""
+        return ~np.isin(self._parameters, self.breaks)
 
-        Parameters
-        ----------
-        t : float
-            The knot; inside the domain, and none of `breaks`. Of fewer than four points the degree is raised
-            instead, and t is one of the parameters that do nothing.
+    def refined(self, t: float) -> Self | None:
+        """Return the same curve with a control point more, by a knot at t; None where there is one.
+
+        Of fewer than four points the degree is raised instead.
         """
+        if t in self.breaks:
+            return None
         if len(self._parameters) < 4:
-            return BSplineCurve(elevated(self.points[None])[0], np.sort(np.append(self._parameters, t)))
+            return type(self)(elevated(self.points[None])[0], with_one_more(self._parameters, t))
         breaks = self.breaks
         breaks = np.insert(breaks, np.searchsorted(breaks, t), t)
-        return BSplineCurve(_with_knot(self._knotted, t).points, self._around(breaks))
+        return type(self)(_with_knot(self._knotted, t).points, self._around(breaks))
 
-    def restricted(self, start: float, end: float) -> BSplineCurve:
+    def restricted(self, start: float, end: float) -> Self:
         """Return the same curve between two parameters of its domain, with the knots between them."""
         p = self.degree
         found = self._knotted
@@ -161,7 +166,7 @@ class BSplineCurve(ParametricCurve):
         last = int(np.searchsorted(found.knots, end))
         inner = self.breaks[(self.breaks > start) & (self.breaks < end)]
         parameters = self._around(np.concatenate(([start], inner, [end])), last - first)
-        return BSplineCurve(found.points[first:last], parameters)
+        return type(self)(found.points[first:last], parameters)
 
     @property
     def _knotted(self) -> _Knotted:

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 from math import comb
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, parameter_values, read_only
+from curvecore.arrays import BoolArray, FloatArray, integer, parameter_values, read_only
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
 from curvecore.families.curve import ParametricCurve
+from curvecore.parametrization import with_one_more
 from curvecore.scaling import ExponentArray, Scaled, scale_by_power
 
 _DRAWN = 8
@@ -65,6 +66,7 @@ class BezierCurve(ParametricCurve):
 
     name = "bezier"
     title = "Bézier"
+    functions = "Bernstein functions"
     interpolates = False
 
     @property
@@ -126,18 +128,18 @@ class BezierCurve(ParametricCurve):
             moves[:, -1] = -velocity * ((at - first) / (last - first))[:, None]
         return moves
 
-    def refined(self, t: float) -> BezierCurve:
-        """Return the same curve with a control point more: its degree is raised by one.
+    @property
+    def idle_parameters(self) -> BoolArray:
+        """All but those at the ends."""
+        idle = np.ones(len(self._parameters), dtype=bool)
+        idle[[0, -1]] = False
+        return idle
 
-        Parameters
-        ----------
-        t : float
-            The parameter that the list of them gets; inside the domain, and none of them.
-        """
-        parameters = np.sort(np.append(self._parameters, t))
-        return BezierCurve(elevated(self.points[None])[0], parameters)
+    def refined(self, t: float) -> Self:
+        """Return the same curve with a control point more, wherever t is: its degree is raised by one."""
+        return type(self)(elevated(self.points[None])[0], with_one_more(self._parameters, t))
 
-    def restricted(self, start: float, end: float) -> BezierCurve:
+    def restricted(self, start: float, end: float) -> Self:
         """Return the same curve between two parameters of its domain, of the same degree.
 
         By de Casteljau's algorithm: convex combinations, so that rounding does not grow.
@@ -146,7 +148,7 @@ class BezierCurve(ParametricCurve):
         points = _cut(self.points, (start - first) / (last - first), (last - start) / (last - first))[1]
         points = _cut(points, (end - start) / (last - start), (last - end) / (last - start))[0]
         inner = start + (self._parameters[1:-1] - first) / (last - first) * (end - start)
-        return BezierCurve(points, np.concatenate(([start], inner, [end])))
+        return type(self)(points, np.concatenate(([start], inner, [end])))
 
     def _functions(self, t: FloatArray, order: int) -> Iterator[tuple[slice, Scaled]]:
         """Yield the functions part by part, shape (k, n) each, with exponents of their own."""

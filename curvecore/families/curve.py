@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import (
+    BoolArray,
     FloatArray,
     IntArray,
     integer,
@@ -113,6 +114,8 @@ class ParametricCurve(Immutable, ABC):
         The family's, as files store it: of one name, one set of functions for given parameters.
     title : str
         The family's, as people read it.
+    functions : str
+        The name of the basis functions, to begin a sentence, where they have one.
     derivatives : int
         How many derivatives belong to each point: R - 1.
     full_title : str
@@ -134,6 +137,7 @@ class ParametricCurve(Immutable, ABC):
 
     name: ClassVar[str]
     title: ClassVar[str]
+    functions: ClassVar[str] = "Basis functions"
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
     can_close: ClassVar[bool] = False
@@ -323,6 +327,32 @@ class ParametricCurve(Immutable, ABC):
     def is_positive(self) -> bool:
         """Whether no B_i0 is negative in the domain; they add up to 1, so that no error grows there."""
         return False
+
+    # What the points and parameters of a curve that passes its points by do
+
+    @property
+    def places(self) -> FloatArray:
+        """The parameters near which the points act most, shape (n,): t_i, of control points others."""
+        return self._parameters
+
+    @property
+    def idle_parameters(self) -> BoolArray:
+        """Whether the curve stays what it is when t_i alone changes, shape (n,)."""
+        return np.zeros(len(self._parameters), dtype=bool)
+
+    def refined(self, t: float) -> Self | None:
+        """Return the same curve with one more control point, for more detail near t inside the domain.
+
+        None where that is done by one more point on the curve, or cannot be done.
+        """
+        return None
+
+    def restricted(self, start: float, end: float) -> Self | None:
+        """Return the same curve on a stretch of its domain, start < end, as one of its own family.
+
+        None where that takes the data at both ends of the stretch alone, or cannot be done.
+        """
+        return None
 
     # Polynomial pieces
 

@@ -177,6 +177,6 @@ def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
         return False
     if cardinals or isinstance(basis, CardinalView):
         return cardinals and isinstance(basis, CardinalView) and basis.cardinal is view.cardinal
-    same_family = basis.curve.degree == view.pieces[0].degree and basis.kinds == view.pieces[0].jets.shape[1]
+    same_family = basis.curve.name == view.pieces[0].name
     closes = (basis.owners[-1] == 0) is view.source.is_closed
     return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)
