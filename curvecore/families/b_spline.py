@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from curvecore.arrays import BoolArray, FloatArray, IntArray, integer, parameter_values
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
 from curvecore.families.curve import JointDerivatives, ParametricCurve
@@ -97,22 +96,17 @@ class BSplineCurve(ParametricCurve):
         knots = self.knots
         return float(knots[index]), float(knots[index + self.degree + 1])
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t; see `ParametricCurve.evaluate`."""
-        at = parameter_values(t)
-        first, values = self._local(at.values, integer(order, "order", 0))
-        curve = np.zeros((at.values.size, self.points.shape[1]))
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        first, values = self._local(t, order)
+        curve = np.zeros((t.size, self.points.shape[1]))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             for k in range(values.shape[1]):
                 curve += values[:, k, None] * self.points[first + k]
-        made_finite(curve)
-        return curve[0] if at.is_scalar else curve
+        return made_finite(curve)
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all B-splines, or their derivatives with respect to t; see `ParametricCurve.basis`."""
-        at = parameter_values(t).values
-        first, values = self._local(at, integer(order, "order", 0))
-        result = np.zeros((at.size, len(self._parameters)))
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        first, values = self._local(t, order)
+        result = np.zeros((t.size, len(self._parameters)))
         np.put_along_axis(result, first[:, None] + np.arange(values.shape[1]), values, axis=1)
         return result[:, :, None]
 

@@ -10,7 +10,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import BoolArray, FloatArray, integer, parameter_values, read_only
+from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
 from curvecore.families.curve import ParametricCurve
@@ -86,27 +86,21 @@ class BezierCurve(ParametricCurve):
         n = len(self._parameters)
         return np.append(first + (last - first) * (np.arange(n - 1) / (n - 1)), last)
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t; outside the domain the same polynomial."""
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
-        curve = np.empty((at.values.size, self.points.shape[1]))
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        curve = np.empty((t.size, self.points.shape[1]))
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             points = np.ldexp(self.points, -exponent)
-            for part, functions in self._functions(at.values, rank):
+            for part, functions in self._functions(t, order):
                 common = functions.exponent.max(axis=1)
                 values = scale_by_power(functions.mantissa, functions.exponent - common[:, None])
                 curve[part] = scale_by_power(values @ points, exponent + common[:, None])
-        return curve[0] if at.is_scalar else curve
+        return curve
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the Bernstein functions, or their derivatives with respect to t; see `ParametricCurve`."""
-        at = parameter_values(t).values
-        rank = integer(order, "order", 0)
-        result = np.empty((at.size, len(self._parameters)))
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        result = np.empty((t.size, len(self._parameters)))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            for part, functions in self._functions(at, rank):
+            for part, functions in self._functions(t, order):
                 result[part] = scale_by_power(functions.mantissa, functions.exponent)
         return result[:, :, None]
 
@@ -119,7 +113,7 @@ class BezierCurve(ParametricCurve):
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i, shape (m, n, dim): the ends stretch the curve along t, the others do nothing."""
-        at = parameter_values(t).values
+        at = parameter_row(t)
         first, last = self.domain
         moves = np.zeros((at.size, *self.points.shape))
         velocity = self.evaluate(at, 1)

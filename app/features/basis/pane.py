@@ -6,8 +6,6 @@ from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
-from curvecore import ParametricCurve
-
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
 from ...document.words import number
@@ -49,7 +47,7 @@ class BasisPane(FollowsTheme, CentralPane):
     def __init__(self, panel: BasisPanel, estimates: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.plot = self._panel = panel
-        self._title = named(Label(ParametricCurve.functions), "basisTitle")
+        self._title = named(Label("Basis functions"), "basisTitle")
         words = "Show what each point does with its estimates"
         self._estimates = tool_button("withEstimates", words, "", text="With estimates")
         mirror(self._estimates, estimates)
