@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import ArrayLike
 
 from curvecore import FamilySetting, LagrangeCurve, ParametricCurve
-from curvecore.arrays import FloatArray, parameter_values
+from curvecore.arrays import FloatArray
 
 _SIDES = (("left", "Left"), ("right", "Right"))
 
@@ -30,11 +29,10 @@ class SwayingCurve(ParametricCurve):
         ),
     )
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve`."""
-        at, count = parameter_values(t).values, len(self.parameters)
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        count = len(self.parameters)
         sway = Polynomial.fromroots(self.parameters)
         amount = int(self.chosen["amount"]) * (1 if self.chosen["first_side"] == "left" else -1)
-        own = amount * (sway.deriv(order) if order else sway)(at)
-        basis = LagrangeCurve(np.zeros((count, 1)), self.parameters).basis(at, order)
+        own = amount * (sway.deriv(order) if order else sway)(t)
+        basis = LagrangeCurve(np.zeros((count, 1)), self.parameters).basis(t, order)
         return np.asarray(basis + own[:, None, None] * (-1.0) ** np.arange(count)[:, None])
