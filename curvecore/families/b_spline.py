@@ -10,6 +10,7 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
 from curvecore.families.curve import JointDerivatives, ParametricCurve
+from curvecore.families.same_shape import joint_jets, pieces_of
 from curvecore.parametrization import with_one_more
 from curvecore.scaling import made_finite
 
@@ -119,6 +120,23 @@ class BSplineCurve(ParametricCurve):
             columns = [self._blossom(interval, [start] * (p - k) + [end] * k) for k in range(p + 1)]
         return made_finite(np.stack(columns, axis=1))
 
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return the control points of cubic pieces whose accelerations do not jump: a knot where they meet.
+
+        Each is a blossom at the three knots inside of a function's support, of the longer of two pieces.
+        """
+        chain = pieces_of(curve, 3, cls.title)
+        joint_jets(chain, 2, cls.title)
+        controls, h = chain.controls, np.diff(chain.breaks)[:, None]
+        # Of the piece behind a knot at the next knot but one, of that ahead of it at the one before.
+        ahead = controls[:-1, 2] + h[1:] / h[:-1] * (controls[:-1, 2] - controls[:-1, 1])
+        behind = controls[1:, 1] + h[:-1] / h[1:] * (controls[1:, 1] - controls[1:, 2])
+        inner = np.where(h[:-1] >= h[1:], ahead, behind)
+        first, last = controls[0], controls[-1]
+        points = np.concatenate((first[:2], inner, last[2:]))
+        return cls.from_jets(points[:, None], _with_idle(chain.breaks))
+
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
         """Return c, c', c'' at the parameters: on both sides of a knot they are the same."""
         t = self._parameters[1:] if before else self._parameters[:-1]
@@ -171,16 +189,12 @@ class BSplineCurve(ParametricCurve):
         count = len(breaks) + 2 if count is None else count
         if count < 4:
             return np.linspace(breaks[0], breaks[-1], count)
-        old = self._parameters
-        low, high = float(old[1]), float(old[-2])
-        if len(breaks) == 2:
-            third = (breaks[1] - breaks[0]) / 3.0
-            low, high = breaks[0] + third, breaks[1] - third
-        if not breaks[0] < low < breaks[1]:
-            low = 0.5 * (breaks[0] + breaks[1])
-        if not breaks[-2] < high < breaks[-1]:
-            high = 0.5 * (breaks[-2] + breaks[-1])
-        return np.concatenate((breaks[:1], [low], breaks[1:-1], [high], breaks[-1:]))
+        parameters, old = _with_idle(breaks), self._parameters
+        if len(breaks) > 2 and breaks[0] < old[1] < breaks[1]:
+            parameters[1] = old[1]
+        if len(breaks) > 2 and breaks[-2] < old[-2] < breaks[-1]:
+            parameters[-2] = old[-2]
+        return parameters
 
     def _blossom(self, interval: IntArray, arguments: list[FloatArray]) -> FloatArray:
         """Return the polar form of pieces [knots[j], knots[j + 1]] at `degree` places on each, (k, dim)."""
@@ -249,6 +263,14 @@ class BSplineCurve(ParametricCurve):
         stacked = np.stack([each.high for each in values], axis=1)
         result: FloatArray = np.ldexp(stacked, -order * exponent)
         return result
+
+
+def _with_idle(breaks: FloatArray) -> FloatArray:
+    """Return parameters of which `breaks` are the knots: two more, beside the ends."""
+    start, end = breaks[:2].tolist(), breaks[-2:].tolist()
+    share = 1.0 / 3.0 if len(breaks) == 2 else 0.5
+    low, high = start[0] + share * (start[1] - start[0]), end[1] - share * (end[1] - end[0])
+    return np.concatenate((breaks[:1], [low], breaks[1:-1], [high], breaks[-1:]))
 
 
 class _Knotted(NamedTuple):

@@ -13,8 +13,10 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
+from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
-from curvecore.parametrization import with_one_more
+from curvecore.families.same_shape import pieces_of
+from curvecore.parametrization import uniform, with_one_more
 from curvecore.scaling import ExponentArray, Scaled, scale_by_power
 
 _DRAWN = 8
@@ -110,6 +112,21 @@ class BezierCurve(ParametricCurve):
         A control polygon of high degree is far from its curve, and what halves it takes n**2 operations.
         """
         return self.points[None] if self.degree <= _DRAWN else None
+
+    def exact_pieces(self) -> FloatArray:
+        """Return the control points, shape (1, n, dim), of any degree."""
+        return self.points[None]
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return the control points of a curve that is one polynomial."""
+        chain = pieces_of(curve, None, cls.title)
+        if len(chain.controls) > 1:
+            raise CurveError(f"a {cls.title} curve is one polynomial, and this one is {len(chain.controls)}")
+        start, end = curve.domain
+        parameters = start + uniform(chain.controls.shape[1]) * (end - start)
+        parameters[-1] = end
+        return cls.from_jets(chain.controls[0][:, None], parameters)
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i, shape (m, n, dim): the ends stretch the curve along t, the others do nothing."""

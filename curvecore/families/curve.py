@@ -413,6 +413,24 @@ class ParametricCurve(Immutable, ABC):
         """
         return None
 
+    def exact_pieces(self) -> FloatArray | None:
+        """Return the Bezier control points of the pieces between `breaks` also of high degree, or None.
+
+        They are for a change of basis; None where the curve is no polynomial, or one through too many points.
+        """
+        return self.bezier_pieces()
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return a curve of this family that is `curve`, written with other data; exact but for rounding.
+
+        Raises
+        ------
+        CurveError
+            If there is none, or no way to it is known: the message says why.
+        """
+        raise CurveError(f"no curve is known to be a {cls.title} curve as well")
+
     def bezier_slopes(self, exponent: int) -> Slopes | None:
         """Return the control points of the derivatives of `bezier_pieces` times 2**-exponent, from the data.
 
