@@ -15,6 +15,7 @@ tangents             velocities and accelerations estimated from points
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
                      `HermiteCurve`, `QuinticHermiteCurve`, `FloaterHormannCurve`;
+                     over control points `BezierCurve` and `BSplineCurve`;
                      `BasisCurve` of any basis functions; `Chain`, curves end to
                      end: corners; `FamilySetting`
 

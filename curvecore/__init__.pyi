@@ -57,8 +57,10 @@ from curvecore.calculus.derivative import Derivative as Derivative
 from curvecore.drag.frozen_samples import FrozenFlattening as FrozenFlattening
 from curvecore.drag.frozen_segments import FrozenSegments as FrozenSegments
 from curvecore.errors import CurveError as CurveError
+from curvecore.families.b_spline import BSplineCurve as BSplineCurve
 from curvecore.families.basis_curve import BasisCurve as BasisCurve
 from curvecore.families.basis_curve import Scheme as Scheme
+from curvecore.families.bezier_curve import BezierCurve as BezierCurve
 from curvecore.families.chain import Chain as Chain
 from curvecore.families.curve import Interpolant as Interpolant
 from curvecore.families.curve import LocalBasis as LocalBasis

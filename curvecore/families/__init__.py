@@ -5,6 +5,8 @@
 - ``lagrange``, ``hermite``, ``quintic_hermite``: the built-in families.
 - ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
   for any parameters.
+- ``bezier_curve``, ``b_spline``: curves over control points, which they do not pass.
+- ``same_shape``: the data that write a curve of one family as one of another.
 - ``basis_curve``: a curve of which nothing is known but its basis functions.
 - ``chain``: curves end to end: corners.
 - ``piecewise_hermite``, ``hermite_basis``, ``hermite_ends``: what the Hermite families share; their cardinal

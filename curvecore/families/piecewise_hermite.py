@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +19,7 @@ from curvecore.bezier.bernstein import bernstein_weights, control_points, evalua
 from curvecore.families.curve import Interpolant, JointDerivatives, LocalBasis, ParametricCurve, Slopes
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import next_derivative_terms, slopes_of
+from curvecore.families.same_shape import joint_jets, pieces_of
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
@@ -140,6 +141,12 @@ class PiecewiseHermite(ParametricCurve):
                 slopes = np.concatenate([given, beyond[segment, None]], axis=1)
                 moves[:, end] = -np.einsum("mr,mrd->md", values[:, end], slopes)
         return segment, moves
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return the curve with the same derivatives at the breaks of another of at most its degree."""
+        chain = pieces_of(curve, 2 * cls.derivatives + 1, cls.title)
+        return cls.from_jets(joint_jets(chain, cls.derivatives, cls.title), chain.breaks)
 
     def evaluate_segments(self, s: ArrayLike) -> FloatArray:
         """Return the curve at the same relative places of every segment.

@@ -189,9 +189,14 @@ def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
     view = view_of(curve_of(name, kind))
     made = with_point_inserted(view, 2.1)
     index = int(np.searchsorted(view.parameters, 2.1))
-    assert made.curve.points[index].position == pytest.approx(view.curve.evaluate(2.1), abs=1e-12)
     after = view_of(made.curve)
-    if kind is ParametrizationKind.MANUAL:
+    # Of curves that pass their points by, one more control point is not on the curve, and keeps the shape.
+    keeps = view.curve.refined(2.1) is not None
+    if keeps:
+        assert np.abs(shape(after) - shape(view)).max() < 1e-11
+    else:
+        assert made.curve.points[index].position == pytest.approx(view.curve.evaluate(2.1), abs=1e-12)
+    if keeps or kind is ParametrizationKind.MANUAL:
         moved = np.abs(shape(after) - shape(view)).max()
         # The residual is of samples at other places.
         assert made.residual == pytest.approx(
