@@ -14,8 +14,9 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`,
 tangents             velocities and accelerations estimated from points
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
-                     `HermiteCurve`, `QuinticHermiteCurve`; `BasisCurve` of
-                     any basis functions; `Chain`, curves end to end: corners
+                     `HermiteCurve`, `QuinticHermiteCurve`, `CubicSplineCurve`;
+                     `BasisCurve` of any basis functions; `Chain`, curves end
+                     to end: corners
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots
@@ -54,6 +55,7 @@ rounding.evaluation  curves computed with k decimal digits, and the truth
 
 scaling, vectors     numbers with separate exponents; lengths, cross products
 double_double        numbers of 106 bits, where plain ones would cancel
+tridiagonal          systems of splines
 ===================  =======================================================
 
 Arguments are copied and checked; attributes are read-only; there is no global

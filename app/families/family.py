@@ -141,8 +141,12 @@ class Family:
         """Whether what a point carries does nothing beyond the two segments that meet there."""
         return self._curve_class is not None and self._curve_class.is_local
 
-    def make(self, jets: npt.ArrayLike, parameters: npt.ArrayLike) -> ParametricCurve:
+    def make(
+        self, jets: npt.ArrayLike, parameters: npt.ArrayLike, *, closed: bool = False
+    ) -> ParametricCurve:
         """Return the curve with these data, shape (n, R, dim), at these parameters, shape (n,).
+
+        A closed one ends at its first point, and is as smooth there as anywhere.
 
         Raises
         ------
@@ -151,7 +155,7 @@ class Family:
         """
         if self._curve_class is None:
             raise CurveError(self.problem)
-        return self._curve_class.from_jets(jets, parameters)
+        return self._curve_class.from_jets(jets, parameters, closed=closed)
 
     def __eq__(self, other: object) -> bool:
         return self._name == other._name if isinstance(other, Family) else NotImplemented

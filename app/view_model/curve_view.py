@@ -257,8 +257,10 @@ def _checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) ->
 def _same_parameters(
     curve: Curve, parameters: FloatArray, previous: CurveView | None
 ) -> ParametricCurve | None:
-    """Return the curve before if it has the same family and parameters: only its data are other ones."""
+    """Return the curve before if it has the same functions: only its data are other ones."""
     if previous is None or not previous.is_current or previous.source.family != curve.family:
+        return None
+    if previous.source.is_closed != curve.is_closed:
         return None
     old = previous.curve
     if old is None or len(old.pieces) > 1:
@@ -279,7 +281,9 @@ def _core_curve(
     """
     if not curve.family.derivatives:
         jets = points[:, None]
-        return curve.family.make(jets, parameters) if frozen is None else frozen.with_jets(jets), None
+        if frozen is not None:
+            return frozen.with_jets(jets), None
+        return curve.family.make(jets, parameters, closed=curve.is_closed), None
     sides = sides_of(curve, points, parameters, arrays)
     last = len(parameters) - 1
     corners = [knot for knot in corner_knots(arrays, last + 1) if 0 < knot < last]

@@ -117,6 +117,8 @@ class ParametricCurve(Immutable, ABC):
         How many derivatives belong to each point: R - 1.
     full_title : str
         The same where nothing else says what it is: cubic Hermite.
+    place : int
+        Where it stands among the families of a program that lists them, in ascending order.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
@@ -136,6 +138,7 @@ class ParametricCurve(Immutable, ABC):
     title: ClassVar[str]
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
+    place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
@@ -213,7 +216,7 @@ class ParametricCurve(Immutable, ABC):
         return (self,)
 
     @classmethod
-    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike, *, closed: bool = False) -> Self:
         """Return a curve of this family.
 
         Parameters
@@ -222,6 +225,9 @@ class ParametricCurve(Immutable, ABC):
             Finite numbers; n >= 2.
         parameters : array_like, shape (n,)
             Finite and strictly increasing.
+        closed : bool, optional
+            Whether the last point is the first one again, and the curve as smooth there as anywhere: where
+            that takes other functions, as of a periodic spline, the family overrides this.
 
         Raises
         ------
