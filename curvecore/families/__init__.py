@@ -10,5 +10,6 @@
   derivatives, as products of power series.  ``differentiation_matrix``: the same by a short cut.
 - ``spline_system``: the derivatives of cubic splines at their joints, under conditions at the ends.
 - ``parameter_differences``: derivatives by the parameters, where a family has no formula.
+- ``setting``: what may be chosen about the functions of a family beside the parameters.
 - ``immutable``: copies and pickles of curves.
 """

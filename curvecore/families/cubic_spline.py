@@ -8,10 +8,11 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, integer, jet_array, parameter_values, read_only
+from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import Interpolant, JointDerivatives, ParametricCurve, Slopes
 from curvecore.families.hermite import HermiteCurve
+from curvecore.families.setting import FamilySetting, SettingValue
 from curvecore.families.spline_system import SplineEnds, spline_derivatives
 from curvecore.scaling import made_finite
 from curvecore.vectors import vector_lengths
@@ -23,10 +24,6 @@ class _Data(NamedTuple):
     points: FloatArray
     velocities: FloatArray
     bends: FloatArray
-
-
-def _points_of(jets: ArrayLike) -> FloatArray:
-    return jet_array(jets, (*np.shape(jets)[:1], 1))[:, 0]
 
 
 class CubicSplineCurve(ParametricCurve):
@@ -41,8 +38,9 @@ class CubicSplineCurve(ParametricCurve):
         p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
-    ends : SplineEnds or str, optional
-        The conditions at both ends: ``"natural"``, ``"clamped"``, ``"not-a-knot"`` or ``"periodic"``.
+    ends : str, optional
+        The conditions at both ends, of `SplineEnds`: ``"natural"``, ``"clamped"``, ``"not_a_knot"`` or
+        ``"periodic"``. By keyword.
 
     Raises
     ------
@@ -61,36 +59,38 @@ class CubicSplineCurve(ParametricCurve):
     .. [1] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001, chapter IV.
     """
 
-    __slots__ = ("_bends", "_ends", "_hermite", "_units")
+    __slots__ = ("_bends", "_hermite", "_units")
     _caches = ("_bends", "_hermite", "_units")
 
     name = "cubic_spline"
     title = "cubic spline"
     full_title = "C² cubic spline"
     place = 40
+    settings = (
+        FamilySetting(
+            "ends",
+            "ends",
+            SplineEnds.NATURAL.value,
+            "The conditions at both ends: c″ = 0, c′ = 0, no jump of c‴ beside them, or the same c′ and c″",
+            choices=tuple((each.value, each.label) for each in SplineEnds),
+            when_closed=SplineEnds.PERIODIC.value,
+        ),
+    )
     can_close = True
     most_points = None
 
-    _ends: SplineEnds
     _hermite: HermiteCurve | None  # the same curve
     _bends: FloatArray | None  # c'' at the joints
     _units: _Data | None  # of all basis functions
 
-    def __init__(
-        self, points: ArrayLike, parameters: ArrayLike, ends: SplineEnds | str = SplineEnds.NATURAL
-    ) -> None:
-        try:
-            self._ends = SplineEnds(ends)
-        except ValueError:
-            words = ", ".join(f"{each.value!r}" for each in SplineEnds)
-            raise CurveError(f"ends must be one of {words}, not {ends!r}") from None
-        super().__init__(points, parameters)
+    def __init__(self, points: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> None:
+        super().__init__(points, parameters, **settings)
         self._solve()
 
     @property
     def ends(self) -> SplineEnds:
         """The conditions at both ends."""
-        return self._ends
+        return SplineEnds(str(self.chosen["ends"]))
 
     @property
     def breaks(self) -> FloatArray:
@@ -102,16 +102,6 @@ class CubicSplineCurve(ParametricCurve):
         """3."""
         return 3
 
-    @classmethod
-    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike, *, closed: bool = False) -> Self:
-        """Return a curve with natural ends, or the periodic one where it is closed; see `ParametricCurve`."""
-        ends = SplineEnds.PERIODIC if closed else SplineEnds.NATURAL
-        return cls(_points_of(jets), parameters, ends)
-
-    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve with the same ends and other data and parameters; see `ParametricCurve`."""
-        return type(self)(_points_of(jets), parameters, self._ends)
-
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with other points; it shares everything that depends on the parameters."""
         curve = super().with_jets(jets)
@@ -119,27 +109,18 @@ class CubicSplineCurve(ParametricCurve):
         curve._solve()
         return curve
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t; see `ParametricCurve.evaluate`.
-
-        Outside the domain the first or last piece continues; at a joint the piece to the right counts.
-        """
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
-        if rank < 2 and bool((self._outside(at.values) == 0).all()):
-            return self._pieces.evaluate(t, rank)
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        if order < 2 and bool((self._outside(t) == 0).all()):
+            return self._pieces._evaluate(t, order)
         jets = self._pieces.jets
-        curve = self._summed(at.values, rank, _Data(jets[:, 0], jets[:, 1], self._second))
-        return curve[0] if at.is_scalar else curve
+        return self._summed(t, order, _Data(jets[:, 0], jets[:, 1], self._second))
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve.basis`."""
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
         if self._units is None:
             unit = np.eye(len(self._parameters))
-            slopes = spline_derivatives(unit, np.diff(self._parameters), self._ends)
+            slopes = spline_derivatives(unit, np.diff(self._parameters), self.ends)
             self._units = _Data(unit, *(read_only(made_finite(each)) for each in slopes))
-        at = parameter_values(t).values
-        return self._summed(at, integer(order, "order", 0), self._units)[:, :, None]
+        return self._summed(t, order, self._units)[:, :, None]
 
     def _outside(self, t: FloatArray) -> IntArray:
         """Return -1 where t lies before the domain, 1 where it lies behind it, else 0."""
@@ -227,7 +208,7 @@ class CubicSplineCurve(ParametricCurve):
 
     def _solve(self) -> None:
         """Compute first and second derivatives at the joints."""
-        velocities, bends = spline_derivatives(self.points, np.diff(self._parameters), self._ends)
+        velocities, bends = spline_derivatives(self.points, np.diff(self._parameters), self.ends)
         finite = np.isfinite(velocities).all(axis=1)
         if not finite.all():
             index = int(np.argmin(finite))

@@ -16,10 +16,12 @@ from curvecore.tridiagonal import solve_dominant
 
 
 class SplineEnds(StrEnum):
-    """Conditions at the ends of a cubic spline, named as SciPy's ``bc_type``.
+    """Conditions at the ends of a cubic spline: SciPy's ``bc_type``.
 
     Attributes
     ----------
+    label
+        The name for people.
     NATURAL
         c'' = 0 at both ends.
     CLAMPED
@@ -33,8 +35,13 @@ class SplineEnds(StrEnum):
 
     NATURAL = "natural"
     CLAMPED = "clamped"
-    NOT_A_KNOT = "not-a-knot"
+    NOT_A_KNOT = "not_a_knot"
     PERIODIC = "periodic"
+
+    @property
+    def label(self) -> str:
+        """The name for people: Not a knot."""
+        return self.value.replace("_", " ").capitalize()
 
 
 def spline_derivatives(

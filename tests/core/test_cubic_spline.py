@@ -86,7 +86,7 @@ def test_bound(exact, rng, name, ends):
     points = rng.standard_normal((20, 2))
     if ends is SplineEnds.PERIODIC:
         points[-1] = points[0]
-    curve = CubicSplineCurve(points, parameters, ends)
+    curve = CubicSplineCurve(points, parameters, ends=ends)
     nodes = [exact.rational(x) for x in parameters]
     seconds = exact_system(nodes, ends)
     data = [[exact.rational(x) for x in column] for column in points.T]
@@ -118,7 +118,10 @@ def test_scipy_agrees(rng, n, ends):
     points = rng.standard_normal((n, 2))
     if ends is SplineEnds.PERIODIC:
         points[-1] = points[0]
-    curve, reference = CubicSplineCurve(points, t, ends), CubicSpline(t, points, bc_type=str(ends))
+    curve, reference = (
+        CubicSplineCurve(points, t, ends=ends),
+        CubicSpline(t, points, bc_type=ends.replace("_", "-")),
+    )
     # To SciPy the last parameter of a periodic spline is the first one, where the third derivative differs.
     at = np.linspace(t[0], t[-1], 400)[:-1]
     for order in range(4):
@@ -132,7 +135,7 @@ def test_scipy_agrees(rng, n, ends):
 @pytest.mark.parametrize("ends", ENDS)
 def test_it_is_the_hermite_curve_with_its_velocities(rng, ends):
     t = np.sort(rng.random(12))
-    curve = CubicSplineCurve(rng.standard_normal((12, 3)), t, ends)
+    curve = CubicSplineCurve(rng.standard_normal((12, 3)), t, ends=ends)
     velocities = [*(each.jets[0, 1] for each in curve.interpolants()), curve.interpolants()[-1].jets[1, 1]]
     hermite = HermiteCurve(curve.points, velocities, t)
     # At a joint h times v is divided by h again.
@@ -150,7 +153,7 @@ def test_its_joints_are_smooth_to_the_second_derivative(rng, ends):
     t = np.sort(rng.random(12))
     points = rng.standard_normal((12, 2))
     points[-1] = points[0]
-    curve = CubicSplineCurve(points, t, ends)
+    curve = CubicSplineCurve(points, t, ends=ends)
     assert {joint.label for joint in joint_report(curve)} == {"C2"}
     *_, seam = joint_report(curve, closed=True)
     assert (seam.label == "C2") == (ends is SplineEnds.PERIODIC)
@@ -166,7 +169,7 @@ def test_it_bends_least(rng):
     points = rng.standard_normal((8, 1))
     integrals = []
     for ends in (SplineEnds.NATURAL, SplineEnds.CLAMPED, SplineEnds.NOT_A_KNOT):
-        second = CubicSplineCurve(points, t, ends).evaluate(t, 2)[:, 0]
+        second = CubicSplineCurve(points, t, ends=ends).evaluate(t, 2)[:, 0]
         # c'' is linear on each segment.
         a, b = second[:-1], second[1:]
         integrals.append((np.diff(t) * (a * a + a * b + b * b)).sum() / 3.0)
@@ -206,10 +209,10 @@ def test_far_data_count_however_uneven_the_parameters(exact):
 
 def test_two_points_are_a_straight_line_unless_clamped():
     for ends in (SplineEnds.NATURAL, SplineEnds.NOT_A_KNOT):
-        curve = CubicSplineCurve([[0.0, 1.0], [2.0, 0.0]], [1.0, 3.0], ends)
+        curve = CubicSplineCurve([[0.0, 1.0], [2.0, 0.0]], [1.0, 3.0], ends=ends)
         assert curve.evaluate(1.5).tolist() == [0.5, 0.75]
         assert curve.evaluate([0.0, 4.0]).tolist() == [[-1.0, 1.5], [3.0, -0.5]]
-    clamped = CubicSplineCurve([[0.0], [2.0]], [1.0, 3.0], "clamped")
+    clamped = CubicSplineCurve([[0.0], [2.0]], [1.0, 3.0], ends="clamped")
     assert clamped.evaluate(1.5)[0] == 2.0 * (3.0 * 0.25**2 - 2.0 * 0.25**3)
 
 
@@ -217,7 +220,7 @@ def test_periodic_data_that_do_not_close_are_carried_along(rng):
     """c(t + period) - c(t) is the same everywhere."""
     t = np.sort(rng.random(6))
     points = rng.standard_normal((6, 2))
-    curve = CubicSplineCurve(points, t, SplineEnds.PERIODIC)
+    curve = CubicSplineCurve(points, t, ends=SplineEnds.PERIODIC)
     for order in (1, 2):
         start, end = curve.evaluate(curve.domain, order)
         assert end == pytest.approx(start, rel=1e-13)
@@ -255,7 +258,7 @@ def test_parameter_derivatives_are_those_of_exact_splines(exact, rng):
 
 
 def test_copies_and_pickles_keep_the_ends(rng):
-    curve = CubicSplineCurve(rng.standard_normal((5, 2)), uniform(5), "not-a-knot")
+    curve = CubicSplineCurve(rng.standard_normal((5, 2)), uniform(5), ends="not_a_knot")
     assert copy.deepcopy(curve) is curve
     again = pickle.loads(pickle.dumps(curve))
     at = np.linspace(-0.2, 1.2, 30)
@@ -267,10 +270,8 @@ def test_copies_and_pickles_keep_the_ends(rng):
 
 def test_what_is_refused():
     points = [[0.0], [1.0], [0.0]]
-    with pytest.raises(
-        CurveError, match="ends must be one of 'natural', 'clamped', 'not-a-knot', 'periodic'"
-    ):
-        CubicSplineCurve(points, [0.0, 0.5, 1.0], "free")
+    with pytest.raises(CurveError, match=r"ends must be one of natural, .*, periodic, not 'free'"):
+        CubicSplineCurve(points, [0.0, 0.5, 1.0], ends="free")
     with pytest.raises(CurveError, match="points around 0 lie too far apart") as refusal:
         CubicSplineCurve(points, [0.0, 5e-324, 1.0])
     assert refusal.value.indices == (0,)
