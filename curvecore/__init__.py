@@ -14,10 +14,10 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`,
 tangents             velocities and accelerations estimated from points
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
-                     `HermiteCurve`, `QuinticHermiteCurve`, `FloaterHormannCurve`;
-                     over control points `BezierCurve` and `BSplineCurve`;
-                     `BasisCurve` of any basis functions; `Chain`, curves end to
-                     end: corners; `FamilySetting`
+                     `HermiteCurve`, `QuinticHermiteCurve`, `CubicSplineCurve`,
+                     `FloaterHormannCurve`; over control points `BezierCurve` and
+                     `BSplineCurve`; `BasisCurve` of any basis functions; `Chain`,
+                     curves end to end: corners; `FamilySetting`
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots
@@ -64,6 +64,7 @@ rounding.evaluation  curves computed with k decimal digits, and the truth
 scaling, vectors     numbers with separate exponents; lengths, cross products
 double_double        numbers of 106 bits, where plain ones would cancel
 working_memory       arrays that are kept from call to call
+tridiagonal          systems of splines
 ===================  =======================================================
 
 Arguments are copied and checked; attributes are read-only; there is no global

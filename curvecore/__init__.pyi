@@ -62,6 +62,7 @@ from curvecore.families.basis_curve import BasisCurve as BasisCurve
 from curvecore.families.basis_curve import Scheme as Scheme
 from curvecore.families.bezier_curve import BezierCurve as BezierCurve
 from curvecore.families.chain import Chain as Chain
+from curvecore.families.cubic_spline import CubicSplineCurve as CubicSplineCurve
 from curvecore.families.curve import Interpolant as Interpolant
 from curvecore.families.curve import LocalBasis as LocalBasis
 from curvecore.families.curve import ParametricCurve as ParametricCurve
@@ -70,6 +71,7 @@ from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
+from curvecore.families.spline_system import SplineEnds as SplineEnds
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
 from curvecore.parametrization import chord_length as chord_length

@@ -2,7 +2,7 @@
 
 - ``curve``: the base class of all of them: everything follows from basis functions and breaks.
 - ``evaluation``: its `evaluate` and `basis`: t of any shape, inside the domain or not.
-- ``lagrange``, ``hermite``, ``quintic_hermite``: the built-in families.
+- ``lagrange``, ``hermite``, ``quintic_hermite``, ``cubic_spline``: the built-in families.
 - ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
   for any parameters.
 - ``bezier_curve``, ``b_spline``: curves over control points, which they do not pass.
@@ -15,6 +15,7 @@
   functions vanishes: fast and accurate derivatives, and values of cubics.
 - ``product_form``, ``product_series``: the Lagrange basis as products, accurate for any parameters; its
   derivatives, as products of power series.  ``differentiation_matrix``: the same by a short cut.
+- ``spline_system``: the derivatives of cubic splines at their joints, under conditions at the ends.
 - ``parameter_differences``: derivatives by the parameters, where a family has no formula.
 - ``setting``: what may be chosen about the functions of a family beside the parameters.
 - ``immutable``: copies and pickles of curves.

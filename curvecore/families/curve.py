@@ -125,6 +125,8 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         How many derivatives belong to each point: R - 1.
     full_title : str
         The same where nothing else says what it is: cubic Hermite.
+    place : int
+        Where it stands among the families of a program that lists them, in ascending order.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
@@ -146,6 +148,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     settings: ClassVar[tuple[FamilySetting, ...]] = ()
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
+    place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
