@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, number_array, parameter_array
+from curvecore.arrays import number_array, parameter_array
 from curvecore.bezier import bernstein_algebra
-from curvecore.calculus.polynomials import polynomial_pieces
+from curvecore.calculus.polynomials import PolynomialPieces, polynomial_pieces
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.setting import SettingValue
 from curvecore.parametrization import chebyshev
 
 if TYPE_CHECKING:
@@ -35,7 +36,9 @@ def to_ppoly(curve: ParametricCurve) -> PPoly:
     return _scipy_interpolate().PPoly.from_bernstein_basis(to_bpoly(curve))
 
 
-def curve_of_bpoly(family: type[ParametricCurve], polynomial: BPoly | PPoly) -> ParametricCurve:
+def curve_of_bpoly(
+    family: type[ParametricCurve], polynomial: BPoly | PPoly, **settings: SettingValue
+) -> ParametricCurve:
     """Return the curve of a family that a ``BPoly`` or ``PPoly`` is; see `ParametricCurve.from_bpoly`."""
     interpolate = _scipy_interpolate()
     if isinstance(polynomial, interpolate.PPoly):
@@ -49,8 +52,9 @@ def curve_of_bpoly(family: type[ParametricCurve], polynomial: BPoly | PPoly) -> 
         )
     controls = coefficients.reshape(*coefficients.shape[:2], -1).swapaxes(0, 1)
     breaks = parameter_array(polynomial.x, len(controls) + 1)
-    curve = _through(family, controls, breaks)
-    _check_equal(curve, controls, breaks)
+    given = PolynomialPieces(controls.copy(), breaks)
+    curve = _through(family, given, settings) if family.interpolates else family.same_shape_as(given)
+    _check_equal(curve, given)
     return curve
 
 
@@ -65,35 +69,30 @@ def _scipy_interpolate() -> ModuleType:
     return module
 
 
-def _through(family: type[ParametricCurve], controls: FloatArray, breaks: FloatArray) -> ParametricCurve:
+def _through(
+    family: type[ParametricCurve], given: PolynomialPieces, settings: dict[str, SettingValue]
+) -> ParametricCurve:
     """Return the curve of a family with the values that it needs of a piecewise polynomial."""
+    breaks, controls = given.breaks, given.bezier_pieces()
     if family.is_one_polynomial:
-        count = max(controls.shape[1], 2)
-        at = breaks[0] + chebyshev(count) * (breaks[-1] - breaks[0])
+        at = breaks[0] + chebyshev(max(given.degree + 1, 2)) * (breaks[-1] - breaks[0])
         at[-1] = breaks[-1]
-        return family.from_jets(_values(controls, breaks, at)[:, None], at)
+        return family.from_jets(given.evaluate(at)[:, None], at, **settings)
     jets = []
     for _ in range(family.derivatives + 1):
         jets.append(np.concatenate((controls[:, 0], controls[-1:, -1])))
         controls = bernstein_algebra.derivative(controls) / np.diff(breaks)[:, None, None]
-    return family.from_jets(np.stack(jets, axis=1), breaks)
+    return family.from_jets(np.stack(jets, axis=1), breaks, **settings)
 
 
-def _values(controls: FloatArray, breaks: FloatArray, t: FloatArray) -> FloatArray:
-    """Return a piecewise polynomial inside its domain, (m, dim)."""
-    piece = np.clip(np.searchsorted(breaks, t, side="right") - 1, 0, len(controls) - 1)
-    places = (t - breaks[piece]) / np.diff(breaks)[piece]
-    return bernstein_algebra.values(controls[piece], places)
-
-
-def _check_equal(curve: ParametricCurve, controls: FloatArray, breaks: FloatArray) -> None:
+def _check_equal(curve: ParametricCurve, given: PolynomialPieces) -> None:
     """Compare at more places of each piece than a polynomial of the larger degree can have roots."""
-    count = max(controls.shape[1], (curve.degree or 0) + 1) + 1
+    count = max(given.degree, curve.degree or 0) + 2
     places = np.sin((np.arange(count) + 0.5) * (np.pi / (2 * count))) ** 2
-    t = (breaks[:-1, None] + places * np.diff(breaks)[:, None]).ravel()
-    off = np.abs(curve.evaluate(t) - _values(controls, breaks, t)).max(axis=1)
+    t = (given.breaks[:-1, None] + places * np.diff(given.breaks)[:, None]).ravel()
+    off = np.abs(curve.evaluate(t) - given.evaluate(t)).max(axis=1)
     worst = int(off.argmax())
-    if off[worst] > _AS_GOOD_AS_EQUAL * np.abs(controls).max():
+    if off[worst] > _AS_GOOD_AS_EQUAL * np.abs(given.points).max():
         raise CurveError(
             f"polynomial must be a curve of {curve.name}, which through its values differs from it "
             f"by {off[worst]:.3g} at t = {t[worst]:.6g}"

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import (
+    BoolArray,
     FloatArray,
     IntArray,
     jet_array,
@@ -143,10 +144,14 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         What may be chosen about the functions beside the parameters.
     title : str
         The family's, as people read it.
+    functions : str
+        The name of the basis functions, to begin a sentence, where they have one.
     derivatives : int
         How many derivatives belong to each point: R - 1.
     full_title : str
         The same where nothing else says what it is: cubic Hermite.
+    place : int
+        Where it stands among the families of a program that lists them, in ascending order.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
@@ -188,9 +193,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
 
     name: ClassVar[str]
     title: ClassVar[str]
+    functions: ClassVar[str] = "Basis functions"
     settings: ClassVar[tuple[FamilySetting, ...]] = ()
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
+    place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
@@ -419,6 +426,48 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         """Whether no B_i0 is negative in the domain; they add up to 1, so that no error grows there."""
         return False
 
+    # What the points and parameters of a curve that passes its points by do
+
+    @property
+    def places(self) -> FloatArray:
+        """The parameters near which the points act most, shape (n,): t_i, of control points others."""
+        return self._parameters
+
+    @property
+    def idle_parameters(self) -> BoolArray:
+        """Whether the curve stays what it is when t_i alone changes, shape (n,)."""
+        return np.zeros(len(self._parameters), dtype=bool)
+
+    def refined(self, t: float) -> Self | None:
+        """Return the same curve with one more control point, for more detail near t.
+
+        Parameters
+        ----------
+        t : float
+            Inside the domain.
+
+        Returns
+        -------
+        ParametricCurve or None
+            None where that is done by one more point on the curve, or cannot be done.
+        """
+        return None
+
+    def restricted(self, start: float, end: float) -> Self | None:
+        """Return the same curve on a stretch of its domain, as one of its own family.
+
+        Parameters
+        ----------
+        start, end : float
+            Inside the domain, start < end.
+
+        Returns
+        -------
+        ParametricCurve or None
+            None where that takes the data at both ends of the stretch alone, or cannot be done.
+        """
+        return None
+
     # Polynomial pieces
 
     def bezier_pieces(self) -> FloatArray | None:
@@ -431,6 +480,37 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
             control points are of no use to draw it (see `lagrange_to_bezier`).
         """
         return None
+
+    def exact_pieces(self) -> FloatArray | None:
+        """Return the Bezier control points of the pieces between `breaks`, also of high degree.
+
+        Returns
+        -------
+        ndarray, shape (k - 1, degree + 1, dim), or None
+            For a change of basis; None where the curve is no polynomial, or one through too many points.
+        """
+        return self.bezier_pieces()
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return a curve of this family that is another one, written with other data.
+
+        Parameters
+        ----------
+        curve : ParametricCurve
+            Of another family.
+
+        Returns
+        -------
+        ParametricCurve
+            The same curve but for rounding.
+
+        Raises
+        ------
+        CurveError
+            If there is none, or no way to it is known: the message says why.
+        """
+        raise CurveError(f"no curve is known to be a {cls.title} curve as well")
 
     def bezier_slopes(self, exponent: int) -> Slopes | None:
         """Return the control points of the derivatives of `bezier_pieces`, from the data.
