@@ -251,11 +251,11 @@ class Calculus:
         ImportError
             If SciPy is not installed.
         CurveError
-            If the pieces are no polynomials, or one through more than 64 points.
+            If the pieces are no polynomials, or of a degree above 63.
 
         See Also
         --------
-        to_bpoly : In Bernstein form, which loses fewer digits.
+        to_bpoly : In Bernstein form, which loses fewer digits of high degrees.
 
         Examples
         --------

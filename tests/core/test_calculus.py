@@ -92,6 +92,15 @@ def test_a_derivative_is_a_curve_of_the_same_data(name, order):
 
 
 @every_curve
+@pytest.mark.parametrize("shape", [(), (0,), (2, 3), (2, 0)])
+def test_derivatives_and_antiderivatives_take_t_of_any_shape(name, shape):
+    t = np.linspace(-1.0, 3.0, int(np.prod(shape))).reshape(shape)
+    for made in (CURVES[name].derivative(), CURVES[name].antiderivative()):
+        assert made(t).shape == (*shape, 2)
+        assert made.basis(t).shape[: len(shape)] == shape
+
+
+@every_curve
 def test_other_data_make_the_derivative_of_another_curve(name):
     curve = CURVES[name]
     for made in (curve.derivative(), curve.antiderivative()):
