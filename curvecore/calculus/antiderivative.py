@@ -73,7 +73,7 @@ class Antiderivative(OfCurve):
 
     def _functions(self, t: FloatArray) -> FloatArray:
         """Return the basis functions of the curve as columns, (m, n R)."""
-        return self._curve.basis(t).reshape(len(t), -1)
+        return self._curve.basis(t).reshape(len(t), self._jets[:, :, 0].size)
 
     def _pieces_from(self, controls: FloatArray) -> FloatArray:
         """Return sums of the curve's control points, times the lengths."""
