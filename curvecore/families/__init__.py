@@ -3,7 +3,7 @@
 - ``curve``: the base class of all of them: everything follows from basis functions and breaks.
 - ``lagrange``, ``hermite``, ``quintic_hermite``: the built-in families.
 - ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
-  for any parameters.
+  for any parameters.  ``rational_series``: their derivatives.
 - ``basis_curve``: a curve of which nothing is known but its basis functions.
 - ``chain``: curves end to end: corners.
 - ``piecewise_hermite``, ``hermite_basis``, ``hermite_ends``: what the Hermite families share; their cardinal

@@ -8,7 +8,9 @@ from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.rational_form import RationalForm
 from curvecore.families.setting import FamilySetting
-from curvecore.scaling import normalise, scale_by_power
+from curvecore.scaling import Scaled, ScaledRows, normalise, scale_by_power
+
+_NO_EXPONENT = np.zeros(1, dtype=np.int64)
 
 
 class FloaterHormannCurve(ParametricCurve):
@@ -63,6 +65,7 @@ class FloaterHormannCurve(ParametricCurve):
 
     name = "floater_hormann"
     title = "barycentric rational"
+    is_calm = True
     settings = (
         FamilySetting(
             "degree",
@@ -84,8 +87,8 @@ class FloaterHormannCurve(ParametricCurve):
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.empty((len(self._parameters), t.size))
         with np.errstate(over="ignore", under="ignore"):
-            for where, values in self._rational_form.parts(t, order):
-                result[:, where] = scale_by_power(*values)
+            for where, values, exponent in self._rational_form.parts(t, order):
+                result[:, where] = values if exponent is None else scale_by_power(values, exponent)
         return result.T[:, :, None]
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
@@ -94,8 +97,8 @@ class FloaterHormannCurve(ParametricCurve):
         result = np.empty((self.points.shape[1], t.size))
         with np.errstate(over="ignore", under="ignore"):
             points = np.ldexp(self.points, -exponent)
-            for where, values in self._rational_form.parts(t, order):
-                rows = normalise(values)
+            for where, values, own in self._rational_form.parts(t, order):
+                rows = normalise(Scaled(values, own)) if own is not None else ScaledRows(values, _NO_EXPONENT)
                 result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
         curve = np.ascontiguousarray(result.T)
         if order == 0:
