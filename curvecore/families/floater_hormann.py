@@ -65,6 +65,7 @@ class FloaterHormannCurve(ParametricCurve):
 
     name = "floater_hormann"
     title = "barycentric rational"
+    place = 50
     is_calm = True
     settings = (
         FamilySetting(
