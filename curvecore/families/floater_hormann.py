@@ -85,6 +85,18 @@ class FloaterHormannCurve(ParametricCurve):
             self._form = RationalForm.of(self._parameters, int(self.chosen["degree"]))
         return self._form
 
+    def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
+        """Return derivatives of several orders at many places, all of them in one pass.
+
+        Where the Lebesgue function stays below 1e3 by sums in double precision: the errors are then up to
+        1e4 times larger than those of `evaluate`.
+        """
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            found = self._rational_form.quick_derivatives(self.points, t, max(orders)) if len(t) else None
+        if found is None or not all(np.isfinite(each).all() for each in found):
+            return super().derivatives_at(t, orders)
+        return [found[order] for order in orders]
+
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.empty((len(self._parameters), t.size))
         with np.errstate(over="ignore", under="ignore"):

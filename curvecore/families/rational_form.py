@@ -49,6 +49,10 @@ _MOST_BITS = 400.0
 """Products of d + 2 factors within 2**+-400 leave room for what else a value is made of."""
 
 
+_MOST_GROWTH = 1e3
+"""Largest value of the Lebesgue function at which sums in double precision serve to draw derivatives."""
+
+
 class RationalPart(NamedTuple):
     """Basis functions for a slice of t.
 
@@ -185,6 +189,56 @@ class RationalForm(NamedTuple):
         values = (total.high + total.low) * (self.weights.mantissa[:, None] * math.factorial(order))
         exponent = self.weights.exponent[:, None] + local.exponent + inverse.exponent
         return values, exponent + (self.degree - order) * local.unit
+
+    def quick_derivatives(self, points: FloatArray, t: FloatArray, highest: int) -> list[FloatArray] | None:
+        """Return the curve and its derivatives up to an order at t, (m, dim) each, in double precision.
+
+        All of them take little more than one basis. None where more digits would be lost than a drawing may
+        lack: where the Lebesgue function exceeds 1e3 somewhere, or exponents their range.
+        """
+        centre = points.mean(axis=0)
+        found = [np.empty((t.size, points.shape[1])) for _ in range(highest + 1)]
+        size = max(1, _CHUNK // len(self.parameters))
+        for start in range(0, t.size, size):
+            where = slice(start, start + size)
+            part = self._quick_series(points - centre, t[where], highest)
+            if part is None:
+                return None
+            for order, coefficient in enumerate(part):
+                found[order][where] = coefficient.T * math.factorial(order)
+        found[0] += centre
+        return found
+
+    def _quick_series(self, points: FloatArray, t: FloatArray, highest: int) -> list[FloatArray] | None:
+        """Return the coefficients of the powers of y of the curve at t + y, (dim, m) each."""
+        delta = t - self.parameters[:, None]
+        nearest = np.abs(delta).argmin(axis=0), np.arange(t.size)
+        offset, delta[nearest] = delta[nearest], 1.0
+        _, bits = np.frexp(delta)
+        if self.plain_weights is None or np.abs(bits).max() * (highest + 2) > _MOST_BITS:
+            return None
+        inverse = np.reciprocal(delta, out=delta)
+        factor = inverse * offset
+        factor[nearest] = 1.0
+        if (
+            np.abs(self.plain_weights) @ np.abs(factor) > _MOST_GROWTH * np.abs(self.plain_weights @ factor)
+        ).any():
+            return None
+        inverse[nearest] = 0.0
+        numerators = np.vstack([self.plain_weights, self.plain_weights * points.T])
+        sums = [numerators @ factor]
+        for order in range(1, highest + 1):
+            if order == 1:
+                factor = inverse * (self.parameters[:, None] - self.parameters[nearest[0]])
+            factor *= -inverse
+            sums.append(numerators @ factor)
+        found: list[FloatArray] = []
+        for order in range(highest + 1):
+            rest = sums[order][1:].copy()
+            for s in range(1, order + 1):
+                rest -= sums[s][0] * found[order - s]
+            found.append(rest / sums[0][0])
+        return found
 
     def _local_denominator(self, t: FloatArray, local: LocalSeries) -> Series:
         """Return D (delta_a + y) as a series, shape (order + 1, m)."""
