@@ -103,6 +103,12 @@ def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
     assert "✓" in goal.text()
 
 
+def test_a_goal_names_a_family_as_people_do(editor, qtbot):
+    """It was asked for “floater hormann”."""
+    open_step(editor, qtbot, "11_runge", 2)
+    assert "The family is barycentric rational" in find(editor, QLabel, "lessonGoal").text()
+
+
 def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbot):
     editor.window.commands[LessonCommands].open("01_basis_functions")
     click(qtbot, find(editor, QPushButton, "lessonNext"))
