@@ -11,7 +11,7 @@ from curvecore.arrays import FloatArray, IntArray
 
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from ...document.words import NamedEnum
-from ...families import HERMITE, Family
+from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ...storage.format import FormatError, validate
 from ...tasks.progress import Report, part, silent
 from ..cubics_in import Imported
@@ -55,6 +55,8 @@ class TableOptions:
     family
         Of the curves, unless a column says it. Velocities or accelerations that the family does not have are
         left out; where a pair of cells is empty, they are estimated.
+    settings
+        Those of that family that are not its defaults.
     name
         Of the curve, unless a column says it.
     thin
@@ -66,6 +68,7 @@ class TableOptions:
     """
 
     family: Family = HERMITE
+    settings: ChosenSettings = NO_SETTINGS
     name: str = "Table"
     thin: float | None = None
     thinning: Thinning = Thinning.CURVE
@@ -99,7 +102,7 @@ def document_of_table(
             own = own.without(found)
         away = part(report, place / len(groups), (place + 1) / len(groups))
         if options.thin is None:
-            word = _word_of(table, mapping, rows, options.family)
+            word = _word_of(table, mapping, rows, options)
             curves.append(_full_curve(title, own, word, away))
         else:
             kept = thinned(own.points, own.t, options.thin, options.thinning, report=away)
@@ -160,10 +163,10 @@ def _numbered(groups: list[Group]) -> list[Group]:
     return [(title, rows) for title, (_, rows) in zip(titles, groups, strict=True)]
 
 
-def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Family) -> FamilyWord:
+def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: TableOptions) -> FamilyWord:
     """Return what a table says of the family of the curve through some rows."""
     if mapping.family is None or mapping.family not in table.words:
-        return FamilyWord(default)
+        return FamilyWord(default.family, settings=default.settings)
     first = int(rows[0])
     try:
         return read_family_word(table.words[mapping.family][first])
