@@ -151,6 +151,11 @@ class Family:
         return self._curve_class is None or self._curve_class.interpolates
 
     @property
+    def is_calm(self) -> bool:
+        """Whether it is offered as a cure for a curve that swings out between its points."""
+        return self._curve_class is not None and self._curve_class.is_calm
+
+    @property
     def is_local(self) -> bool:
         """Whether what a point carries does nothing beyond the two segments that meet there."""
         return self._curve_class is not None and self._curve_class.is_local
