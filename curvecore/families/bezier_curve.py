@@ -14,13 +14,16 @@ from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
 from curvecore.errors import CurveError
-from curvecore.families.curve import ParametricCurve
+from curvecore.families.curve import Interpolant, ParametricCurve
 from curvecore.families.same_shape import pieces_of
-from curvecore.parametrization import uniform, with_one_more
+from curvecore.parametrization import chebyshev, uniform, with_one_more
 from curvecore.scaling import ExponentArray, Scaled, scale_by_power
 
 _DRAWN = 8
 """Degree up to which the one piece is drawn and searched as it is, as `pieces` has it of all curves."""
+
+_INTERPOLATED = 64
+"""Control points up to which values at so many places stand for them."""
 
 _FACTORED = 3
 """Order up to which derivatives of the functions are products; above, differences of such."""
@@ -116,6 +119,16 @@ class BezierCurve(ParametricCurve):
     def exact_pieces(self) -> FloatArray:
         """Return the control points, shape (1, n, dim), of any degree."""
         return self.points[None]
+
+    def interpolants(self) -> list[Interpolant] | None:
+        """Return the one polynomial by its values at Chebyshev points, each rounded; None of more than 64."""
+        n = len(self._parameters)
+        if n > _INTERPOLATED:
+            return None
+        first, last = self.domain
+        t = first + chebyshev(n) * (last - first)
+        t[-1] = last
+        return [Interpolant(t, self.evaluate(t)[:, None])]
 
     @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> Self:
