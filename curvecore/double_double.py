@@ -69,6 +69,11 @@ def divide(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
     return _renormalised(quotient, rest.high / b.high)
 
 
+def reciprocal(a: DoubleDouble) -> DoubleDouble:
+    """Return 1 / a with a relative error of about 2**-102; a is not 0."""
+    return divide(DoubleDouble(np.ones_like(a.high), np.zeros_like(a.high)), a)
+
+
 def times(a: DoubleDouble, factor: float) -> DoubleDouble:
     """Return a times a small integer."""
     if abs(factor) in (1.0, 2.0, 4.0, 8.0):

@@ -192,6 +192,11 @@ class Family:
             raise CurveError(self.problem)
         return self._curve_class.same_shape_as(curve)
 
+    def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
+        """Return the settings of a curve, open or closed, of which these were chosen."""
+        fixed = {each.name: each.when_closed for each in self.settings if each.when_closed is not None}
+        return self.without_defaults({**chosen, **fixed}) if closed and fixed else chosen
+
     def make(
         self,
         jets: npt.ArrayLike,

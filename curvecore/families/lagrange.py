@@ -57,6 +57,7 @@ class LagrangeCurve(ParametricCurve):
 
     name = "lagrange"
     title = "Lagrange"
+    place = 10
     is_one_polynomial = True
     most_points = None
 
