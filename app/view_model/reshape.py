@@ -157,7 +157,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     start, end = curve.domain
     rule = replace(source.parametrization, start=start, end=end)
     made = replace(
-        source, family=family, points=tuple(points[:count]), parametrization=rule, closed=is_closed
+        source.with_family(family), points=tuple(points[:count]), parametrization=rule, closed=is_closed
     )
     made = with_jet_values(made, _given(curve, count))
     if not source.is_manual and (after := view_of(made)).is_current:

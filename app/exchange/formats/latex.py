@@ -209,8 +209,9 @@ def _rounded_deviation(piece: ParametricCurve, digits: int) -> float:
         except CurveError as problem:
             raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
         return measured(piece, rounded.evaluate)
-    controls = _rounded(beziers_of(piece, 1.0).control_points, digits)
-    return measured(piece, lambda at: bezier_values(controls, t, at))
+    pieces = beziers_of(piece, 1.0)
+    controls, ends = _rounded(pieces.control_points, digits), _rounded(pieces.parameters, digits)
+    return measured(piece, lambda at: bezier_values(controls, ends, at))
 
 
 # Pictures
