@@ -281,7 +281,7 @@ def _as_text(facts: CurveFacts) -> str:
     rows = [("family", facts.family.full_title)]
     rows += [(setting.title, setting.text_of(value)) for setting, value in facts.settings.items()]
     if facts.degree is not None:
-        where = "" if facts.family.is_one_polynomial else " on every segment"
+        where = "" if facts.pieces == 1 else " on every segment"
         rows.append(("degree", f"{facts.degree}{where}"))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:

@@ -176,6 +176,27 @@ class Family:
         defaults = {setting.name: setting.default for setting in self.settings}
         return ChosenSettings((name, value) for name, value in chosen.items() if value != defaults.get(name))
 
+    @property
+    def takes_shapes(self) -> bool:
+        """Whether curves of other families can be written as its own."""
+        if self._curve_class is None:
+            return False
+        own, base = self._curve_class.same_shape_as, ParametricCurve.same_shape_as
+        # Of methods of a class: the functions that they are.
+        return getattr(own, "__func__", own) is not getattr(base, "__func__", base)
+
+    def same_shape_as(self, curve: ParametricCurve) -> ParametricCurve:
+        """Return `curve` as one of this family.
+
+        Raises
+        ------
+        CurveError
+            If it is none, or no way to it is known.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        return self._curve_class.same_shape_as(curve)
+
     def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
         """Return the settings of a curve, open or closed, of which these were chosen."""
         fixed = {each.name: each.when_closed for each in self.settings if each.when_closed is not None}

@@ -433,6 +433,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     # What the points and parameters of a curve that passes its points by do
 
     @property
+    def knot_points(self) -> FloatArray:
+        """The points c(t_i), shape (n, dim): p_i, or beside these."""
+        return self.points if self.interpolates else self.evaluate(self._parameters)
+
+    @property
     def places(self) -> FloatArray:
         """The parameters near which the points act most, shape (n,): t_i, of control points others."""
         return self._parameters
