@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import app
+import curvecore
 from app.storage.resources import resource
 from app.window.connect import all_actions
 
@@ -42,10 +43,11 @@ def text_of(name):
 
 
 def test_the_version_stands_in_one_place():
-    assert PROJECT["tool"]["hatch"]["version"]["path"] == "app/__init__.py"
+    assert PROJECT["tool"]["hatch"]["version"]["path"] == "curvecore/__init__.py"
     assert "version" in PROJECT["project"]["dynamic"]
     assert "version" not in PROJECT["project"]
-    assert re.fullmatch(r"\d+\.\d+\.\d+", app.__version__)
+    assert re.fullmatch(r"\d+\.\d+\.\d+", curvecore.__version__)
+    assert app.__version__ is curvecore.__version__
 
 
 def test_the_changelog_has_room_for_what_comes_next():
@@ -109,7 +111,7 @@ def test_licences_are_there_and_name_their_owners():
 def test_the_wheel_carries_the_resources_but_no_screenshots():
     folders = {path.name for path in (ROOT / "resources").iterdir()} - {"screenshots"}
     assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"] == {
-        f"resources/{name}": f"app/resources/{name}" for name in folders
+        f"resources/{name}": f"curvebench/resources/{name}" for name in folders
     }
     # 0.7 MB that no program opens were in it.
     assert not [path for path in (ROOT / "app").rglob("*.py") if "screenshots" in path.read_text("utf-8")]

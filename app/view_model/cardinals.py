@@ -61,7 +61,7 @@ class Cardinals:
         numbers = [basis_curve.parameters, arrays.corners, is_set]
         if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
             numbers += [np.array(curve.parametrization.alpha), points]
-        rules = (curve.family, curve.velocity_rule, curve.acceleration_rule, curve.is_closed)
+        rules = (curve.functions_key, curve.velocity_rule, curve.acceleration_rule, curve.is_closed)
         key = (*rules, *(each.tobytes() for each in numbers))
         if key != self._key:
             self._key, self._known = key, Cardinal(_made(curve, points, basis_curve, arrays))
@@ -72,7 +72,7 @@ def _made(
     curve: Curve, points: FloatArray, basis_curve: ParametricCurve, arrays: PointArrays
 ) -> CardinalBasis | None:
     if not curve.family.derivatives:
-        return CardinalBasis(basis_curve)
+        return CardinalBasis(basis_curve, closed=curve.is_closed)
     follow = moved_with_points(curve, points, basis_curve.parameters, arrays)
     try:
         reach = REACH if len(curve.points) < _MANY else _SHORT_REACH

@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from typing import ClassVar, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import (
+    BoolArray,
     FloatArray,
     IntArray,
-    integer,
     jet_array,
     parameter_array,
-    parameter_values,
+    parameter_row,
     read_only,
     stacked_jets,
 )
+from curvecore.calculus.methods import Calculus
 from curvecore.errors import CurveError
+from curvecore.families.evaluation import Evaluation
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_differences import parameter_difference
+from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import made_finite
 
 
@@ -83,14 +85,14 @@ class Slopes(NamedTuple):
     error: FloatArray
 
 
-class ParametricCurve(Immutable, ABC):
+class ParametricCurve(Calculus, Evaluation, Immutable):
     """A parametric curve that is linear in its data.
 
     c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for
     the families that have them, d_i1 = c'(t_i), d_i2 = c''(t_i) and so on, all
     per unit of t. Curves are immutable: their arrays are read-only copies.
 
-    A family says what its basis functions are, by `basis`, and where their
+    A family says what its basis functions are, by `_basis`, and where their
     derivatives may jump, by `breaks`. All else is derived here, correct if
     slower; families override what they know how to do faster or exactly. One with
     derivatives in its data has a constructor of its own.
@@ -101,22 +103,30 @@ class ParametricCurve(Immutable, ABC):
         p_i, finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
+    **settings : int or str
+        Values of the family's `settings`, by their names; the defaults where none is given.
 
     Raises
     ------
     CurveError
-        If an argument does not have the shape or values above.
+        If an argument does not have the shape or values above, or a setting is not allowed.
 
     Attributes
     ----------
     name : str
-        The family's, as files store it: of one name, one set of functions for given parameters.
+        The family's, as files store it: of one name, one set of functions for given parameters and settings.
+    settings : tuple of FamilySetting
+        What may be chosen about the functions beside the parameters.
     title : str
         The family's, as people read it.
+    functions : str
+        The name of the basis functions, to begin a sentence, where they have one.
     derivatives : int
         How many derivatives belong to each point: R - 1.
     full_title : str
         The same where nothing else says what it is: cubic Hermite.
+    place : int
+        Where it stands among the families of a program that lists them, in ascending order.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
@@ -126,54 +136,62 @@ class ParametricCurve(Immutable, ABC):
     is_one_polynomial : bool
         Whether it is the polynomial of degree n - 1 through its n points.
     most_points : int or None
-        How many points a curve can have: what is derived from `basis` takes m * n numbers. None, any number,
-        in a family that overrides `evaluate`, `bezier_pieces` and whatever else it knows how to do with less.
+        How many points a curve can have: what is derived from `_basis` takes m * n numbers. None, any
+        number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
     """
 
-    __slots__ = ("_jets", "_parameters")
+    __slots__ = ("_chosen", "_jets", "_parameters")
 
     name: ClassVar[str]
     title: ClassVar[str]
+    functions: ClassVar[str] = "Basis functions"
+    settings: ClassVar[tuple[FamilySetting, ...]] = ()
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
+    place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
     most_points: ClassVar[int | None] = 2000
 
+    _chosen: tuple[tuple[str, SettingValue], ...]
     _jets: FloatArray
     _parameters: FloatArray
 
-    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
-        self._keep(stacked_jets(points), parameters)
+    def __init__(self, points: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> None:
+        self._keep(stacked_jets(points), parameters, **settings)
 
-    def _keep(self, jets: FloatArray, parameters: ArrayLike) -> None:
-        """Store jets that are checked, and parameters, which are checked here."""
+    def _keep(self, jets: FloatArray, parameters: ArrayLike, **settings: SettingValue) -> None:
+        """Store jets that are checked, and parameters and settings, which are checked here."""
+        self._chosen = tuple(chosen_values(self.settings, settings, self.title).items())
         self._jets = read_only(jets)
         self._parameters = read_only(parameter_array(parameters, len(jets)))
         for name in self._caches:
             setattr(self, name, None)
 
+    def __repr__(self) -> str:
+        """Return a short description: class, number of points, dimension, domain and settings."""
+        settings = "".join(f", {name}={value!r}" for name, value in self._chosen)
+        return f"{type(self).__name__}({self._shape_in_words()}{settings})"
+
+    def _shape_in_words(self) -> str:
+        first, last = self.domain
+        return f"n={len(self._parameters)}, dim={self._jets.shape[2]}, domain=({first:.6g}, {last:.6g})"
+
     # What a family says
 
-    @abstractmethod
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t.
+    # `_basis` is abstract in `Evaluation`.
 
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            Finite, inside the domain or not; a scalar counts as m = 1. At a break the piece to the right
-            counts.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (m, n, R)
-            ``[k, i, r]`` is B_ir at t_k.
-        """
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        """Return the order-th derivative of the curve at finite t (m,), as (m, dim)."""
+        basis = self._basis(t, order)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            data = self.jets.reshape(-1, self.jets.shape[2])
+            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
+        if order == 0 and self.interpolates:
+            self._put_points(curve, t)
+        return curve
 
     @property
     def breaks(self) -> FloatArray:
@@ -208,12 +226,22 @@ class ParametricCurve(Immutable, ABC):
         return None
 
     @property
+    def chosen(self) -> dict[str, SettingValue]:
+        """The values of all settings, by their names."""
+        return dict(self._chosen)
+
+    @property
+    def functions_key(self) -> tuple[object, ...]:
+        """The name and the settings: curves of one key and the same parameters have the same functions."""
+        return (self.name, *self._chosen)
+
+    @property
     def pieces(self) -> tuple[ParametricCurve, ...]:
         """The curves that this one is a chain of: itself, unless it is a `Chain`."""
         return (self,)
 
     @classmethod
-    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> Self:
         """Return a curve of this family.
 
         Parameters
@@ -222,15 +250,18 @@ class ParametricCurve(Immutable, ABC):
             Finite numbers; n >= 2.
         parameters : array_like, shape (n,)
             Finite and strictly increasing.
+        **settings : int or str
+            Values of the family's `settings`, by their names; the defaults where none is given.
 
         Raises
         ------
         CurveError
-            If they are no such numbers, or more than `most_points`.
+            If they are no such numbers, or more than `most_points`, or a setting is not allowed.
         """
         cls._check_count(np.shape(jets)[0] if np.ndim(jets) else 0, cls.name)
+        chosen_values(cls.settings, settings, cls.title)
         data = jet_array(jets, (len(np.asarray(jets)), cls.derivatives + 1))
-        return cls(*data.swapaxes(0, 1), parameters)  # type: ignore[call-arg]
+        return cls(*data.swapaxes(0, 1), parameters, **settings)  # type: ignore[call-arg]
 
     @classmethod
     def _check_count(cls, count: int, name: str) -> None:
@@ -238,8 +269,8 @@ class ParametricCurve(Immutable, ABC):
             raise CurveError(f"a curve of {name} can have {cls.most_points} points, not {count}")
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve of the same family with other data and parameters, as many as there may be."""
-        return self.from_jets(jets, parameters)
+        """Return a curve of the same family and settings with other data and parameters."""
+        return self.from_jets(jets, parameters, **self.chosen)
 
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with other data, (n, R, dim); its parameters are shared and not checked again."""
@@ -248,36 +279,6 @@ class ParametricCurve(Immutable, ABC):
         return curve
 
     # What follows from the basis
-
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t.
-
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            As for `basis`.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (dim,) or (m, dim)
-            At a parameter t_i and order 0 exactly p_i.
-
-        Raises
-        ------
-        CurveError
-            If t is not finite or has another shape, or order is negative.
-        """
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
-        basis = self.basis(at.values, rank)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            data = self.jets.reshape(-1, self.jets.shape[2])
-            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
-        if rank == 0 and self.interpolates:
-            self._put_points(curve, at.values)
-        return curve[0] if at.is_scalar else curve
 
     def _put_points(self, curve: FloatArray, t: FloatArray) -> None:
         """Put p_i into rows of `curve` where t is t_i."""
@@ -324,6 +325,32 @@ class ParametricCurve(Immutable, ABC):
         """Whether no B_i0 is negative in the domain; they add up to 1, so that no error grows there."""
         return False
 
+    # What the points and parameters of a curve that passes its points by do
+
+    @property
+    def places(self) -> FloatArray:
+        """The parameters near which the points act most, shape (n,): t_i, of control points others."""
+        return self._parameters
+
+    @property
+    def idle_parameters(self) -> BoolArray:
+        """Whether the curve stays what it is when t_i alone changes, shape (n,)."""
+        return np.zeros(len(self._parameters), dtype=bool)
+
+    def refined(self, t: float) -> Self | None:
+        """Return the same curve with one more control point, for more detail near t inside the domain.
+
+        None where that is done by one more point on the curve, or cannot be done.
+        """
+        return None
+
+    def restricted(self, start: float, end: float) -> Self | None:
+        """Return the same curve on a stretch of its domain, start < end, as one of its own family.
+
+        None where that takes the data at both ends of the stretch alone, or cannot be done.
+        """
+        return None
+
     # Polynomial pieces
 
     def bezier_pieces(self) -> FloatArray | None:
@@ -333,6 +360,24 @@ class ParametricCurve(Immutable, ABC):
         control points are of no use to draw it (see `lagrange_to_bezier`).
         """
         return None
+
+    def exact_pieces(self) -> FloatArray | None:
+        """Return the Bezier control points of the pieces between `breaks` also of high degree, or None.
+
+        They are for a change of basis; None where the curve is no polynomial, or one through too many points.
+        """
+        return self.bezier_pieces()
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return a curve of this family that is `curve`, written with other data; exact but for rounding.
+
+        Raises
+        ------
+        CurveError
+            If there is none, or no way to it is known: the message says why.
+        """
+        raise CurveError(f"no curve is known to be a {cls.title} curve as well")
 
     def bezier_slopes(self, exponent: int) -> Slopes | None:
         """Return the control points of the derivatives of `bezier_pieces` times 2**-exponent, from the data.
@@ -358,7 +403,7 @@ class ParametricCurve(Immutable, ABC):
             t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
         values, scale = [], []
         for order in range(3):
-            basis = self.basis(t, order).reshape(len(t), -1)
+            basis = self._basis(t, order).reshape(len(t), -1)
             data = self.jets.reshape(basis.shape[1], -1)
             values.append(basis @ data)
             scale.append((np.abs(basis) @ np.abs(data)).max(axis=1))
@@ -380,7 +425,7 @@ class ParametricCurve(Immutable, ABC):
             Per unit of t. Here by differences of curves with moved parameters, to some nine digits; the
             ends are moved outwards only, for a basis may end where they are.
         """
-        at = parameter_values(t).values
+        at = parameter_row(t)
         moves = [parameter_difference(self, at, index) for index in range(len(self._parameters))]
         return np.stack(moves, axis=1)
 
