@@ -13,7 +13,7 @@ References
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from math import ceil, inf, isqrt, log
 from typing import NamedTuple
@@ -31,6 +31,7 @@ from curvecore.arrays import (
 )
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.setting import SettingValue
 from curvecore.fitting.joints import lengths_along, placed, sharp_turns
 from curvecore.fitting.least_squares import least_squares_curve
 
@@ -49,7 +50,7 @@ _STRETCH = 1.5
 """How many times as far from an end of the curve as at first a datum may go: where a gap opens there, nothing
 holds a polynomial, and it makes a loop."""
 
-_MESHES = 4
+_MESHES = 6
 _EVEN = 0.02
 """Share of the largest error that every segment counts with, lest joints all go to one place."""
 
@@ -93,6 +94,7 @@ def fit(
     parameters: ArrayLike | None = None,
     closed: bool = False,
     with_corners: bool = True,
+    settings: Mapping[str, SettingValue] | None = None,
     progress: Callable[[float], object] = lambda _share: None,
 ) -> Fit:
     """Return a curve of few points near many data.
@@ -120,6 +122,8 @@ def fit(
         once; that they return to the first one need not be said.
     with_corners : bool, optional
         Whether the curve may have a corner where the data turn sharply, in a family with derivatives.
+    settings : mapping, optional
+        Values of the family's `settings`, by their names; of a closed curve such as make it periodic.
     progress : callable, optional
         Hears the share that is done, between 0 and 1, now and then; what it raises ends the work.
 
@@ -151,7 +155,9 @@ def fit(
         reach = max(reach, 4.0 * size / len(data.points))
         corners = sharp_turns(data.points, reach, closed=closed)
     told = _Told(progress)
-    fitter = partial(_Fitter, family=family, closed=closed, told=told, moves=parameters is None)
+    solve = partial(least_squares_curve, family, closed=closed, settings=settings)
+    moves = parameters is None
+    fitter = partial(_Fitter, family=family, solve=solve, closed=closed, told=told, moves=moves)
     if tolerance is None:
         assert count is not None
         return data.told(fitter(data, corners=corners).attempt(count).fit)
@@ -262,13 +268,14 @@ class _Fitter:
         self,
         data: _Data,
         family: type[ParametricCurve],
+        solve: Callable[..., ParametricCurve],
         corners: list[int],
         closed: bool,
         told: _Told,
         *,
         moves: bool,
     ) -> None:
-        self._told = told
+        self._solve, self._told = solve, told
         self._data, self._family, self._corners = data, family, corners
         self._closed, self._moves = closed, moves
         order = family.derivatives + 1
@@ -292,7 +299,7 @@ class _Fitter:
             gained = best is None or found.fit.deviation < best.fit.deviation
             is_done = best is not None and found.fit.deviation > _LEAST_GAIN * best.fit.deviation
             best = found if gained else best
-            if is_done or found.fit.deviation <= enough or self._family.is_one_polynomial:
+            if (is_done and enough) or found.fit.deviation <= enough or self._family.is_one_polynomial:
                 break
             before = found
         assert best is not None
@@ -316,9 +323,7 @@ class _Fitter:
         for _ in range(_ROUNDS):
             self._told.again()
             try:
-                curve = least_squares_curve(
-                    self._family, self._data.points, at, knots, corners=corners, closed=self._closed
-                )
+                curve = self._solve(self._data.points, at, knots, corners=corners)
                 feet = self._feet(curve, at) if self._moves else self._at(curve, at)
                 found = self._measured(curve, feet)
             except CurveError:

@@ -17,7 +17,8 @@ References
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -27,7 +28,11 @@ from curvecore.arrays import FloatArray, IntArray, parameter_array, parameter_va
 from curvecore.errors import CurveError
 from curvecore.families.chain import Chain
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.setting import SettingValue
 from curvecore.tangents import bessel_velocities
+
+Make = Callable[[FloatArray, FloatArray], ParametricCurve]
+"""Jets (k, R, dim) and parameters (k,) to a curve."""
 
 _ROUNDING = 1e-11
 """Singular values below this share of the largest are those of what the data do not tell."""
@@ -44,6 +49,7 @@ def least_squares_curve(
     *,
     corners: Sequence[int] = (),
     closed: bool = False,
+    settings: Mapping[str, SettingValue] | None = None,
 ) -> ParametricCurve:
     """Return the curve with given parameters of its own that is nearest to data with given parameters.
 
@@ -67,6 +73,8 @@ def least_squares_curve(
     closed : bool, optional
         Whether the last joint is the first one again: of the same jet, unless 0 is a corner. The ends
         are then free.
+    settings : mapping, optional
+        Values of the family's `settings`, by their names; of a closed curve such as make it periodic.
 
     Returns
     -------
@@ -85,13 +93,14 @@ def least_squares_curve(
     at = parameter_values(parameters).values
     if at.shape != (len(places),):
         raise CurveError(f"parameters must have the shape ({len(places)},), like points")
+    make = partial(family.from_jets, **(settings or {}))
     sides = _Sides(family, own, corners, closed)
     guess = sides.guess(places, at)
-    problem = _Problem(family, own, sides, guess)
+    problem = _Problem(make, own, sides, guess)
     rows = problem.rows(at, places)
     ends = None if closed else problem.rows(own[[0, -1]], places[[0, -1]], reduced=False)
     try:
-        return sides.curve(guess, _solved(rows, ends, guess.shape[3], sides.end_positions))
+        return sides.curve(make, guess, _solved(rows, ends, guess.shape[3], sides.end_positions))
     except np.linalg.LinAlgError:
         raise CurveError(
             f"points and parameters give no curve of {family.name}: they are too far apart"
@@ -114,7 +123,7 @@ class _Sides:
     def __init__(
         self, family: type[ParametricCurve], knots: FloatArray, corners: Sequence[int], closed: bool
     ) -> None:
-        self.family, self.knots, self.closed = family, knots, closed
+        self.knots, self.closed = knots, closed
         self.order = family.derivatives + 1
         last = len(knots) - 1
         if corners and not (family.is_local and family.derivatives):
@@ -169,28 +178,26 @@ class _Sides:
         values[self.columns[::-1]] = jets[::-1]
         jets[:] = values[self.columns]
 
-    def curve(self, guess: FloatArray, moves: FloatArray) -> ParametricCurve:
+    def curve(self, make: Make, guess: FloatArray, moves: FloatArray) -> ParametricCurve:
         """Return the curve whose unknowns have moved."""
         jets = guess + (moves * self.scale[:, None])[self.columns]
         pieces = []
         for start, end in pairwise(self.cuts):
             own = jets[start : end + 1, 1].copy()
             own[-1] = jets[end, 0]
-            pieces.append(self.family.from_jets(own, self.knots[start : end + 1]))
+            pieces.append(make(own, self.knots[start : end + 1]))
         return pieces[0] if len(pieces) == 1 else Chain(pieces)
 
 
 class _Problem:
     """Rows of the linear problem: the functions at the data, and what the guess leaves."""
 
-    def __init__(
-        self, family: type[ParametricCurve], knots: FloatArray, sides: _Sides, guess: FloatArray
-    ) -> None:
+    def __init__(self, make: Make, knots: FloatArray, sides: _Sides, guess: FloatArray) -> None:
         self._sides, self._dim = sides, guess.shape[-1]
         jets = guess[:, 1].copy()
         jets[-1] = guess[-1, 0]
         # Corners do not change the functions.
-        self._curve = family.from_jets(jets, knots)
+        self._curve = make(jets, knots)
         self._guess = guess
 
     def rows(self, t: FloatArray, points: FloatArray, *, reduced: bool = True) -> FloatArray:
