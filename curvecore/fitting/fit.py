@@ -39,6 +39,10 @@ _ROUNDS = 12
 _LEAST_GAIN = 0.97
 """Rounds end when two leave more than this of the deviation."""
 
+_FALLS = 0.75
+"""What a round can be hoped to leave of the deviation: where all that are left cannot come to the tolerance,
+they are not tried."""
+
 _LOST = 4.0
 """Rounds end, too, when one leaves so many times the deviation."""
 
@@ -50,9 +54,14 @@ _STRETCH = 1.5
 """How many times as far from an end of the curve as at first a datum may go: where a gap opens there, nothing
 holds a polynomial, and it makes a loop."""
 
-_MESHES = 6
+_MESHES, _FEW_MESHES = 6, 2
+"""Attempts with joints that follow the error; how many of them are enough in a search."""
+
 _EVEN = 0.02
 """Share of the largest error that every segment counts with, lest joints all go to one place."""
+
+_EXACT = 16
+"""Points up to which it is searched for the last one; beyond, for as many more as this goes into them."""
 
 _MANY = 1500
 """Data among which the number of points is searched; all of them count in the end."""
@@ -294,12 +303,17 @@ class _Fitter:
         if count + self._closed > len(self._data.points):
             raise CurveError(f"{len(self._data.points)} distinct points are too few for a curve of {count}")
         best: _Attempt | None = None
-        for _ in range(_MESHES):
+        for mesh in range(_MESHES):
             found = self._settled(self._joints(count, before), enough)
             gained = best is None or found.fit.deviation < best.fit.deviation
             is_done = best is not None and found.fit.deviation > _LEAST_GAIN * best.fit.deviation
             best = found if gained else best
-            if (is_done and enough) or found.fit.deviation <= enough or self._family.is_one_polynomial:
+            is_far = found.fit.deviation > enough * _FALLS ** (mesh - _MESHES) or mesh >= _FEW_MESHES
+            if (
+                (enough and (is_done or is_far))
+                or found.fit.deviation <= enough
+                or self._family.is_one_polynomial
+            ):
                 break
             before = found
         assert best is not None
@@ -320,7 +334,7 @@ class _Fitter:
         at, knots = self._data.parameters, self._data.parameters[joints]
         corners = np.flatnonzero(np.isin(joints, self._corners)).tolist()
         best, gained = None, True
-        for _ in range(_ROUNDS):
+        for step in range(_ROUNDS):
             self._told.again()
             try:
                 curve = self._solve(self._data.points, at, knots, corners=corners)
@@ -334,7 +348,8 @@ class _Fitter:
             if best is None or found.deviation < best.deviation:
                 best, errors = found, np.maximum.reduceat(feet.distance, joints[:-1])
             # A round may be worse than the one before, and still lead to a better one.
-            is_lost = found.deviation > _LOST * best.deviation
+            is_far = 0.0 < enough * _FALLS ** (step + 1 - _ROUNDS) < found.deviation
+            is_lost = is_far or found.deviation > _LOST * best.deviation
             if not (self._moves and (gained or before)) or found.deviation <= enough or is_lost:
                 break
             at = self._kept(at + _OVER * (feet.t - at), *curve.domain)
@@ -406,7 +421,7 @@ def _within(
         needed = float(((found.errors / tolerance) ** fitter.power).sum())
         count = min(max(ceil(needed) if needed < inf else 2 * count, count + 1), 2 * count, fitter.most)
     high = count
-    while best.fit.deviation <= tolerance and high - low > 1:
+    while best.fit.deviation <= tolerance and high - low > max(1, high // _EXACT):
         told.reaches(1.0 - (high - low) / (2.0 * high))
         middle = (low + high) // 2
         found = fitter.attempt(middle, best, tolerance)
