@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from inspect import isabstract
 from types import ModuleType
-from typing import Any, Self, final
+from typing import TYPE_CHECKING, Any, Self, final
 
 import numpy.typing as npt
 
+import curvecore
 from curvecore import CurveError, FamilySetting, ParametricCurve
 from curvecore.families.setting import SettingValue
 
 from .chosen import NO_SETTINGS, ChosenSettings
+
+if TYPE_CHECKING:
+    from curvecore import Fit
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 
@@ -223,6 +227,38 @@ class Family:
         if self._curve_class is None:
             raise CurveError(self.problem)
         return self._curve_class.from_jets(jets, parameters, **settings)
+
+    def fit(
+        self,
+        points: npt.ArrayLike,
+        count: int | None = None,
+        *,
+        tolerance: float | None = None,
+        parameters: npt.ArrayLike | None = None,
+        settings: ChosenSettings = NO_SETTINGS,
+        closed: bool = False,
+        progress: Callable[[float], object] = lambda _share: None,
+    ) -> Fit:
+        """Return the curve of few points near many; see `curvecore.fit`.
+
+        Raises
+        ------
+        CurveError
+            If there is none, or the family is not there.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        chosen = self.in_effect(settings, closed=closed)
+        return curvecore.fit(
+            points,
+            self._curve_class,
+            count,
+            tolerance=tolerance,
+            parameters=parameters,
+            settings=chosen,
+            closed=closed,
+            progress=progress,
+        )
 
     def __eq__(self, other: object) -> bool:
         return self._name == other._name if isinstance(other, Family) else NotImplemented
