@@ -21,6 +21,8 @@ from curvecore import (
     chord_length,
     flatten_pieces,
     natural_spline_velocities,
+    nearest,
+    self_intersections,
     uniform,
 )
 
@@ -224,3 +226,25 @@ def test_derivatives_of_a_cubic(compare, cubic, count, order):
     ratio = 1.0 / compare(lambda: curve.evaluate(t, order), lambda: peer(t, order), 2_000_000 // count)
     what = f"cubic, derivative {order} at {count:,} ascending t, over SciPy's time"
     assert targets.at_most(what, ratio, 1 if count >= 10_000 else 3, "times")
+
+
+@pytest.fixture
+def loop():
+    """A cubic with a loop on both sides."""
+    bezier = pytest.importorskip("bezier")
+    curve = HermiteCurve([[0.0, 0.0], [1.0, 0.0]], [[9.0, 9.0], [9.0, -9.0]], [0.0, 1.0])
+    return curve, bezier.Curve(np.asfortranarray(curve.bezier_pieces()[0].T), degree=3)
+
+
+def test_self_intersections_of_a_cubic(compare, loop):
+    curve, peer = loop
+    ratio = 1.0 / compare(lambda: self_intersections(curve, 1e-9), peer.self_intersections, 51)
+    assert targets.at_most("self-intersections of a cubic, over bezier's time", ratio, 3, "times")
+
+
+def test_nearest_point_of_a_cubic(compare, loop):
+    """The package has no nearest point; `locate`, compiled code of 4 us, is for points of the curve alone."""
+    curve, peer = loop
+    point = curve.evaluate(0.3)
+    ratio = 1.0 / compare(lambda: nearest(curve, point, 1e-9), peer.self_intersections, 51)
+    assert targets.at_most("nearest point of a cubic, over bezier's self-intersections", ratio, 1, "times")
