@@ -9,7 +9,7 @@ A tour of the package, one concept a file:
 ===================  =======================================================
 errors               `CurveError`, the only exception for unusable input
 arrays               validation of every argument, shared array types
-parametrization      rules for the t_i: `uniform`, `chebyshev`,
+parametrization      rules for the t_i: `uniform`, `chebyshev`, `chebyshev_roots`,
                      `chord_length`, `centripetal`, `power`
 tangents             velocities and accelerations estimated from points
 

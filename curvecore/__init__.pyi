@@ -69,6 +69,7 @@ from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
+from curvecore.parametrization import chebyshev_roots as chebyshev_roots
 from curvecore.parametrization import chord_length as chord_length
 from curvecore.parametrization import power as power
 from curvecore.parametrization import uniform as uniform

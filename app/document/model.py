@@ -20,22 +20,56 @@ MAX_MAGNITUDE = 1e12
 class ParametrizationKind(NamedEnum):
     """The rule that gives the parameters t_i, in the order in which the window lists them.
 
+    Each but the manual one is named as the function of ``curvecore.parametrization`` that computes it.
+
     Attributes
     ----------
+    takes
+        The arguments of that function: ``count`` of the points, ``points``, ``alpha``.
+    spaced
+        How the parameters lie, within a sentence.
     alpha
         The exponent of the power rule that it is; None for rules that are none.
     """
 
-    def __init__(self, value: str, label: str = "", alpha: float | None = None) -> None:
+    def __init__(
+        self,
+        value: str,
+        label: str = "",
+        takes: tuple[str, ...] = (),
+        spaced: str = "",
+        alpha: float | None = None,
+    ) -> None:
         super().__init__(value, label)
-        self.alpha = alpha
+        self.takes, self.spaced, self.alpha = takes, spaced, alpha
 
-    UNIFORM = "uniform", "Uniform", 0.0
-    CHORD_LENGTH = "chord_length", "Chord length", 1.0
-    CENTRIPETAL = "centripetal", "Centripetal", 0.5
-    POWER = "power", "Power α"
-    CHEBYSHEV = "chebyshev", "Chebyshev"
+    UNIFORM = "uniform", "Uniform", ("count",), "evenly spaced", 0.0
+    CHORD_LENGTH = "chord_length", "Chord length", ("points",), "spaced as the points are", 1.0
+    CENTRIPETAL = (
+        "centripetal", "Centripetal", ("points",), "spaced by the square roots of the distances", 0.5
+    )  # fmt: skip
+    POWER = "power", "Power α", ("points", "alpha"), "spaced by the distances to the power of α"
+    CHEBYSHEV = (
+        "chebyshev", "Chebyshev (2nd kind)", ("count",), "at the extrema of a Chebyshev polynomial"
+    )  # fmt: skip
+    CHEBYSHEV_ROOTS = (
+        "chebyshev_roots",
+        "Chebyshev (1st kind)",
+        ("count",),
+        "at the roots of a Chebyshev polynomial, stretched to the ends",
+    )
     MANUAL = "manual", "Manual"
+
+    @property
+    def phrase(self) -> str:
+        """The label within a sentence: chord length."""
+        name, dot, rest = self.label.partition(" (")
+        return f"{name if rest else name.lower()}{dot}{rest}"
+
+    @property
+    def asks_where_points_are(self) -> bool:
+        """Whether the parameters change when points move."""
+        return "points" in self.takes
 
 
 class _EstimateRule(NamedEnum):

@@ -3,8 +3,9 @@
 import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QToolButton
+from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox, QToolButton, QWidget
 
+from app.document.model import ParametrizationKind
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.testing import Editor
 from curvecore import LagrangeCurve
@@ -95,6 +96,28 @@ def test_the_families_and_the_rule_are_seen_where_not_all_has_room(editor_with, 
     assert button_of(editor, "fitView").isVisible()
     box = editor.window.findChild(QComboBox, "parametrizationBox")
     assert box.visibleRegion().boundingRect() == box.rect()
+
+
+@pytest.mark.parametrize("width", [1024, 1440])
+@pytest.mark.parametrize("kind", list(ParametrizationKind))
+def test_the_name_of_the_rule_is_read_whole(editor_with, width, kind):
+    editor = editor_with(8, width)
+    editor.choose_parametrization(kind)
+    box = editor.window.findChild(QComboBox, "parametrizationBox")
+    slider = editor.window.findChild(QWidget, "alphaSlider")
+    room = box.style().subControlRect(
+        QStyle.ComplexControl.CC_ComboBox, combo_option(box), QStyle.SubControl.SC_ComboBoxEditField, box
+    )
+    assert box.currentText() == kind.label
+    assert box.fontMetrics().horizontalAdvance(kind.label) <= room.width()
+    assert slider.isVisible() or not slider.isEnabled()
+    assert editor.window.toolbar.sizeHint().width() <= width
+
+
+def combo_option(box):
+    option = QStyleOptionComboBox()
+    box.initStyleOption(option)
+    return option
 
 
 def test_the_words_go_with_the_family_in_use(editor_with):

@@ -95,7 +95,7 @@ class RuleCommands:
             f"parameters_{kind}",
             kind.label,
             CURVE_RULES,
-            tip=f"Use {kind.label.lower()} parameters",
+            tip=f"Use {kind.phrase} parameters" + (f": {kind.spaced}" if kind.spaced else ""),
             full_name=f"{kind.label} Parameters",
         ),
     )
@@ -108,7 +108,7 @@ class RuleCommands:
                 raise EditError("There are no parameters to start from; mend the points first.")
             return edits.set_parametrization(document, session.active_index, kind, view.parameters.tolist())
 
-        session.change(f"Use {kind.label.lower()} parameters", edit)
+        session.change(f"Use {kind.phrase} parameters", edit)
 
     @action(
         "freezeParameters",
