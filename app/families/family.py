@@ -99,6 +99,16 @@ class Family:
         return (self._curve_class.full_title if self._curve_class is not None else "") or self.title
 
     @property
+    def functions(self) -> str:
+        """The name of its basis functions, to begin a sentence."""
+        return ParametricCurve.functions if self._curve_class is None else self._curve_class.functions
+
+    @property
+    def point(self) -> str:
+        """The word for its points within a sentence: those beside their curves are control points."""
+        return "point" if self.interpolates else "control point"
+
+    @property
     def tip(self) -> str:
         """A line about its curves."""
         return (self._curve_class.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
