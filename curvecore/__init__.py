@@ -12,6 +12,8 @@ arrays               validation of every argument, shared array types
 parametrization      rules for the t_i: `uniform`, `chebyshev`, `chebyshev_roots`,
                      `chord_length`, `centripetal`, `power`
 tangents             velocities and accelerations estimated from points
+  limited_tangents   velocities that follow their course: monotone, Akima
+  slopes             slopes of chords, which all of them begin with
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
                      `HermiteCurve`, `QuinticHermiteCurve`, `CubicSplineCurve`,

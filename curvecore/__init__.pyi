@@ -72,6 +72,10 @@ from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds
+from curvecore.limited_tangents import akima_changes as akima_changes
+from curvecore.limited_tangents import akima_velocities as akima_velocities
+from curvecore.limited_tangents import monotone_changes as monotone_changes
+from curvecore.limited_tangents import monotone_velocities as monotone_velocities
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
 from curvecore.parametrization import chebyshev_roots as chebyshev_roots
