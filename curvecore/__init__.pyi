@@ -94,6 +94,7 @@ from curvecore.rounding.operations import operation_counts as operation_counts
 from curvecore.rounding.rounded_data import round_data as round_data
 from curvecore.rounding.rounded_data import round_significant as round_significant
 from curvecore.tangents import bessel_velocities as bessel_velocities
+from curvecore.tangents import catmull_rom_changes as catmull_rom_changes
 from curvecore.tangents import catmull_rom_velocities as catmull_rom_velocities
 from curvecore.tangents import finite_difference_velocities as finite_difference_velocities
 from curvecore.tangents import natural_spline_accelerations as natural_spline_accelerations

@@ -129,6 +129,26 @@ def catmull_rom_velocities(
     return _with_ends(inner, differences(places, h).slope)
 
 
+def catmull_rom_changes(
+    points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, alpha: float = 0.5
+) -> FloatArray:
+    """Return what moves of the points do to `catmull_rom_velocities` while the knots stay, exactly.
+
+    Parameters
+    ----------
+    points, parameters, alpha
+        As for `catmull_rom_velocities`.
+    moves : array_like, shape (n, k)
+        Each column moves a coordinate of every point.
+
+    Returns
+    -------
+    ndarray, shape (n, 1, k)
+        The changes, the same for every coordinate.
+    """
+    return catmull_rom_velocities(moves, parameters, alpha, knots_of=points)[:, None]
+
+
 @in_range
 def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the velocities of the natural cubic spline.

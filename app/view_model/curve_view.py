@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray, parameter_array
 from ..document.model import Curve, ParametrizationKind, Vector
 from .cardinals import Cardinal, Cardinals
 from .flattener import Box, Flattener, FlatteningKey, Polyline
-from .jets import Sides, corner_knots, sides_of
+from .jets import Sides, corner_knots, rules_of, sides_of
 from .plane import at_knots, size_of
 from .point_arrays import PointArrays, arrays_of
 from .refusals import refusal_of
@@ -127,6 +127,11 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def _cardinal(self) -> Cardinal:
         assert self.basis_curve is not None
         return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays)
+
+    @property
+    def linearised(self) -> str:
+        """What is said of the effects of points, where estimates are not linear in them; else empty."""
+        return next((rule.linearised for rule in rules_of(self.source) if rule.linearised), "")
 
     @property
     def at_knots(self) -> FloatArray:
