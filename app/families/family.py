@@ -27,17 +27,21 @@ class Family:
         The name that documents store.
     curve_class
         Makes its curves; None for a family that is not there.
+    misses_points
+        Whether its curves were found to miss the points that the class says they run through.
     """
 
-    __slots__ = ("_curve_class", "_name")
+    __slots__ = ("_curve_class", "_misses_points", "_name")
 
-    def __init__(self, name: str, curve_class: type[ParametricCurve] | None) -> None:
-        self._name, self._curve_class = name, curve_class
+    def __init__(
+        self, name: str, curve_class: type[ParametricCurve] | None, *, misses_points: bool = False
+    ) -> None:
+        self._name, self._curve_class, self._misses_points = name, curve_class, misses_points
 
     @classmethod
-    def of(cls, curve_class: type[ParametricCurve]) -> Self:
+    def of(cls, curve_class: type[ParametricCurve], *, misses_points: bool = False) -> Self:
         """Return the family of a curve class."""
-        return cls(str(curve_class.name), curve_class)
+        return cls(str(curve_class.name), curve_class, misses_points=misses_points)
 
     @staticmethod
     def may_be_called(name: object) -> bool:
@@ -133,8 +137,8 @@ class Family:
 
     @property
     def interpolates(self) -> bool:
-        """Whether its curves run through their points."""
-        return self._curve_class is None or self._curve_class.interpolates
+        """Whether its curves run through their points: the class says so, and nothing else was found."""
+        return self._curve_class is None or (self._curve_class.interpolates and not self._misses_points)
 
     @property
     def is_local(self) -> bool:

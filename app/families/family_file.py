@@ -7,10 +7,11 @@ The least that such a file says::
     def basis(t, parameters):          # t (m,), parameters (n,) ascending -> (m, n)
         ...
 
-`B_i(t_j)` is 1 for i = j and 0 else; that is checked. It may say more: ``title``, what people read;
-``basis(t, parameters, order)`` for derivatives, which else are differences; ``breaks(parameters)``, where
-they jump; ``interpolates = False`` where the curve passes its points by, ``can_close = True`` where a curve
-whose last point is its first goes on smoothly there; a docstring: its first line says what its curves are.
+Where `B_i(t_j)` is not 1 for i = j and 0 else, the curve misses its points; that is measured and told, unless
+the file says so itself. It may say more: ``title``, what people read; ``basis(t, parameters, order)`` for
+derivatives, which else are differences; ``breaks(parameters)``, where they jump; ``interpolates = False``
+where the curve is meant to pass its points by, ``can_close = True`` where a curve whose last point is its
+first goes on smoothly there; a docstring: its first line says what its curves are.
 Classes derived from `curvecore.ParametricCurve` with a name are families, too.
 """
 
@@ -28,7 +29,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from curvecore import BasisCurve, CurveError, ParametricCurve, Scheme, chebyshev, uniform
+from curvecore import BasisCurve, CurveError, ParametricCurve, Scheme, cardinal_defect, chebyshev, uniform
 from curvecore.arrays import FloatArray
 
 from .family import Family, families_of_module
@@ -81,9 +82,7 @@ def families_in(path: Path) -> list[Family]:
         raise FamilyFileError(
             f"“{path}” defines no family: it needs a name and a function basis(t, parameters)."
         )
-    for curve_class, basis in found.items():
-        _try_out(curve_class, path, _first_line(basis))
-    return [Family.of(each) for each in found]
+    return [_tried(curve_class, path, _first_line(basis)) for curve_class, basis in found.items()]
 
 
 def _run(path: Path) -> ModuleType:
@@ -137,8 +136,9 @@ def _told(function: _Function, path: Path) -> _Function:
     return told
 
 
-def _try_out(curve_class: type[ParametricCurve], path: Path, line: str) -> None:
-    """Raise FamilyFileError unless the family makes curves that are linear in their points and finite."""
+def _tried(curve_class: type[ParametricCurve], path: Path, line: str) -> Family:
+    """Return the family of a class; raise FamilyFileError where it makes a curve that is not finite."""
+    misses_points = False
     for parameters in _trials():
         jets = np.zeros((len(parameters), curve_class.derivatives + 1, 2))
         jets[:, 0] = np.stack([np.cos(3.0 * parameters), parameters], axis=1)
@@ -154,6 +154,8 @@ def _try_out(curve_class: type[ParametricCurve], path: Path, line: str) -> None:
             ) from None
         if not all(np.isfinite(each).all() for each in found):
             raise FamilyFileError(f"“{path}”{line}: {curve_class.name} makes a curve that is not finite.")
+        misses_points |= cardinal_defect(curve) is not None
+    return Family.of(curve_class, misses_points=misses_points)
 
 
 def _trials() -> Iterator[FloatArray]:

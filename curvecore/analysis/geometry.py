@@ -211,7 +211,7 @@ def pieces_of(curve: ParametricCurve) -> BezierPieces:
 
 
 def _joint_points(curve: ParametricCurve) -> FloatArray:
-    return curve.points if curve.interpolates else curve.evaluate(curve.parameters)
+    return curve.points if curve.passes_points else curve.evaluate(curve.parameters)
 
 
 def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[FloatArray]:

@@ -203,6 +203,11 @@ class ParametricCurve(Immutable, ABC):
         return float(self._parameters[0]), float(self._parameters[-1])
 
     @property
+    def passes_points(self) -> bool:
+        """Whether c(t_i) is p_i: what the family says by `interpolates`, measured where that may be wrong."""
+        return self.interpolates
+
+    @property
     def degree(self) -> int | None:
         """The degree of the polynomial, or of each polynomial piece; None where they are none."""
         return None
@@ -275,7 +280,7 @@ class ParametricCurve(Immutable, ABC):
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             data = self.jets.reshape(-1, self.jets.shape[2])
             curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
-        if rank == 0 and self.interpolates:
+        if rank == 0 and self.passes_points:
             self._put_points(curve, at.values)
         return curve[0] if at.is_scalar else curve
 
