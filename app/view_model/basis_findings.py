@@ -24,7 +24,7 @@ def findings_of(view: CurveView) -> tuple[str, ...]:
     found = []
     if (miss := worst_miss(curve)) and curve.interpolates:
         by = number(miss.distance, 2)
-        found.append(f"The curve misses its points: by up to {by} at point {view.owner(miss.index)}.")
+        found.append(f"The curve misses its points: by up to {by} at point {view.owner(miss.point)}.")
     if (off := cardinal_defect(functions)) and functions.interpolates:
         value, at = _near(off.value, off.wanted), off.parameter
         found.append(f"{_b(off.function)}({_sub('t', at)}) = {value} instead of {off.wanted}.")

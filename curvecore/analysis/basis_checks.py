@@ -62,12 +62,13 @@ class Miss(NamedTuple):
 
     Attributes
     ----------
-    index : int
+    point : int
+        i.
     distance : float
         Between c(t_i) and p_i.
     """
 
-    index: int
+    point: int
     distance: float
 
 
