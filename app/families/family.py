@@ -19,7 +19,8 @@ class Family:
     """A curve family as the program knows it; compares and hashes by its name.
 
     Everything but the name is what the curve class says of itself. A family that is not there, because the
-    package or file that brings it is not, has no class: its curves keep their points and cannot be drawn.
+    package or file that brings it is not, has no class: its curves keep their points and cannot be drawn. The
+    registry has one object for each name, which documents share: the class may come, be another one, and go.
 
     Parameters
     ----------
@@ -42,6 +43,14 @@ class Family:
     def of(cls, curve_class: type[ParametricCurve], *, misses_points: bool = False) -> Self:
         """Return the family of a curve class."""
         return cls(str(curve_class.name), curve_class, misses_points=misses_points)
+
+    def become(self, other: Family) -> None:
+        """Take over what another one of this name is; documents that name this one have that from now on."""
+        self._curve_class, self._misses_points = other._curve_class, other._misses_points
+
+    def makes(self, curve: ParametricCurve) -> bool:
+        """Whether a curve is one of this family, as it is now; of a chain, its pieces."""
+        return type(curve.pieces[0]) is self._curve_class
 
     @staticmethod
     def may_be_called(name: object) -> bool:
