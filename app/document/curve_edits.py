@@ -40,7 +40,13 @@ def free_name(document: Document) -> str:
 def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
     """Return an empty curve of the family and with the rules of `model`, under a name free in `document`."""
     return Curve(
-        free_name(document), model.family, parametrization, (), model.velocity_rule, model.acceleration_rule
+        free_name(document),
+        model.family,
+        parametrization,
+        (),
+        model.velocity_rule,
+        model.acceleration_rule,
+        settings=model.settings,
     )
 
 

@@ -1,63 +1,62 @@
-"""A limit of time for the Python of others that runs in the caller's thread."""
+"""A limit of time for the Python of others that runs in the main thread.
+
+By a signal of the system's, which Python hears between two instructions: a thread that kept the time could
+collect garbage, and destroy widgets that are none of its business (see ``tasks.task``). Windows has no such
+signal; there a process of its own, which tries a file first, is all that bounds it.
+"""
 
 from __future__ import annotations
 
-import ctypes
+import signal
 import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-
-_TICK_S = 0.1
+from types import FrameType
 
 
 class OverdueError(RuntimeError):
     """Code ran for longer than it may; its traceback ends where it was."""
 
 
-class _Watch:
-    """The thread that looks at the clock while something with a limit runs; begun with the first."""
+class _Clock:
+    """The alarm of this process, and what it was for before."""
 
     def __init__(self) -> None:
-        self._until: dict[int, float] = {}
-        self._lock, self._wake = threading.Lock(), threading.Event()
-        self._thread: threading.Thread | None = None
+        self._until: float | None = None
+        self._before: object = None
 
-    def begin(self, seconds: float) -> None:
-        """Raise `OverdueError` in this thread after so many seconds, unless it comes to `end` before."""
-        if self._thread is None:
-            self._thread = threading.Thread(target=self._look, name="time limit", daemon=True)
-            self._thread.start()
-        self._until[threading.get_ident()] = time.monotonic() + seconds
-        self._wake.set()
+    @property
+    def is_free(self) -> bool:
+        """Whether there is an alarm, this thread hears it, and it is not set yet."""
+        is_main = threading.current_thread() is threading.main_thread()
+        return hasattr(signal, "setitimer") and is_main and self._until is None
 
-    def end(self) -> None:
-        """Raise nothing in this thread any more."""
-        thread = threading.get_ident()
-        with self._lock:
-            if self._until.pop(thread, None) is None:
-                # It was raised, and perhaps has not arrived.
-                _raise_in(thread, None)
+    @contextmanager
+    def set_to(self, seconds: float) -> Iterator[None]:
+        """Have the alarm after so many seconds; who had one gets what is left of it afterwards."""
+        if signal.getsignal(signal.SIGALRM) != self._ring:
+            # Never put back: one that comes a moment too late must find somebody who lets it pass.
+            self._before = signal.signal(signal.SIGALRM, self._ring)
+        began = time.monotonic()
+        self._until = began + seconds
+        theirs, interval = signal.setitimer(signal.ITIMER_REAL, seconds)
+        try:
+            yield
+        finally:
+            self._until = None
+            left = max(theirs - (time.monotonic() - began), 1e-3) if theirs else 0.0
+            signal.setitimer(signal.ITIMER_REAL, left, interval)
 
-    def _look(self) -> None:
-        while True:
-            self._wake.wait()
-            self._wake.clear()
-            while self._until:
-                time.sleep(_TICK_S)
-                with self._lock:
-                    for thread, until in tuple(self._until.items()):
-                        if time.monotonic() > until:
-                            del self._until[thread]
-                            _raise_in(thread, OverdueError)
-
-
-def _raise_in(thread: int, problem: type[BaseException] | None) -> None:
-    raised = ctypes.py_object(problem) if problem is not None else None
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), raised)
+    def _ring(self, number: int, frame: FrameType | None) -> None:
+        if self._until is not None and time.monotonic() >= self._until:
+            self._until = None
+            raise OverdueError
+        if self._until is None and callable(self._before):
+            self._before(number, frame)
 
 
-_watch = _Watch()
+_clock = _Clock()
 
 
 @contextmanager
@@ -66,12 +65,12 @@ def stopped_after(seconds: float) -> Iterator[None]:
 
     That bounds every loop of Python's; one in C is bounded by the size of its arrays.
     """
+    if not _clock.is_free:
+        yield
+        return
     try:
-        _watch.begin(seconds)
-        try:
+        with _clock.set_to(seconds):
             yield
-        finally:
-            _watch.end()
     except OverdueError as problem:
         text = f"it ran for longer than {seconds:g} s and was stopped"
         raise OverdueError(text).with_traceback(problem.__traceback__) from None

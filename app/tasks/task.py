@@ -1,9 +1,8 @@
 """A background task in a thread of its own; garbage is collected in the window's thread.
 
-The only module that starts threads, but for the clock in ``families.time_limit``. What is to be done sees
-immutable values and touches no widget; its end is told in the window's thread. What parses files of others
-may hang, or keep the interpreter to itself for long, and goes on in a process of its own
-(``exchange.child``); the thread then only waits for it.
+The only module that starts threads. What is to be done sees immutable values and touches no widget; its end
+is told in the window's thread. What parses files of others may hang, or keep the interpreter to itself for
+long, and goes on in a process of its own (``exchange.child``); the thread then only waits for it.
 """
 
 from __future__ import annotations

@@ -133,6 +133,7 @@ def as_new_curve(like: Curve, pasted: Sequence[Point], name: str) -> Curve:
         parametrization=Parametrization(kind),
         velocity_rule=like.velocity_rule,
         acceleration_rule=like.acceleration_rule,
+        settings=like.settings,
     )
 
 
