@@ -98,6 +98,10 @@ class BasisCurve(ParametricCurve):
         self._functions(self._probes(), 0)
         self._passes_points = self.interpolates and bool(off.max() <= MEASURED)
 
+    def __repr__(self) -> str:
+        """Return a short description, with the name of the scheme."""
+        return f"{type(self).__name__}({self._shape_in_words()}, scheme={self._scheme.name!r})"
+
     @property
     def name(self) -> str:  # type: ignore[override]
         """That of the scheme."""

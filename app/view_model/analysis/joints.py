@@ -54,9 +54,9 @@ class JointRow:
     Attributes
     ----------
     joint
-        The point it lies at.
+        The index of its parameter: that of the point it lies at, if the curve runs through its points.
     place
-        The point.
+        Where it lies.
     reach
         The distance to the nearer of its neighbours: how closely to look.
     jumps
@@ -115,7 +115,9 @@ def certificate_of(view: CurveView) -> Certificate:
 
 def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
     point = view.owner(joint.joint)
-    x, y = view.points[point].tolist()
+    assert view.curve is not None
+    is_there = view.source.family.interpolates
+    x, y = (view.points[point] if is_there else view.curve.evaluate(joint.parameter)).tolist()
     measured = (joint.point_jump, joint.velocity_jump, joint.acceleration_jump)
     sizes = (math.hypot(*jump.tolist()) for jump in measured)
     c, v, a = (0.0 if order <= joint.parametric else size for order, size in enumerate(sizes))
