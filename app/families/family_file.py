@@ -81,24 +81,28 @@ def use_file(families: Families, path: Path) -> frozenset[Family]:
     FamilyFileError
         If it cannot be read or run, or what it says makes no curve; everything is as it was then.
     """
-    found, before = families_in(path), families.files.get(path, ())
+    found, before = families_in(path), families.files.get(path.absolute(), ())
     taken = [each for each in found if (each in families and each not in before) or found.count(each) > 1]
     if taken:
         raise FamilyFileError(f"“{path}”: there is a family “{taken[0].name}” already.")
     for family in before:
-        families.retire(family)
+        if family in families:
+            families.remove(family)
     for family in found:
         families.add(family)
     mine = dict.fromkeys((*before, *found))
-    families.files[path] = tuple(families.named(each.name) for each in mine)
+    families.files[path.absolute()] = tuple(families.named(each.name) for each in mine)
     return frozenset(mine)
 
 
 def forget_file(families: Families, path: Path) -> frozenset[Family]:
     """Forget the families of a file, and return them."""
-    gone = families.files.pop(path, ())
+    gone = families.files.pop(path.absolute(), ())
     for family in gone:
-        families.remove(family)
+        if family in families:
+            families.remove(family)
+        # Documents that name it have it no longer, either.
+        family.become(Family(family.name, None))
     return frozenset(gone)
 
 

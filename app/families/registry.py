@@ -69,14 +69,8 @@ class Families(Sequence[Family]):
         self._families.append(known)
 
     def remove(self, family: Family) -> None:
-        """Forget a family: curves of it are drawn no longer."""
-        self.retire(family)
-        self.named(family.name).become(Family(family.name, None))
-
-    def retire(self, family: Family) -> None:
         """Offer a family no longer; curves of it go on."""
-        if family in self._families:
-            self._families.remove(family)
+        self._families.remove(family)
 
     @property
     def _all(self) -> list[Family]:

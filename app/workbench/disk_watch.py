@@ -24,7 +24,7 @@ class DiskWatch(Guarded, QObject):
     Parameters
     ----------
     parent
-        What it belongs to: a window, or something else, which has to notice itself that one comes to the front.
+        What it belongs to: a window, or another, which has to notice itself that a window comes to the front.
 
     Signals
     -------

@@ -13,7 +13,7 @@ from .message_bar import GAP, SentenceBar, keep_pointer
 
 
 class NoticeBar(SentenceBar):
-    """A sentence with buttons, below the bar `above` where that is shown; `kind` begins the names of its parts."""
+    """A sentence with buttons, below the bar `above` where that is shown; its parts are named by `kind`."""
 
     def __init__(self, kind: str, parent: QWidget, above: QWidget | None = None) -> None:
         super().__init__(kind, f"close{kind.capitalize()}Bar", parent, above)
