@@ -25,7 +25,7 @@ from ..view_model.handles import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow
 from ..workbench.notice_bar import NoticeBar
-from .input_driver import InputDriver, spin
+from .input_driver import InputDriver, spin, type_keys
 from .reach import require_enabled, require_reachable, require_under_mouse
 
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -259,7 +259,7 @@ class Editor(InputDriver):
         self.send(panel, QEvent.Type.MouseButtonRelease, place, held=False)
         line = panel.tick_edit.line
         line.selectAll()
-        QTest.keyClicks(line, text)
+        type_keys(line, text)
         QTest.keyClick(line, Qt.Key.Key_Return)
         self.settle()
 
@@ -270,7 +270,7 @@ class Editor(InputDriver):
             self.trigger("commandPalette")
         palette = self._palette()
         palette.search.clear()
-        QTest.keyClicks(palette.search, text)
+        type_keys(palette.search, text)
         self.settle()
         return palette.found
 
@@ -313,7 +313,7 @@ class Editor(InputDriver):
     def type_text(self, widget: QWidget, text: str) -> None:
         """Type into a widget."""
         require_reachable(widget)
-        QTest.keyClicks(widget, text)
+        type_keys(widget, text)
 
     def wait_for_work(self, seconds: float = 30.0) -> None:
         """Wait until nothing is read or written beside the window."""
