@@ -119,7 +119,12 @@ class Family:
     @property
     def point(self) -> str:
         """The word for its points within a sentence: those beside their curves are control points."""
-        return "point" if self.interpolates else "control point"
+        return "control point" if self.has_control_points else "point"
+
+    @property
+    def has_control_points(self) -> bool:
+        """Whether its curves are meant to pass their points by; one that misses them by mistake has none."""
+        return self._curve_class is not None and not self._curve_class.interpolates
 
     @property
     def tip(self) -> str:

@@ -123,10 +123,10 @@ def test_a_template_is_a_file_that_works_at_once(editor, path, ask, qtbot):
     assert text_of(editor).startswith(f"“{NAME}.py” lies in {path.parent}")
     assert "Python that is run" in text_of(editor)
     assert NAME not in [family.name for family in FAMILIES]  # nothing has run
-    QTest.mouseClick(bar_of(editor).button("useTemplate"), Qt.MouseButton.LeftButton)
+    QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "brings" in text_of(editor), timeout=WAIT_MS)
     assert text_of(editor) == f"“{NAME}.py” brings “My lagrange”. It is run again whenever it is saved."
-    QTest.mouseClick(bar_of(editor).button("familyMyLagrange"), Qt.MouseButton.LeftButton)
+    QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
     editor.settle()
     assert editor.curve.family.name == NAME
     assert bar_of(editor) is None
@@ -160,7 +160,7 @@ def test_a_dialog_that_is_left_changes_nothing(editor, ask):
     for name in ("familyTemplate", "useFamilyFile"):
         editor.trigger(name)
     assert bar_of(editor) is None
-    assert not editor.action("useTemplate").isEnabled()
+    assert not editor.action("useOwnFamily").isEnabled()
 
 
 def test_a_template_that_cannot_be_written_is_told(editor, tmp_path, ask):

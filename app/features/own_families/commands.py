@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject
@@ -35,7 +34,7 @@ class OwnFamilyCommands(QObject):
         self._files.told.connect(self._show)
         self._bar: FamilyBar | None = None
         self._asked: Path | None = None
-        self._news: tuple[str, tuple[str, ...]] = ("", ())
+        self._news = ""
         self._dismissed = ""
         self._show()
 
@@ -55,14 +54,14 @@ class OwnFamilyCommands(QObject):
                 raise StorageError(f"“{path.name}” is there already. Choose it in the list to replace it.")
             write(path, own_families.template.template(path).encode())
         except StorageError as problem:
+            self._files.offered = None
             self._tell(f"{path.name} was not written. {problem}")
             return
         self._context.preferences.last_folder = path.parent
-        self._files.template = path
+        self._files.offered = path
         self._tell(
             f"“{path.name}” lies in {path.parent}: Lagrange's functions, to be changed in any editor. Used, "
-            "it is Python that is run now and whenever it is saved.",
-            ["useTemplate"],
+            "it is Python that is run now and whenever it is saved."
         )
 
     @action("useFamilyFile", "Use Family File…", FILE_FAMILY)
@@ -76,17 +75,20 @@ class OwnFamilyCommands(QObject):
             self._use(Path(name))
 
     @action(
-        "useTemplate",
+        "useOwnFamily",
         "Use It",
         FILE_FAMILY_MORE,
         icon="play",
-        full_name="Use the Template Just Written",
-        needs=Need("a family template that was just written", lambda _now: bool(family_files().template)),
+        full_name="Use the New Family",
+        needs=Need("a family file just written or used", lambda _now: family_files().offered is not None),
     )
-    def _use_template(self) -> None:
-        """Run the template that was just written, and have its family."""
-        if self._files.template is not None:
-            self._use(self._files.template)
+    def _use_offered(self) -> None:
+        """Run the template just written, or draw the curve by the family that a file has just brought."""
+        offered = self._files.offered
+        if isinstance(offered, Path):
+            self._use(offered)
+        elif offered is not None:
+            self._context.actions[offered.action_name].trigger()
 
     @action(
         "stopFamilyFile",
@@ -101,7 +103,7 @@ class OwnFamilyCommands(QObject):
         self._files.stop()
 
     def _use(self, path: Path) -> None:
-        self._asked, self._news, self._dismissed = path.absolute(), ("", ()), ""
+        self._asked, self._news, self._dismissed = path.absolute(), "", ""
         self._files.use(path)
 
     # What became of it
@@ -113,23 +115,21 @@ class OwnFamilyCommands(QObject):
         offered = [each for each in FAMILIES.files[path] if each in FAMILIES]
         if path == self._asked:
             self._asked = None
+            self._files.offered = offered[0]
             names = enumerated([f"“{each.label}”" for each in offered])
-            self._tell(
-                f"“{path.name}” brings {names}. It is run again whenever it is saved.",
-                [each.action_name for each in offered],
-            )
+            self._tell(f"“{path.name}” brings {names}. It is run again whenever it is saved.")
         else:
-            self._news = ("", ())
+            self._news = ""
             self._session.say(f"{path.name} was run again: its curves are drawn by what it says now.")
 
     def render(self, view: CurveView) -> None:
         """Say no longer what is new where it is in use."""
-        if view.source.family.action_name in self._news[1]:
-            self._news = ("", ())
+        if self._news and view.source.family == self._files.offered:
+            self._news = ""
             self._show()
 
-    def _tell(self, text: str, offered: Sequence[str] = ()) -> None:
-        self._news, self._dismissed = (text, tuple(offered)), ""
+    def _tell(self, text: str) -> None:
+        self._news, self._dismissed = text, ""
         self._show()
 
     def _show(self) -> None:
@@ -143,8 +143,7 @@ class OwnFamilyCommands(QObject):
         if self._bar is None:
             self._bar = FamilyBar(self._context.central.canvas)
             self._bar.closed.connect(self._dismiss)
-        actions = [self._context.actions[name] for name in offered if name in self._context.actions]
-        self._bar.show_notice(text, actions, warns=warns)
+        self._bar.show_notice(text, [self._context.actions[name] for name in offered], warns=warns)
 
     def _sentence(self) -> tuple[str, tuple[str, ...], bool]:
         if self._files.running is not None:
@@ -152,12 +151,12 @@ class OwnFamilyCommands(QObject):
         for path, problem in reversed(self._files.problems.items()):
             last = " The last version that worked stays." if path in FAMILIES.files else ""
             return f"{problem}{last} It is run again when it is saved.", (), True
-        return (*self._news, False)
+        return self._news, ("useOwnFamily",) if self._files.offered is not None else (), False
 
     def _dismiss(self, text: str) -> None:
         self._dismissed = text
-        if text == self._news[0]:
-            self._news = ("", ())
+        if text == self._news:
+            self._news = ""
 
 
 COMMAND_SETS = (OwnFamilyCommands,)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 from shiboken6 import isValid
 
-from ...families import FAMILIES
+from ...families import FAMILIES, Family
 from ...tasks.single_task import SingleTask
 from ...workbench.disk_watch import DiskWatch
 from .. import own_families
@@ -38,8 +38,8 @@ class FamilyFiles(QObject):
         What is wrong with each file, as a sentence that names the line.
     running
         The file that has been running for a while; None while none is.
-    template
-        The template that was written last; None before that.
+    offered
+        What has just been written or brought, to be used: a template or a family; None where nothing has.
     """
 
     brought = Signal(object, object)
@@ -49,7 +49,7 @@ class FamilyFiles(QObject):
         super().__init__(parent)
         self.problems: dict[Path, str] = {}
         self.running: Path | None = None
-        self.template: Path | None = None
+        self.offered: Path | Family | None = None
         self._seen: dict[Path, bytes | None] = {}
         self._watches: dict[Path, DiskWatch] = {}
         self._waiting: list[Path] = []
@@ -85,7 +85,7 @@ class FamilyFiles(QObject):
         self._watches.clear()
         self._seen.clear()
         self.problems.clear()
-        self.template = None
+        self.offered = None
         self.told.emit()
 
     # Noticing
