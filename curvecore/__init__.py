@@ -70,6 +70,7 @@ analysis.geometry    curvature, box, inflections, extrema of curvature
   nearest_point      the nearest point of a curve, of all or within a reach
   intersections      where a curve crosses itself; arc_pairs: where it may
   continuity         jumps at the joints, and the class that follows
+  basis_checks       what is wrong with basis functions, measured
   stability          Lebesgue function and constant
   cardinal           effects of points from which derivatives are estimated:
                      `CardinalBasis`
