@@ -6,12 +6,13 @@ import pickle
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from app.document import edits
 from app.document.model import Document, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, ChosenSettings
-from app.storage.format import FormatError, decode, encode
+from app.storage.format import FormatError, decode, encode, validate
 from app.view_model.curve_view import view_of
 from curvecore import Chain, CurveError, LagrangeCurve
 from tests.own_families import EVERY
@@ -36,7 +37,8 @@ def jets():
 
 
 def make(family, **settings):
-    return family.make(jets(), [0.0, 1.0, 2.0, 3.0], settings)
+    made = family.make(jets(), [0.0, 1.0, 2.0, 3.0])
+    return type(made).from_jets(made.jets, made.parameters, **settings)
 
 
 # Curves of the core
@@ -163,6 +165,20 @@ def test_chosen_settings_are_values():
     assert chosen != ChosenSettings({"amount": 4, "side": "left"})
     assert pickle.loads(pickle.dumps(chosen)) == copy.deepcopy(chosen) == chosen
     assert pickle.loads(pickle.dumps(NO_SETTINGS)) is ChosenSettings({}) is NO_SETTINGS
+
+
+def test_a_family_that_lost_a_setting_draws_edits_and_saves_its_curves(document, swaying):
+    """As when its file is written anew while the document is open."""
+    chosen = edits.set_family_setting(document, 0, "amount", 5)
+    stale = replace(
+        chosen.curves[0], settings=ChosenSettings({"speed": 3, "amount": 50, "first_side": "right"})
+    )
+    assert view_of(stale).curve.chosen == {"amount": 2, "first_side": "right"}
+    open_document = Document((stale,))
+    validate(open_document)
+    assert dict(decode(encode(open_document)).curves[0].settings) == {"first_side": "right"}
+    mended = edits.set_family_setting(open_document, 0, "amount", 7)
+    assert dict(mended.curves[0].settings) == {"first_side": "right", "amount": 7}
 
 
 # Files
