@@ -75,6 +75,10 @@ analysis.geometry    curvature, box, inflections, extrema of curvature
   sensitivity        derivatives by the data, worst cases
   ensembles          curves with random errors
 
+fitting.fit          few points near many data: `fit`
+  least_squares      the linear problem: `least_squares_curve`
+  joints             corners of data, and where joints should be
+
 rounding.evaluation  curves computed with k decimal digits, and the truth
   decimal_methods    its methods, operation by operation
   operations         what they cost

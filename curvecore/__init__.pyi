@@ -72,6 +72,9 @@ from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds
+from curvecore.fitting.fit import Fit as Fit
+from curvecore.fitting.fit import fit as fit
+from curvecore.fitting.least_squares import least_squares_curve as least_squares_curve
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
 from curvecore.parametrization import chord_length as chord_length

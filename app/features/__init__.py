@@ -19,6 +19,7 @@ FEATURES = (
     "rules",
     "points",
     "transform",
+    "fitting",
     "clipboard",
     "basis",
     "plots",

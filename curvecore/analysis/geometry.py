@@ -268,7 +268,7 @@ def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
     for same in alike(parts):
         found = _turning_points([curves[index] for index in same], [parts[index] for index in same])
         for index, reached in zip(same.tolist(), found, strict=True):
-            points = np.concatenate([*map(_joint_points, curves[index].pieces), reached])
+            points = np.concatenate([*(piece.knot_points for piece in curves[index].pieces), reached])
             error = float(scale_by_power(parts[index].error.max(keepdims=True), parts[index].exponent)[0])
             boxes[index] = Box(points.min(axis=0), points.max(axis=0), error)
     return [boxes[index] for index in range(len(curves))]
@@ -277,10 +277,6 @@ def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
 def pieces_of(curve: ParametricCurve) -> BezierPieces:
     """Return pieces that follow a curve as closely as its shape is asked for."""
     return bezier_pieces(curve, _FINE)
-
-
-def _joint_points(curve: ParametricCurve) -> FloatArray:
-    return curve.points if curve.interpolates else curve.evaluate(curve.parameters)
 
 
 def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[FloatArray]:

@@ -160,6 +160,9 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
     is_one_polynomial : bool
         Whether it is the polynomial of degree n - 1 through its n points.
+    is_calm : bool
+        Whether it is offered as a cure for a curve that swings out between its points: through points alone
+        it stays near them, whatever their parameters.
     most_points : int or None
         How many points a curve can have: what is derived from `_basis` takes m * n numbers. None, any
         number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
@@ -202,6 +205,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
+    is_calm: ClassVar[bool] = False
     most_points: ClassVar[int | None] = 2000
 
     _chosen: tuple[tuple[str, SettingValue], ...]
@@ -427,6 +431,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return False
 
     # What the points and parameters of a curve that passes its points by do
+
+    @property
+    def knot_points(self) -> FloatArray:
+        """The points c(t_i), shape (n, dim): p_i, or beside these."""
+        return self.points if self.interpolates else self.evaluate(self._parameters)
 
     @property
     def places(self) -> FloatArray:

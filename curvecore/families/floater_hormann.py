@@ -8,7 +8,9 @@ from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.rational_form import RationalForm
 from curvecore.families.setting import FamilySetting
-from curvecore.scaling import normalise, scale_by_power
+from curvecore.scaling import Scaled, ScaledRows, normalise, scale_by_power
+
+_NO_EXPONENT = np.zeros(1, dtype=np.int64)
 
 
 class FloaterHormannCurve(ParametricCurve):
@@ -72,6 +74,8 @@ class FloaterHormannCurve(ParametricCurve):
 
     name = "floater_hormann"
     title = "barycentric rational"
+    place = 50
+    is_calm = True
     settings = (
         FamilySetting(
             "degree",
@@ -90,11 +94,23 @@ class FloaterHormannCurve(ParametricCurve):
             self._form = RationalForm.of(self._parameters, int(self.chosen["degree"]))
         return self._form
 
+    def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
+        """Return derivatives of several orders at many places, all of them in one pass.
+
+        Where the Lebesgue function stays below 1e3 by sums in double precision: the errors are then up to
+        1e4 times larger than those of `evaluate`.
+        """
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            found = self._rational_form.quick_derivatives(self.points, t, max(orders)) if len(t) else None
+        if found is None or not all(np.isfinite(each).all() for each in found):
+            return super().derivatives_at(t, orders)
+        return [found[order] for order in orders]
+
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.empty((len(self._parameters), t.size))
         with np.errstate(over="ignore", under="ignore"):
-            for where, values in self._rational_form.parts(t, order):
-                result[:, where] = scale_by_power(*values)
+            for where, values, exponent in self._rational_form.parts(t, order):
+                result[:, where] = values if exponent is None else scale_by_power(values, exponent)
         return result.T[:, :, None]
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
@@ -103,8 +119,8 @@ class FloaterHormannCurve(ParametricCurve):
         result = np.empty((self.points.shape[1], t.size))
         with np.errstate(over="ignore", under="ignore"):
             points = np.ldexp(self.points, -exponent)
-            for where, values in self._rational_form.parts(t, order):
-                rows = normalise(values)
+            for where, values, own in self._rational_form.parts(t, order):
+                rows = normalise(Scaled(values, own)) if own is not None else ScaledRows(values, _NO_EXPONENT)
                 result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
         curve = np.ascontiguousarray(result.T)
         if order == 0:
