@@ -28,9 +28,11 @@ A tour of the package, one concept a file:
 ===================  =======================================================
 errors               `CurveError`, the only exception for unusable input
 arrays               validation of every argument, shared array types
-parametrization      rules for the t_i: `uniform`, `chebyshev`,
+parametrization      rules for the t_i: `uniform`, `chebyshev`, `chebyshev_roots`,
                      `chord_length`, `centripetal`, `power`
 tangents             velocities and accelerations estimated from points
+  limited_tangents   velocities that follow their course: monotone, Akima
+  slopes             slopes of chords, which all of them begin with
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
                      `HermiteCurve`, `QuinticHermiteCurve`, `CubicSplineCurve`,
@@ -68,6 +70,7 @@ analysis.geometry    curvature, box, inflections, extrema of curvature
   nearest_point      the nearest point of a curve, of all or within a reach
   intersections      where a curve crosses itself; arc_pairs: where it may
   continuity         jumps at the joints, and the class that follows
+  basis_checks       what is wrong with basis functions, measured
   stability          Lebesgue function and constant
   cardinal           effects of points from which derivatives are estimated:
                      `CardinalBasis`

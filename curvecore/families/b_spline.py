@@ -63,6 +63,7 @@ class BSplineCurve(ParametricCurve):
 
     name = "b_spline"
     title = "B-spline"
+    place = 80
     functions = "B-spline functions"
     interpolates = False
     most_points = None

@@ -83,6 +83,7 @@ class BezierCurve(ParametricCurve):
 
     name = "bezier"
     title = "Bézier"
+    place = 70
     functions = "Bernstein functions"
     interpolates = False
 

@@ -82,6 +82,11 @@ class Chain(ParametricCurve):
         return self._pieces[0].name
 
     @property
+    def functions_key(self) -> tuple[object, ...]:
+        """That of the pieces."""
+        return self._pieces[0].functions_key
+
+    @property
     def pieces(self) -> tuple[ParametricCurve, ...]:
         """The pieces."""
         return self._pieces
@@ -111,6 +116,11 @@ class Chain(ParametricCurve):
     def interpolates(self) -> bool:  # type: ignore[override]
         """Whether all pieces run through their points."""
         return all(piece.interpolates for piece in self._pieces)
+
+    @property
+    def passes_points(self) -> bool:
+        """Whether all pieces do."""
+        return all(piece.passes_points for piece in self._pieces)
 
     @property
     def is_positive(self) -> bool:

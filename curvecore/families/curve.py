@@ -242,7 +242,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             data = self.jets.reshape(-1, self.jets.shape[2])
             curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
-        if order == 0 and self.interpolates:
+        if order == 0 and self.passes_points:
             self._put_points(curve, t)
         return curve
 
@@ -274,6 +274,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return float(self._parameters[0]), float(self._parameters[-1])
 
     @property
+    def passes_points(self) -> bool:
+        """Whether c(t_i) is p_i: what the family says by `interpolates`, measured where that may be wrong."""
+        return self.interpolates
+
+    @property
     def degree(self) -> int | None:
         """The degree of the polynomial, or of each polynomial piece; None where they are none."""
         return None
@@ -285,8 +290,8 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
 
     @property
     def functions_key(self) -> tuple[object, ...]:
-        """The name and the settings: curves of one key and the same parameters have the same functions."""
-        return (self.name, *self._chosen)
+        """The class and the settings: curves of one key and the same parameters have the same functions."""
+        return (type(self), *self._chosen)
 
     @property
     def pieces(self) -> tuple[ParametricCurve, ...]:
@@ -435,7 +440,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     @property
     def knot_points(self) -> FloatArray:
         """The points c(t_i), shape (n, dim): p_i, or beside these."""
-        return self.points if self.interpolates else self.evaluate(self._parameters)
+        return self.points if self.passes_points else self.evaluate(self._parameters)
 
     @property
     def places(self) -> FloatArray:

@@ -74,7 +74,7 @@ class FloaterHormannCurve(ParametricCurve):
 
     name = "floater_hormann"
     title = "barycentric rational"
-    place = 50
+    place = 60
     is_calm = True
     settings = (
         FamilySetting(

@@ -50,7 +50,10 @@ class OverlayCommands:
     @LatePanel("analysisDock", "Analysis")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when its dock is first shown."""
-        return overlays.panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__, parent)
+        actions = self._context.actions
+        panel = overlays.panel.AnalysisPanel(self._context.analysis, actions.__getitem__, parent)
+        actions.redeclared.connect(panel.follow_ghosts)
+        return panel
 
     # What is shown
 

@@ -63,7 +63,7 @@ class Remedy(NamedTuple):
 CURES = (
     Remedy("chordLength", "Chord-length t", "Use chord length parameters", ParametrizationKind.CHORD_LENGTH),
     Remedy("centripetal", "Centripetal t", "Use centripetal parameters", ParametrizationKind.CENTRIPETAL),
-    Remedy("chebyshev", "Chebyshev t", "Use chebyshev parameters", ParametrizationKind.CHEBYSHEV),
+    Remedy("chebyshev", "Chebyshev t", "Use Chebyshev (2nd kind) parameters", ParametrizationKind.CHEBYSHEV),
     Remedy(
         "hermite",
         "Hermite, local tangents",

@@ -29,6 +29,7 @@ _RULE_STYLES = (
     LineStyle(ORANGE, width=1.5, dashes=(1.3, 2.0)),
     LineStyle(SKY, width=1.5, dashes=(9.3, 2.7)),
     LineStyle(YELLOW, width=1.5, dashes=(9.3, 2.7, 1.3, 2.7)),
+    LineStyle(GREEN, width=1.5, dashes=(3.3, 2.0, 1.3, 2.0)),
 )
 
 
@@ -46,7 +47,8 @@ class Ghost(msgspec.Struct, frozen=True):
     @property
     def title(self) -> str:
         """The words in the window: Chord length."""
-        return self.family.label if self.family is not None else str(self.kind).replace("_", " ").capitalize()
+        record = self.family if self.family is not None else self.kind
+        return record.label if record is not None else ""
 
     @property
     def action_name(self) -> str:
@@ -58,8 +60,8 @@ class Ghost(msgspec.Struct, frozen=True):
         """The tooltip of its action."""
         if self.family is not None:
             return f"Draw the same points as a {self.family.full_title} curve, too"
-        rule = "Chebyshev" if self.kind is ParametrizationKind.CHEBYSHEV else str(self.kind).replace("_", "-")
-        return f"Draw the curve with {rule} parameters, too"
+        assert self.kind is not None
+        return f"Draw the curve with {self.kind.phrase} parameters, too"
 
     @property
     def style(self) -> LineStyle:
