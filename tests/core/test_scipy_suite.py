@@ -20,11 +20,14 @@ import numpy as np
 import pytest
 
 from .scipy_faces import (
+    AkimaFace,
     CubicHermiteFace,
     CubicSplineFace,
     Face,
     FloaterHormannFace,
+    PchipFace,
     PolynomialFace,
+    pchip_interpolate,
     polynomial_interpolate,
 )
 
@@ -43,6 +46,10 @@ FACES = {
     "CubicSpline": CubicSplineFace,
     "make_interp_spline": CubicSplineFace,
     "FloaterHormannInterpolator": FloaterHormannFace,
+    "PchipInterpolator": PchipFace,
+    "pchip": PchipFace,
+    "pchip_interpolate": pchip_interpolate,
+    "Akima1DInterpolator": AkimaFace,
 }
 FUNCTIONS = (
     "test_shapes",
@@ -56,8 +63,10 @@ FUNCTIONS = (
 CLASSES = {
     "TestKrogh": _POLYINT,
     "TestBarycentric": _POLYINT,
+    "TestPCHIP": _POLYINT,
     "TestCubicSpline": _POLYINT,
     "TestZeroSizeArrays": _POLYINT,
+    "TestAkima1DInterpolator": _INTERPOLATE,
     "TestFloaterHormann": _RATIONAL,
 }
 _COMPLEX = "points are real"
@@ -76,6 +85,9 @@ NOT_APPLIED = {
     "TestBarycentric.test_append": _UNCHANGING,
     "TestCubicSpline.test_dtypes": _COMPLEX,
     "TestCubicSpline.test_incorrect_inputs": "asks for refusals of conditions of its own",
+    "TestAkima1DInterpolator.test_eval_mod": "asks for the modified rule of Akima",
+    "TestAkima1DInterpolator.test_extend": _UNCHANGING,
+    "TestAkima1DInterpolator.test_no_overflow": "asks for the modified rule, too; the other half is below",
     "TestFloaterHormann.test_iv": "asks for SciPy's words; those of the core are tried in test_validation.py",
     "TestFloaterHormann.test_uniform_grid": "asks for the weights, which a curve keeps to itself",
     "TestFloaterHormann.test_complex": _COMPLEX,
@@ -157,6 +169,13 @@ def test_every_test_that_is_left_out_is_there_and_has_a_reason():
     assert all(NOT_APPLIED.values())
     if "TestBarycentric.test_repeated_node" in TESTS:
         assert set(NOT_APPLIED) <= set(TESTS)
+
+
+def test_a_large_jump_leaves_akima_finite():
+    """The data of SciPy's test_no_overflow."""
+    x = np.arange(1, 10)
+    y = 1e6 * np.sqrt(np.finfo(float).max) * np.heaviside(x - 4, 0.5)
+    assert np.isfinite(AkimaFace(x, y)(x)).all()
 
 
 @pytest.mark.usefixtures("faces")
