@@ -48,6 +48,7 @@ class Derivative(OfCurve):
     __slots__ = ("_order",)
 
     title = "Derivative"
+    is_continuous = False
 
     _order: int
 
