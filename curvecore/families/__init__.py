@@ -4,7 +4,7 @@
 - ``evaluation``: its `evaluate` and `basis`: t of any shape, inside the domain or not.
 - ``lagrange``, ``hermite``, ``quintic_hermite``, ``cubic_spline``: the built-in families.
 - ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
-  for any parameters.
+  for any parameters.  ``rational_series``: their derivatives.
 - ``bezier_curve``, ``b_spline``: curves over control points, which they do not pass.
 - ``same_shape``: the data that write a curve of one family as one of another.
 - ``basis_curve``: a curve of which nothing is known but its basis functions.

@@ -34,6 +34,12 @@ class LagrangeCurve(ParametricCurve):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    HermiteCurve : Cubic pieces, which follow many points calmly.
+    chebyshev : Parameters at which many points do no harm.
+    lebesgue_constant : How much harm they may do.
+
     Notes
     -----
     With u = 2**-53, values and derivatives differ from the exact ones by at
@@ -49,6 +55,19 @@ class LagrangeCurve(ParametricCurve):
     The first evaluation takes O(n**2) operations more than the later ones,
     which take O(n) per t; memory beyond the result is bounded. Results beyond the floating point range
     become the largest finite number of their sign.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> curve
+    LagrangeCurve(n=3, dim=2, domain=(0, 2))
+    >>> curve(0.5).tolist()
+    [0.25, 1.5]
+    >>> curve.basis(0.5)[:, 0].tolist()
+    [0.375, 0.75, -0.125]
+    >>> curve.degree
+    2
     """
 
     __slots__ = ("_form",)
