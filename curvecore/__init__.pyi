@@ -82,8 +82,16 @@ from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds
+from curvecore.fitting.fit import Fit as Fit
+from curvecore.fitting.fit import fit as fit
+from curvecore.fitting.least_squares import least_squares_curve as least_squares_curve
+from curvecore.limited_tangents import akima_changes as akima_changes
+from curvecore.limited_tangents import akima_velocities as akima_velocities
+from curvecore.limited_tangents import monotone_changes as monotone_changes
+from curvecore.limited_tangents import monotone_velocities as monotone_velocities
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
+from curvecore.parametrization import chebyshev_roots as chebyshev_roots
 from curvecore.parametrization import chord_length as chord_length
 from curvecore.parametrization import power as power
 from curvecore.parametrization import uniform as uniform
@@ -99,6 +107,7 @@ from curvecore.rounding.operations import operation_counts as operation_counts
 from curvecore.rounding.rounded_data import round_data as round_data
 from curvecore.rounding.rounded_data import round_significant as round_significant
 from curvecore.tangents import bessel_velocities as bessel_velocities
+from curvecore.tangents import catmull_rom_changes as catmull_rom_changes
 from curvecore.tangents import catmull_rom_velocities as catmull_rom_velocities
 from curvecore.tangents import finite_difference_velocities as finite_difference_velocities
 from curvecore.tangents import natural_spline_accelerations as natural_spline_accelerations

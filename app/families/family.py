@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from inspect import isabstract
 from types import ModuleType
-from typing import Any, Self, final
+from typing import TYPE_CHECKING, Any, Self, final
 
 import numpy.typing as npt
 
+import curvecore
 from curvecore import CurveError, FamilySetting, ParametricCurve
 from curvecore.families.setting import SettingValue
 
 from .chosen import NO_SETTINGS, ChosenSettings
+
+if TYPE_CHECKING:
+    from curvecore import Fit
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 
@@ -169,6 +173,11 @@ class Family:
         return self._curve_class is None or (self._curve_class.interpolates and not self._misses_points)
 
     @property
+    def is_calm(self) -> bool:
+        """Whether it is offered as a cure for a curve that swings out between its points."""
+        return self._curve_class is not None and self._curve_class.is_calm
+
+    @property
     def is_local(self) -> bool:
         """Whether what a point carries does nothing beyond the two segments that meet there."""
         return self._curve_class is not None and self._curve_class.is_local
@@ -188,6 +197,27 @@ class Family:
             return ChosenSettings(chosen)
         defaults = {setting.name: setting.default for setting in self.settings}
         return ChosenSettings((name, value) for name, value in chosen.items() if value != defaults.get(name))
+
+    @property
+    def takes_shapes(self) -> bool:
+        """Whether curves of other families can be written as its own."""
+        if self._curve_class is None:
+            return False
+        own, base = self._curve_class.same_shape_as, ParametricCurve.same_shape_as
+        # Of methods of a class: the functions that they are.
+        return getattr(own, "__func__", own) is not getattr(base, "__func__", base)
+
+    def same_shape_as(self, curve: ParametricCurve) -> ParametricCurve:
+        """Return `curve` as one of this family.
+
+        Raises
+        ------
+        CurveError
+            If it is none, or no way to it is known.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        return self._curve_class.same_shape_as(curve)
 
     def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
         """Return the settings of a curve, open or closed, of which these were chosen."""
@@ -215,6 +245,38 @@ class Family:
         if self._curve_class is None:
             raise CurveError(self.problem)
         return self._curve_class.from_jets(jets, parameters, **settings)
+
+    def fit(
+        self,
+        points: npt.ArrayLike,
+        count: int | None = None,
+        *,
+        tolerance: float | None = None,
+        parameters: npt.ArrayLike | None = None,
+        settings: ChosenSettings = NO_SETTINGS,
+        closed: bool = False,
+        progress: Callable[[float], object] = lambda _share: None,
+    ) -> Fit:
+        """Return the curve of few points near many; see `curvecore.fit`.
+
+        Raises
+        ------
+        CurveError
+            If there is none, or the family is not there.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        chosen = self.in_effect(settings, closed=closed)
+        return curvecore.fit(
+            points,
+            self._curve_class,
+            count,
+            tolerance=tolerance,
+            parameters=parameters,
+            settings=chosen,
+            closed=closed,
+            progress=progress,
+        )
 
     def __eq__(self, other: object) -> bool:
         return self._name == other._name if isinstance(other, Family) else NotImplemented

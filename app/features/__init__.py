@@ -20,6 +20,7 @@ FEATURES = (
     "own_families",
     "points",
     "transform",
+    "fitting",
     "clipboard",
     "basis",
     "plots",

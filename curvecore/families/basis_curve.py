@@ -42,6 +42,20 @@ class Scheme(NamedTuple):
         Whether `basis` takes the order of a derivative. Without it derivatives are taken from the polynomial
         of degree 6 through values of the functions on a fine stencil, which keeps some 9 digits of the first,
         8 of the second and 6 of the third derivative of functions as smooth as their parameters are spaced.
+
+    See Also
+    --------
+    BasisCurve : Its curve.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import BasisCurve, Scheme
+    >>> def hats(t, parameters):
+    ...     return np.stack([np.interp(t, parameters, each) for each in np.eye(len(parameters))], axis=1)
+    >>> polygon = Scheme("polygon", hats, breaks=lambda parameters: parameters)
+    >>> BasisCurve([[0, 0], [2, 4], [3, 0]], [0, 1, 2], polygon)(0.5).tolist()
+    [1.0, 2.0]
     """
 
     name: str
@@ -69,11 +83,18 @@ class BasisCurve(ParametricCurve):
         functions are not of the shape (m, n), or not finite at the parameters or at one of 16 places in
         each segment (320 in all, of many points).
 
+    See Also
+    --------
+    Scheme : Basis functions as somebody writes them down.
+    ParametricCurve : The base of families that know more.
+
     Examples
     --------
+    >>> import numpy as np
+    >>> from curvecore import BasisCurve, Scheme
     >>> hats = Scheme("hats", lambda t, x: np.stack([np.interp(t, x, e) for e in np.eye(len(x))], axis=1))
-    >>> BasisCurve([[0, 0], [2, 4], [3, 0]], [0, 1, 2], hats).evaluate(0.5)
-    array([1., 2.])
+    >>> BasisCurve([[0, 0], [2, 4], [3, 0]], [0, 1, 2], hats).evaluate(0.5).tolist()
+    [1.0, 2.0]
     """
 
     __slots__ = ("_breaks", "_passes_points", "_scheme")

@@ -42,6 +42,23 @@ class Chain(ParametricCurve):
     ----------
     pieces : tuple of ParametricCurve
         The pieces.
+
+    See Also
+    --------
+    HermiteCurve : What a chain is mostly made of.
+
+    Examples
+    --------
+    >>> from curvecore import Chain, HermiteCurve
+    >>> before = HermiteCurve([[0, 0], [1, 0]], [[1, 0], [1, 0]], [0, 1])
+    >>> after = HermiteCurve([[1, 0], [1, 1]], [[0, 1], [0, 1]], [1, 2])
+    >>> corner = Chain([before, after])
+    >>> corner
+    Chain(pieces=2, n=3, dim=2, domain=(0, 2))
+    >>> corner([0.5, 1.5]).tolist()
+    [[0.5, 0.0], [1.0, 0.5]]
+    >>> corner.jets.shape
+    (4, 2, 2)
     """
 
     __slots__ = ("_pieces",)

@@ -14,7 +14,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QToolBar
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QToolBar
 
 from app.appearance.theme import theme_of
 from app.document import edits
@@ -92,10 +92,12 @@ def colours_along(editor):
 
 def test_it_is_offered_wherever_families_are(editor):
     toolbar = editor.window.findChild(QToolBar, "mainToolbar")
+    further = toolbar.findChild(QMenu, "familiesMenu")
     for place, name in enumerate(EVERY, start=1):
         family = FAMILIES.named(name)
         action = editor.action(family.action_name)
-        assert toolbar.widgetForAction(action) is not None
+        assert (toolbar.widgetForAction(action) is not None) is (place <= 3)
+        assert (action in further.actions()) is (place > 3)
         assert action.text() == family.label
         assert not action.icon().isNull()
         assert action.shortcut().toString() == (str(place) if place <= 9 else "")

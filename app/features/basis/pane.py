@@ -53,7 +53,7 @@ class BasisPane(FollowsTheme, CentralPane):
         words = "Show what each point does with its estimates"
         self._estimates = tool_button("withEstimates", words, "", text="With estimates")
         mirror(self._estimates, estimates)
-        self._shows_cardinals = False
+        self._shows_cardinals, self._linearised = False, ""
         self._functions = self._title.text()
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._formulas: tuple[str, ...] = ()
@@ -121,12 +121,12 @@ class BasisPane(FollowsTheme, CentralPane):
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-        drawing = _note(basis, view)
+        drawing = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
         # Laying the header out costs more than drawing the curve: only when it says something else.
         functions = view.source.family.functions
         if (formulas, drawing, functions) != (self._formulas, self._drawing.text(), self._functions):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
-            self._functions = functions
+            self._functions, self._linearised = functions, view.linearised
             self._drawing.setText(drawing)
             self._write_header()
 
@@ -143,7 +143,8 @@ class BasisPane(FollowsTheme, CentralPane):
 
     def _write_header(self) -> None:
         """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
-        self._title.setToolTip(_CARDINAL_TIP if self._shows_cardinals else "")
+        linearised = f"; shown are those {self._linearised}" if self._linearised else ""
+        self._title.setToolTip(f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
         for brief in range(3):
             self._brevity = brief
             self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else self._functions)
