@@ -118,6 +118,11 @@ class Chain(ParametricCurve):
         return all(piece.interpolates for piece in self._pieces)
 
     @property
+    def passes_points(self) -> bool:
+        """Whether all pieces do."""
+        return all(piece.passes_points for piece in self._pieces)
+
+    @property
     def is_positive(self) -> bool:
         """Whether no B_i0 of any piece is negative there."""
         return all(piece.is_positive for piece in self._pieces)
