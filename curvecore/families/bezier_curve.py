@@ -60,6 +60,11 @@ class BezierCurve(ParametricCurve):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    BSplineCurve : Cubic pieces, each of which four control points pull.
+    LagrangeCurve : The polynomial through its points.
+
     Notes
     -----
     With u = 2**-53, values and derivatives up to the third differ from the exact ones by at most
@@ -74,14 +79,16 @@ class BezierCurve(ParametricCurve):
 
     Examples
     --------
-    >>> BezierCurve([[0, 0], [0, 4], [4, 4], [4, 0]], [0, 1, 2, 3]).evaluate(1.5)
-    array([2., 3.])
+    >>> from curvecore import BezierCurve
+    >>> BezierCurve([[0, 0], [0, 4], [4, 4], [4, 0]], [0, 1, 2, 3]).evaluate(1.5).round(9).tolist()
+    [2.0, 3.0]
     """
 
     __slots__ = ()
 
     name = "bezier"
     title = "Bézier"
+    place = 70
     functions = "Bernstein functions"
     interpolates = False
     most_points = None

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ...actions.declaration import Action, action, action_for_each, also, widget_at
+from ...actions.declaration import Action, action, action_for_each, also, also_for_each, widget_at
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
-from ...actions.strips import CURVE_MENU, RAIL_MENU, TOOLBAR
+from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Place
 from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
@@ -19,9 +19,13 @@ from ...widgets.toolbar_widget import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.slider_gesture import SliderGesture
 from .bar import STEPS, ParametrizationBar
+from .family_button import FamilyButton
 
 _MOST_KEYS = 10
 """One more than there are digits for."""
+
+_BUTTONS = 3
+"""Families with a button of their own in the toolbar."""
 
 
 def _key_of(family: Family) -> str:
@@ -30,11 +34,16 @@ def _key_of(family: Family) -> str:
     return str(place) if place < _MOST_KEYS else ""
 
 
+def _place_of(family: Family) -> Place:
+    """Return where a family stands in the toolbar."""
+    return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
+
+
 class RuleCommands:
     """Choice of the family and of the parameters, in menus and in the toolbar."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
+        self._session, self._actions = context.session, context.actions
         self._bar = ParametrizationBar()
         self._bar.kind_chosen.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
@@ -44,6 +53,12 @@ class RuleCommands:
     def build_bar(self) -> ToolbarWidget:
         """Return the bar of the toolbar."""
         return self._bar
+
+    @widget_at(TOOLBAR(45))
+    def build_families(self) -> ToolbarWidget:
+        """Return the button of the toolbar for further families."""
+        further = [each for group in self._actions.in_strip(FAMILIES_MENU).values() for each in group]
+        return FamilyButton([(each, self._actions.words_of(each, short=True)) for each in further])
 
     def render(self, view: CurveView) -> None:
         """Show the rule of `view` in the bar."""
@@ -63,7 +78,7 @@ class RuleCommands:
             group="family",
         ),
     )
-    @also(TOOLBAR(40))
+    @also_for_each(lambda family: (_place_of(family),))
     def _use_family(self, family: Family) -> None:
         session = self._session
         was_closed = session.active_curve.is_closed
@@ -107,7 +122,7 @@ class RuleCommands:
             f"parameters_{kind}",
             kind.label,
             CURVE_RULES,
-            tip=f"Use {kind.label.lower()} parameters",
+            tip=f"Use {kind.phrase} parameters" + (f": {kind.spaced}" if kind.spaced else ""),
             full_name=f"{kind.label} Parameters",
         ),
     )
@@ -120,7 +135,7 @@ class RuleCommands:
                 raise EditError("There are no parameters to start from; mend the points first.")
             return edits.set_parametrization(document, session.active_index, kind, view.parameters.tolist())
 
-        session.change(f"Use {kind.label.lower()} parameters", edit)
+        session.change(f"Use {kind.phrase} parameters", edit)
 
     @action(
         "freezeParameters",
