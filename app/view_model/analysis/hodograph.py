@@ -46,7 +46,10 @@ def hodograph_of(view: CurveView, order: int) -> Hodograph:
     points = derivatives_of(view, samples.t, (order,))[order]
     (t, x), (_, y) = (samples.broken_at_jumps(points[:, axis], points) for axis in (0, 1))
     # Where the samples fall on the knots anyway, they need not be computed again.
-    knots = points[np.searchsorted(samples.t, view.parameters).clip(0, len(samples.t) - 1)]
+    at = np.searchsorted(samples.t, view.parameters).clip(0, len(samples.t) - 1)
+    knots, missed = points[at], samples.t[at] != view.parameters
+    if missed.any():
+        knots[missed] = derivatives_of(view, view.parameters[missed], (order,))[order]
     return Hodograph(order, t, np.column_stack([x, y]), knots)
 
 
