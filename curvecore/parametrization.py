@@ -36,6 +36,17 @@ def uniform(n: int) -> FloatArray:
     -------
     ndarray, shape (n,)
         i / (n - 1), each correctly rounded.
+
+    See Also
+    --------
+    chebyshev : Spacing that many points need.
+    chord_length : Spacing by distance.
+
+    Examples
+    --------
+    >>> from curvecore import uniform
+    >>> uniform(5).tolist()
+    [0.0, 0.25, 0.5, 0.75, 1.0]
     """
     count = integer(n, "n", 2)
     return np.arange(count, dtype=np.float64) / (count - 1)
@@ -54,6 +65,17 @@ def chebyshev(n: int) -> FloatArray:
     -------
     ndarray, shape (n,)
         (1 - cos(pi i / (n - 1))) / 2, symmetric about 1/2.
+
+    See Also
+    --------
+    uniform : Equal spacing.
+    lebesgue_constant : What the spacing does.
+
+    Examples
+    --------
+    >>> from curvecore import chebyshev
+    >>> chebyshev(5).round(9).tolist()
+    [0.0, 0.146446609, 0.5, 0.853553391, 1.0]
     """
     count = integer(n, "n", 2)
     # sin(x/2)**2 keeps all digits next to 0, where 1 - cos(x) loses them.
@@ -114,6 +136,16 @@ def chord_length(points: ArrayLike) -> FloatArray:
     CurveError
         If consecutive points coincide, or lie so close together that their
         parameters would be equal in double precision.
+
+    See Also
+    --------
+    centripetal, power, uniform : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import chord_length
+    >>> chord_length([[0, 0], [1, 0], [1, 3]]).tolist()
+    [0.0, 0.25, 1.0]
     """
     return _power(point_array(points), 1.0, "chord-length")
 
@@ -121,7 +153,30 @@ def chord_length(points: ArrayLike) -> FloatArray:
 def centripetal(points: ArrayLike) -> FloatArray:
     """Return parameters in proportion to the square roots of the distances.
 
-    Parameters, result and errors are those of `chord_length`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        n >= 2; consecutive points must be distinct.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        From 0 to 1, strictly increasing.
+
+    Raises
+    ------
+    CurveError
+        If points are unusable, two neighbours coincide, or parameters would.
+
+    See Also
+    --------
+    chord_length, power, uniform : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import centripetal
+    >>> centripetal([[0, 0], [1, 0], [5, 0]]).round(9).tolist()
+    [0.0, 0.333333333, 1.0]
     """
     return _power(point_array(points), 0.5, "centripetal")
 
@@ -144,6 +199,16 @@ def power(points: ArrayLike, alpha: float) -> FloatArray:
     ------
     CurveError
         As `chord_length`, and for an alpha that is negative or not finite.
+
+    See Also
+    --------
+    uniform, centripetal, chord_length : The same for alpha 0, 1/2 and 1.
+
+    Examples
+    --------
+    >>> from curvecore import power
+    >>> power([[0, 0], [1, 0], [5, 0]], 0.5).round(9).tolist()
+    [0.0, 0.333333333, 1.0]
     """
     return _power(point_array(points), alpha, "power-family")
 

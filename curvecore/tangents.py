@@ -51,6 +51,16 @@ def finite_difference_velocities(points: ArrayLike, parameters: ArrayLike) -> Fl
     ------
     CurveError
         For points or parameters that are no curve's.
+
+    See Also
+    --------
+    bessel_velocities, catmull_rom_velocities, natural_spline_velocities : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import finite_difference_velocities
+    >>> finite_difference_velocities([[0], [1], [9]], [0, 1, 3]).tolist()
+    [[1.0], [2.5], [4.0]]
     """
     slope = steps_of(points, parameters).slope
     return np.concatenate((slope[:1], 0.5 * slope[:-1] + 0.5 * slope[1:], slope[-1:]))
@@ -63,7 +73,32 @@ def bessel_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     At the ends the parabola of the first or last three points is used.
     Exact for parabolas; see [1]_ of the module, chapter IV, (9).
 
-    Parameters, result and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Velocities per unit of t.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    catmull_rom_velocities, finite_difference_velocities, natural_spline_velocities : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import bessel_velocities
+    >>> bessel_velocities([[0], [1], [9]], [0, 1, 3]).round(9).tolist()
+    [[0.0], [2.0], [6.0]]
     """
     steps = steps_of(points, parameters)
     return _with_ends(_parabola_velocities(steps), steps.slope)
@@ -118,6 +153,16 @@ def catmull_rom_velocities(
     CurveError
         For points or parameters that are no curve's, coincident consecutive
         points, or a negative alpha.
+
+    See Also
+    --------
+    bessel_velocities, finite_difference_velocities, natural_spline_velocities : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import catmull_rom_velocities
+    >>> catmull_rom_velocities([[0, 0], [1, 1], [4, 0]], [0, 1, 2], alpha=0).round(9).tolist()
+    [[0.0, 2.0], [2.0, 0.0], [4.0, -2.0]]
     """
     places = point_array(points)
     h = np.diff(parameter_array(parameters, len(places)))
@@ -156,7 +201,33 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
     The twice continuously differentiable piecewise cubic through the points
     with c'' = 0 at both ends; O(n).
 
-    Parameters, result and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Velocities per unit of t.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    bessel_velocities, catmull_rom_velocities, finite_difference_velocities : Other rules.
+    natural_spline_accelerations : Its accelerations.
+
+    Examples
+    --------
+    >>> from curvecore import natural_spline_velocities
+    >>> natural_spline_velocities([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
+    [[1.5], [0.0], [-1.5]]
     """
     h, slope = steps_of(points, parameters)
     share, zero, half = h[:-1] / (h[:-1] + h[1:]), np.zeros((1, 1)), np.full((1, 1), 0.5)
@@ -170,7 +241,33 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
 def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the second derivatives of the natural cubic spline at the joints.
 
-    Per unit of t squared; 0 at both ends. Parameters and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Accelerations per unit of t squared; 0 at both ends.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    natural_spline_velocities : Its velocities.
+    zero_accelerations : The other rule.
+
+    Examples
+    --------
+    >>> from curvecore import natural_spline_accelerations
+    >>> natural_spline_accelerations([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
+    [[0.0], [-3.0], [0.0]]
     """
     h, slope = steps_of(points, parameters)
     length, zero = h[:-1] + h[1:], np.zeros((1, 1))
@@ -182,5 +279,26 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
 
 
 def zero_accelerations(points: ArrayLike) -> FloatArray:
-    """Return zeros of the shape of the points, (n, dim)."""
+    """Return accelerations of 0.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Zeros.
+
+    See Also
+    --------
+    natural_spline_accelerations : The other rule.
+
+    Examples
+    --------
+    >>> from curvecore import zero_accelerations
+    >>> zero_accelerations([[0, 0], [1, 2]]).tolist()
+    [[0.0, 0.0], [0.0, 0.0]]
+    """
     return np.zeros_like(point_array(points))

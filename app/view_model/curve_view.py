@@ -223,6 +223,13 @@ def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) ->
     points = arrays.positions
     knots = at_knots(points, closed=curve.is_closed)
     parameters = _checked_parameters(curve, knots, arrays)
+    if (
+        previous is not None
+        and previous.curve is not None
+        and not previous.source.family.makes(previous.curve)
+    ):
+        # Its functions were other ones: what was computed of them is of no use.
+        previous = None
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()

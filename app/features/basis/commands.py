@@ -16,6 +16,7 @@ from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState
 from ...tools.rail import RAIL
 from ...tools.toolbox import Toolbox
+from ...view_model.basis_findings import findings_of
 from ...view_model.curve_view import CurveView, view_of
 from ...view_model.growth import growth_of_points
 from ...workbench.central_pane import Pane
@@ -34,6 +35,9 @@ def _from(kind: ParametrizationKind) -> str:
 
 _MOST_LIVE = 200
 """Points up to which the Lebesgue constant follows a drag."""
+
+_MOST_MEASURED_LIVE = 40
+"""Points up to which the functions are measured during a drag."""
 
 
 class BasisCommands:
@@ -71,11 +75,13 @@ class BasisCommands:
         self._context.central.basis = self._panel.drawing.basis
 
     def render(self, view: CurveView) -> None:
-        """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
+        """Show Λ and what is wrong with the functions; of many points when a drag has ended."""
         is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
         waits = self._session.is_previewing and is_dear
         growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
         self._context.status_line.readouts.show_lebesgue(growth)
+        if not self._session.is_previewing or len(view.points) <= _MOST_MEASURED_LIVE:
+            self._pane.show_findings(findings_of(view))
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:

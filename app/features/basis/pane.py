@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
@@ -59,6 +61,9 @@ class BasisPane(FollowsTheme, CentralPane):
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
         self._fit = self._fit_button()
+        self._findings = Label(name="basisFindings", label="What is wrong with the functions", wordWrap=True)
+        self._findings.setContentsMargins(10, 0, 8, 2)
+        self._findings.hide()
         # How many words are left out of the header, from 0 to 2.
         self._brevity = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
@@ -100,7 +105,7 @@ class BasisPane(FollowsTheme, CentralPane):
         for button in switches:
             # Until there is a curve: else the window is built with room for all of them.
             button.hide()
-        column_of(row, (self._panel, 1), margins=0, spacing=0, parent=self)
+        column_of(row, self._findings, (self._panel, 1), margins=0, spacing=0, parent=self)
 
     @property
     def stop(self) -> QWidget:
@@ -124,6 +129,13 @@ class BasisPane(FollowsTheme, CentralPane):
             self._functions, self._linearised = functions, view.linearised
             self._drawing.setText(drawing)
             self._write_header()
+
+    def show_findings(self, findings: Sequence[str]) -> None:
+        """Show what is wrong with the functions, below the header; nothing where all is well."""
+        text = f"⚠ {' '.join(findings)}" if findings else ""
+        if text != self._findings.text():
+            self._findings.setText(text)
+            self._findings.setVisible(bool(text))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -159,7 +171,8 @@ class BasisPane(FollowsTheme, CentralPane):
             button.setIcon(QIcon(sign_pixmap(LineStyle("ink", width=1.5, dashes=dashes), theme, 2.0)))
         self._estimates.setStyleSheet(choice_style(theme))
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
-        self._extent.setStyleSheet(f"color: {theme.warning.name()}")
+        for label in (self._extent, self._findings):
+            label.setStyleSheet(f"color: {theme.warning.name()}")
 
     def fit(self, *, whole: bool) -> None:
         drawing = self._panel.drawing

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, widget_at
-from ...actions.needs import Need
-from ...actions.sections import CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
+from ...actions.needs import UNLOCKED_CURVE, Need
+from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
 from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Place
 from ...document import edits
+from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
 from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
+from ...view_model.convert import converted
 from ...view_model.curve_view import CurveView
+from ...view_model.reshape import Reshaped
 from ...widgets.toolbar_widget import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.slider_gesture import SliderGesture
@@ -88,6 +91,30 @@ class RuleCommands:
             session.say(
                 f"{family.subject} cannot close smoothly; it is shown open, and closes again as {closes}."
             )
+
+    @action_for_each(
+        tuple(family for family in FAMILIES if family.takes_shapes),
+        lambda family: Action(
+            family.action_name.replace("family", "convertTo"),
+            f"Convert to {family.label}, Keeping the Shape",
+            CURVE_CONVERT,
+            tip=f"Write the same curve as {family.a_curve}, where it is one: the shape stays",
+            needs=Need(
+                "a curve of another family that is not locked",
+                lambda now: UNLOCKED_CURVE.is_met(now) and now.view.source.family != family,
+            ),
+        ),
+    )
+    def _convert(self, family: Family) -> None:
+        session, made = self._session, list[Reshaped]()
+
+        def edit(document: Document) -> Document:
+            made.append(converted(session.active_view, family))
+            return replace_curve(document, session.active_index, made[0].curve)
+
+        if session.change(f"Convert to {family.title}, keeping the shape", edit):
+            session.selected.set_points([])
+            session.say(made[0].sentence)
 
     @action_for_each(
         tuple(ParametrizationKind),

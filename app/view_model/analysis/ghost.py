@@ -11,6 +11,19 @@ from ..line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 
 _FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW)
+_LONG, _MIDDLE, _DOT = (6.0, 2.7), (3.0, 2.7), (1.3, 2.7)
+_FAMILY_DASHES = (
+    _LONG,
+    _LONG + _DOT,
+    _LONG + _DOT + _DOT,
+    _LONG + _MIDDLE,
+    _LONG + _MIDDLE + _DOT,
+    _MIDDLE + _DOT,
+    _LONG + _MIDDLE + _MIDDLE,
+    _MIDDLE + _DOT + _DOT,
+    (12.0, 2.7),
+)
+"""Those of the first families; what follows them has ever more dots."""
 _RULE_STYLES = (
     LineStyle(PURPLE, width=1.5, dashes=(3.3, 2.0)),
     LineStyle(ORANGE, width=1.5, dashes=(1.3, 2.0)),
@@ -57,7 +70,8 @@ class Ghost(msgspec.Struct, frozen=True):
             return _RULE_STYLES[_rules().index(self)]
         place = FAMILIES.index(self.family)
         colour = _FAMILY_COLOURS[place % len(_FAMILY_COLOURS)]
-        return LineStyle(colour, width=1.5, dashes=(6.0, 2.7, *(1.3, 2.7) * place))
+        many = place >= len(_FAMILY_DASHES)
+        return LineStyle(colour, width=1.5, dashes=_LONG + _DOT * place if many else _FAMILY_DASHES[place])
 
 
 def all_ghosts() -> tuple[Ghost, ...]:
