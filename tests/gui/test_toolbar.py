@@ -68,7 +68,7 @@ def all_are_seen(editor):
     [
         (3, 1280, "Quintic Hermite", [BOTH] * 3),
         (3, 1024, "Quintic", [TEXT] * 3),
-        (3, 960, "Quintic", [BOTH, ICON, ICON]),
+        (3, 1000, "Quintic", [BOTH, ICON, ICON]),
         (4, 1440, "Quintic Hermite", [BOTH] * 3),
         (4, 1280, "Quintic", [BOTH] * 3),
         (4, 1024, "Quintic", [BOTH, ICON, ICON]),
