@@ -91,8 +91,8 @@ def test_jumps_are_those_of_the_pieces(rng):
 
 def test_one_polynomial_is_smooth_at_its_points():
     report = joint_report(LagrangeCurve(POINTS, T))
-    assert [joint.label for joint in report] == ["C2"] * 3
-    assert all((joint.acceleration_jump == 0.0).all() for joint in report)
+    assert [joint.label for joint in report] == ["C3"] * 3
+    assert all((jump == 0.0).all() for joint in report for jump in joint.jumps)
     assert joint_report(LagrangeCurve(POINTS[:2], T[:2])) == []
 
 
