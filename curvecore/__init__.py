@@ -1,8 +1,8 @@
 """curvecore: parametric curves that are linear in their data, with NumPy alone.
 
 Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
-`jets` holds d with shape (n, R, dim) - point, velocity, acceleration, per unit
-of t - and ``basis(t)`` is B with shape (m, n, R).
+`jets` holds d with shape (n, R, dim) - point, velocity, acceleration, jerk, per
+unit of t - and ``basis(t)`` is B with shape (m, n, R).
 
 A tour of the package, one concept a file:
 
@@ -14,8 +14,9 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`,
 tangents             velocities and accelerations estimated from points
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
-                     `HermiteCurve`, `QuinticHermiteCurve`; `BasisCurve` of
-                     any basis functions; `Chain`, curves end to end: corners
+                     `HermiteCurve`, `QuinticHermiteCurve`, `SepticHermiteCurve`;
+                     `BasisCurve` of any basis functions; `Chain`, curves end
+                     to end: corners
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots

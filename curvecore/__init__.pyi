@@ -64,6 +64,7 @@ from curvecore.families.curve import ParametricCurve as ParametricCurve
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
+from curvecore.families.septic_hermite import SepticHermiteCurve as SepticHermiteCurve
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
 from curvecore.parametrization import chord_length as chord_length
@@ -84,5 +85,6 @@ from curvecore.tangents import bessel_velocities as bessel_velocities
 from curvecore.tangents import catmull_rom_velocities as catmull_rom_velocities
 from curvecore.tangents import finite_difference_velocities as finite_difference_velocities
 from curvecore.tangents import natural_spline_accelerations as natural_spline_accelerations
+from curvecore.tangents import natural_spline_jerks as natural_spline_jerks
 from curvecore.tangents import natural_spline_velocities as natural_spline_velocities
 from curvecore.tangents import zero_accelerations as zero_accelerations

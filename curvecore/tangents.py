@@ -1,4 +1,4 @@
-"""Rules that estimate velocities and accelerations from the points alone.
+"""Rules that estimate velocities, accelerations and jerks from the points alone.
 
 All results are per unit of t of the given parameters. Two points always give
 the straight line at constant velocity.
@@ -210,6 +210,23 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
     none = np.zeros((1, slope.shape[1]))
     right_side = np.concatenate((none, 3.0 * ((slope[1:] - slope[:-1]) / length), none))
     return _solve_dominant(before, after, right_side)
+
+
+def natural_spline_jerks(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
+    """Return the third derivatives of the natural cubic spline at the joints.
+
+    Per unit of t cubed. Where that jumps, at all joints but the ends, the derivative of the parabola through
+    three neighbouring accelerations: of the two sides the one with the shorter segment counts more.
+    Parameters and errors are those of `finite_difference_velocities`.
+    """
+    accelerations = natural_spline_accelerations(points, parameters)
+    return _jerks_between(accelerations, parameters)
+
+
+@_in_range
+def _jerks_between(accelerations: FloatArray, parameters: ArrayLike) -> FloatArray:
+    steps = _steps(accelerations, parameters)
+    return np.concatenate((steps.slope[:1], _parabola_velocities(steps), steps.slope[-1:]))
 
 
 def zero_accelerations(points: ArrayLike) -> FloatArray:

@@ -17,6 +17,7 @@ from curvecore import (
     Interpolant,
     LagrangeCurve,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     bezier_segments,
     bezier_stretch,
     cubic_path,
@@ -203,7 +204,7 @@ def measured(piece: ParametricCurve, copy: Callable[[FloatArray], FloatArray]) -
 def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
     """Return the Bézier pieces of a curve: of its own degree, or cubics within a tolerance.
 
-    Cubic and quintic Hermite curves, and Lagrange curves up to degree `HIGHEST_DEGREE`, are written
+    Hermite curves, and Lagrange curves up to degree `HIGHEST_DEGREE`, are written
     exactly but for rounding.
 
     Raises
@@ -226,7 +227,7 @@ def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
 
 def _known_curves(pieces: tuple[ParametricCurve, ...]) -> tuple[ParametricCurve, ...]:
     """Return curves of one family that all writers know, with the interpolants of the pieces, or none."""
-    for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve):
+    for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve, SepticHermiteCurve):
         found = [curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None]
         if len(found) == len(pieces):
             return tuple(found)

@@ -199,13 +199,10 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
         At a corner there are two, one before the point and one ahead of it.
         """
-        return self._derivative(index, 1, ahead=ahead)
+        return self.derivative_of(index, 1, ahead=ahead)
 
-    def acceleration_of(self, index: int, *, ahead: bool = True) -> Vector | None:
-        """Return the acceleration at point `index`, set or estimated; None where the family has none."""
-        return self._derivative(index, 2, ahead=ahead)
-
-    def _derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
+    def derivative_of(self, index: int, order: int, *, ahead: bool = True) -> Vector | None:
+        """Return the derivative of an order at point `index`, set or estimated, as `velocity_of` does."""
         if self.sides is None or order > self.source.family.derivatives:
             return None
         x, y = self.sides[ahead][index, order]

@@ -17,12 +17,13 @@ from curvecore import (
     catmull_rom_velocities,
     finite_difference_velocities,
     natural_spline_accelerations,
+    natural_spline_jerks,
     natural_spline_velocities,
     zero_accelerations,
 )
 from curvecore.arrays import FloatArray, IntArray
 
-from ..document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
+from ..document.model import AccelerationRule, Curve, JerkRule, Point, VelocityRule
 from .plane import at_knots
 from .point_arrays import PointArrays
 
@@ -116,8 +117,12 @@ def _estimates(curve: Curve) -> list[Estimate]:
         AccelerationRule.NATURAL_SPLINE: natural_spline_accelerations,
         AccelerationRule.ZERO: lambda points, _: zero_accelerations(points),
     }
-    chosen = [velocities[curve.velocity_rule], accelerations[curve.acceleration_rule]]
-    return chosen[: curve.family.derivatives]
+    jerks: dict[JerkRule, Estimate] = {
+        JerkRule.NATURAL_SPLINE: natural_spline_jerks,
+        JerkRule.ZERO: lambda points, _: zero_accelerations(points),
+    }
+    chosen = velocities[curve.velocity_rule], accelerations[curve.acceleration_rule], jerks[curve.jerk_rule]
+    return list(chosen[: curve.family.derivatives])
 
 
 def _estimate(
@@ -160,13 +165,5 @@ def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntAr
 
 
 def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
-    """Whether the person set the velocity (order 1) or acceleration (2) on a side of a point."""
-    return explicit_sides(point, order)[ahead] is not None
-
-
-def explicit_sides(point: Point, order: int) -> tuple[Vector | None, Vector | None]:
-    """Return the velocity (order 1) or acceleration (2) that the person set before and after a point."""
-    first = point.velocity if order == 1 else point.acceleration
-    if not point.corner:
-        return first, first
-    return first, point.velocity_after if order == 1 else point.acceleration_after
+    """Whether the person set the derivative of an order on a side of a point."""
+    return point.explicit_sides(order)[ahead] is not None

@@ -15,8 +15,8 @@ pocket calculator gives the same digits:
     (the first of equal pivots), row - (entry / pivot) pivot row; back
     substitution, (rhs - a_(k,k+1) x_(k+1) - ...) / pivot from left to right;
     Horner. For the Hermite families one system for each segment, in powers of
-    t: rows for the point, velocity (and acceleration) at its beginning, then
-    at its end, with entries k t**(k-1) and (k (k-1)) t**(k-2).
+    t: rows for the point, velocity (acceleration, jerk) at its beginning, then
+    at its end, with entries k t**(k-1), (k (k-1)) t**(k-2) and (k (k-1) (k-2)) t**(k-3).
 ``newton``
     Divided differences (a - b) / (t_(i+j) - t_i); from the last,
     result (t - t_i) + difference.
@@ -28,11 +28,11 @@ pocket calculator gives the same digits:
     w_i / (t - t_i); p_i where t = t_i.
 ``basis``
     Hermite: h = t_(i+1) - t_i, s = (t - t_i) / h, r = (t_(i+1) - t) / h, and the
-    factored functions of s and r that `_cubic` and `_quintic` spell out.
+    factored functions of s and r that `_cubic`, `_quintic` and `_septic` spell out.
 
 The coefficients of a method are what its functions of t are multiplied with:
 those of 1, t, t**2, ...; divided differences; the points; the weights w_i and
-the points; points, velocities and accelerations. An error e of the coefficient
+the points; points and their derivatives. An error e of the coefficient
 of t**k moves the curve by e t**k, one of a point p_i by e L_i(t).
 
 References
@@ -47,6 +47,7 @@ from __future__ import annotations
 
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 from enum import StrEnum
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -72,6 +73,8 @@ from curvecore.rounding.exact import interpolated
 from curvecore.rounding.rounded_data import decimal_context, digit_count, round_significant
 from curvecore.scaling import LARGEST
 
+_NAMES = ("velocities", "accelerations", "jerks")
+
 _SHOWN = 20
 """Digits of a result that was computed exactly: four more than any computation rounds to."""
 
@@ -95,7 +98,7 @@ class Rounding(StrEnum):
 
 
 def available_methods(derivatives: int) -> tuple[Method, ...]:
-    """Return the methods for data with that many derivatives: 0, 1 or 2."""
+    """Return the methods for data with that many derivatives: 0 to 3."""
     return tuple(map(Method, _forms(integer(derivatives, "derivatives", 0))))
 
 
@@ -107,6 +110,7 @@ def evaluate_rounded(
     digits: int,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
     *,
     rounding: Rounding | str = Rounding.EVERY_STEP,
 ) -> FloatArray:
@@ -125,8 +129,9 @@ def evaluate_rounded(
         velocities ``"basis"`` or ``"monomial"``.
     digits : int
         From 2 to 16: significant digits of what is rounded.
-    velocities, accelerations : array_like, shape (n, dim), optional
-        Velocities make it the cubic Hermite curve, both the quintic one.
+    velocities, accelerations, jerks : array_like, shape (n, dim), optional
+        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
+        septic one.
     rounding : Rounding or str, optional
         ``"every_step"``, ``"coefficients"`` or ``"data"`` (points, derivatives
         and parameters). With rounded data all methods give the same values.
@@ -156,7 +161,7 @@ def evaluate_rounded(
     first for ``"monomial"``. The segment of a Hermite curve is found exactly.
     """
     rows = rounded_decimals(
-        points, parameters, t, method, digits, velocities, accelerations, rounding=rounding
+        points, parameters, t, method, digits, velocities, accelerations, jerks, rounding=rounding
     )
     values = np.array([[float(x) if x.is_finite() else np.nan for x in row] for row in rows])
     limited: FloatArray = np.clip(values, -LARGEST, LARGEST)
@@ -171,6 +176,7 @@ def rounded_decimals(
     digits: int,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
     *,
     rounding: Rounding | str = Rounding.EVERY_STEP,
 ) -> list[list[Decimal]]:
@@ -178,7 +184,7 @@ def rounded_decimals(
 
     What was evaluated exactly is given to 20 digits.
     """
-    data = _data(points, parameters, velocities, accelerations)
+    data = _data(points, parameters, velocities, accelerations, jerks)
     form, context = _form(data, method), decimal_context(digits)
     where = parameter_values(t).values
     match _known(rounding):
@@ -202,12 +208,13 @@ def exact_values(
     t: ArrayLike,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
 ) -> FloatArray:
     """Return the curve computed in fractions, each coordinate rounded once.
 
     Parameters
     ----------
-    points, parameters, t, velocities, accelerations
+    points, parameters, t, velocities, accelerations, jerks
         As for `evaluate_rounded`.
 
     Returns
@@ -221,7 +228,7 @@ def exact_values(
     of full precision, hence about n**4 operations: 10 ms for 12 points and
     200 parameters, 0.1 s for 20.
     """
-    data = _data(points, parameters, velocities, accelerations)
+    data = _data(points, parameters, velocities, accelerations, jerks)
     where = parameter_values(t).values
     segments = data.segments(where)
     result = np.empty((len(where), data.jets.shape[2]))
@@ -274,13 +281,12 @@ def _finite_rows(values: ArrayLike) -> FloatArray:
     return array
 
 
-def _data(
-    points: ArrayLike, parameters: ArrayLike, velocities: ArrayLike | None, accelerations: ArrayLike | None
-) -> Data:
-    given = {"velocities": velocities, "accelerations": accelerations}
+def _data(points: ArrayLike, parameters: ArrayLike, *derivatives: ArrayLike | None) -> Data:
+    given = dict(zip(_NAMES, derivatives, strict=True))
     jets = stacked_jets(points, **{name: values for name, values in given.items() if values is not None})
-    if velocities is None and accelerations is not None:
-        raise CurveError("accelerations need velocities beside them")
+    for below, above in pairwise(_NAMES):
+        if given[below] is None and given[above] is not None:
+            raise CurveError(f"{above} need {below} beside them")
     return Data(parameter_array(parameters, len(jets)), jets)
 
 

@@ -3,23 +3,34 @@
 import numpy as np
 import pytest
 
-from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve, chebyshev, uniform
+from curvecore import (
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    SepticHermiteCurve,
+    chebyshev,
+    uniform,
+)
 
 PARAMETERS = np.array([-1.0, -0.5, 0.25, 1.0, 3.0])
 T = np.linspace(-1.2, 3.3, 41)
 U = 2.0**-53
 
 
+CLASSES = {
+    "lagrange": LagrangeCurve,
+    "hermite": HermiteCurve,
+    "quintic_hermite": QuinticHermiteCurve,
+    "septic_hermite": SepticHermiteCurve,
+}
+FAMILIES = {"lagrange": (1, 4), "hermite": (2, 3), "quintic_hermite": (3, 5), "septic_hermite": (4, 7)}
+
+
 def build(family, rng, n=5, parameters=PARAMETERS, dim=2):
-    data = [rng.standard_normal((n, dim)) for _ in range(3)]
-    if family == "lagrange":
-        return LagrangeCurve(data[0], parameters)
-    if family == "hermite":
-        return HermiteCurve(data[0], data[1], parameters)
-    return QuinticHermiteCurve(*data, parameters)
+    data = [rng.standard_normal((n, dim)) for _ in range(4)]
+    return CLASSES[family](*data[: FAMILIES[family][0]], parameters)
 
 
-FAMILIES = {"lagrange": (1, 4), "hermite": (2, 3), "quintic_hermite": (3, 5)}
 every_family = pytest.mark.parametrize("family", FAMILIES)
 
 
@@ -59,10 +70,7 @@ def test_goes_through_its_points_exactly(family, rng):
 def test_goes_through_extreme_points_exactly(family, size):
     points = size * np.array([[1.0, -1.0], [1.0, 1.0], [1.0, -0.25], [1.0, 0.5], [1.0, 0.0]])
     zero = np.zeros_like(points)
-    data = {"lagrange": (points,), "hermite": (points, zero), "quintic_hermite": (points, zero, zero)}[family]
-    curve = {"lagrange": LagrangeCurve, "hermite": HermiteCurve, "quintic_hermite": QuinticHermiteCurve}[
-        family
-    ](*data, PARAMETERS)
+    curve = CLASSES[family](points, *[zero] * (FAMILIES[family][0] - 1), PARAMETERS)
     assert (curve.evaluate(PARAMETERS) == points).all()
     for order in range(4):
         assert np.isfinite(curve.evaluate(T, order)).all()
@@ -136,13 +144,11 @@ def test_affine_invariance(family, rng):
 def test_reproduces_polynomials(family):
     """Data of a cubic give that cubic, outside the domain too."""
     cubic = np.polynomial.Polynomial([1.0, -2.0, 0.5, 0.25])
-    jets = np.stack([cubic.deriv(r)(PARAMETERS) if r else cubic(PARAMETERS) for r in range(3)], axis=1)[
+    jets = np.stack([cubic.deriv(r)(PARAMETERS) if r else cubic(PARAMETERS) for r in range(4)], axis=1)[
         ..., None
     ]
     width = FAMILIES[family][0]
-    curve = {"lagrange": LagrangeCurve, "hermite": HermiteCurve, "quintic_hermite": QuinticHermiteCurve}[
-        family
-    ](*(jets[:, r] for r in range(width)), PARAMETERS)
+    curve = CLASSES[family](*(jets[:, r] for r in range(width)), PARAMETERS)
     for order in range(4):
         scale = np.einsum("mir,ird->md", np.abs(curve.basis(T, order)), np.abs(curve.jets))[:, 0]
         expected = (cubic.deriv(order) if order else cubic)(T)
@@ -201,7 +207,7 @@ def test_a_joint_belongs_to_the_segment_on_its_right():
     assert curve.evaluate(3.0, 2)[0] == pytest.approx(6.0 / 4.0 + 6.0 / 2.0, abs=1e-14)
 
 
-@pytest.mark.parametrize("family", ["hermite", "quintic_hermite"])
+@pytest.mark.parametrize("family", ["hermite", "quintic_hermite", "septic_hermite"])
 def test_local_basis_is_the_dense_one(family, rng):
     curve = build(family, rng)
     for order in range(4):
@@ -213,7 +219,7 @@ def test_local_basis_is_the_dense_one(family, rng):
             assert np.count_nonzero(dense[k]) <= local.values[k].size
 
 
-@pytest.mark.parametrize("family", ["hermite", "quintic_hermite"])
+@pytest.mark.parametrize("family", ["hermite", "quintic_hermite", "septic_hermite"])
 def test_segments_are_sampled_alike(family, rng):
     curve = build(family, rng)
     s = np.array([0.0, 0.25, 0.5, 1.0])
@@ -236,10 +242,11 @@ def test_scipy_agrees_on_cubics(rng):
         assert curve.evaluate(T, order) == pytest.approx(reference(T, order), rel=1e-12, abs=1e-12)
 
 
-def test_scipy_agrees_on_quintics(rng):
+@pytest.mark.parametrize("family", ["quintic_hermite", "septic_hermite"])
+def test_scipy_agrees_on_higher_degrees(family, rng):
     from scipy.interpolate import BPoly
 
-    curve = build("quintic_hermite", rng)
+    curve = build(family, rng)
     reference = BPoly.from_derivatives(PARAMETERS, curve.jets)
     for order in range(4):
         assert curve.evaluate(T, order) == pytest.approx(reference(T, order), rel=1e-11, abs=1e-11)
@@ -287,8 +294,7 @@ def test_nothing_is_ever_infinite_or_nan(family, parameters, size, rng):
     n = len(parameters)
     with np.errstate(under="ignore"):
         data = [size * rng.choice([-1.0, 1.0, 0.5, 0.0], (n, 2)) for _ in range(FAMILIES[family][0])]
-    classes = {"lagrange": LagrangeCurve, "hermite": HermiteCurve, "quintic_hermite": QuinticHermiteCurve}
-    curve = classes[family](*data, parameters)
+    curve = CLASSES[family](*data, parameters)
     assert (curve.evaluate(t)[-n:] == curve.points).all()
     for order in range(5):
         assert np.isfinite(curve.evaluate(t, order)).all()

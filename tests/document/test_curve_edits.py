@@ -97,7 +97,7 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
 
 
 def test_a_corner_has_two_velocities_and_both_accelerations():
-    document = edits.set_acceleration(manual(), 0, 1, (1.0, 2.0))
+    document = edits.set_derivative(manual(), 0, 1, 2, (1.0, 2.0))
     cornered = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
     point = cornered.curves[0].points[1]
     assert (point.corner, point.velocity, point.velocity_after) == (True, (1.0, 0.0), (0.0, 1.0))
@@ -114,7 +114,7 @@ def test_a_smooth_point_has_one_velocity():
 def test_each_side_of_a_corner_is_set_alone():
     document = edits.make_corner(manual(), 0, 1, None, None)
     document = edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)
-    document = edits.set_acceleration(document, 0, 1, (4.0, 0.0), ahead=False)
+    document = edits.set_derivative(document, 0, 1, 2, (4.0, 0.0), ahead=False)
     point = document.curves[0].points[1]
     assert (point.velocity, point.velocity_after) == (None, (3.0, 0.0))
     assert (point.acceleration, point.acceleration_after) == ((4.0, 0.0), None)

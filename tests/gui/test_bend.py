@@ -38,7 +38,7 @@ def arch(editor):
 def with_everything_set(view):
     """The curve with the velocities and accelerations that the rules gave it set by hand."""
     points = tuple(
-        replace(point, velocity=view.velocity_of(index), acceleration=view.acceleration_of(index))
+        replace(point, velocity=view.velocity_of(index), acceleration=view.derivative_of(index, 2))
         for index, point in enumerate(view.source.points)
     )
     return replace(view.source, points=points)
@@ -388,7 +388,7 @@ def test_a_handle_tells_length_and_direction(hermite):
 def test_an_acceleration_handle_keeps_its_direction_with_alt(arch):
     arch.choose_family(QUINTIC_HERMITE)
     arch.select_point(1)
-    before = np.array(arch.session.active_view.acceleration_of(1))
+    before = np.array(arch.session.active_view.derivative_of(1, 2))
     arch.drag(arch.handle(2).position, (2.5, 1.0), keys=ALT)
     after = np.array(arch.curve.points[1].acceleration)
     assert before[0] * after[1] == pytest.approx(before[1] * after[0])

@@ -420,7 +420,8 @@ def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
     arch.trigger("addTool")
     arch.click(arch.point(0))
     assert arch.session.document == before
-    assert arch.status.startswith("Choose Hermite or quintic Hermite to close the curve")
+    assert arch.status.startswith("Choose Hermite, quintic Hermite")
+    assert "septic Hermite" in arch.status.partition(" to close the curve: a Lagrange curve is one")[0]
 
 
 def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):

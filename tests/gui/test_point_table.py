@@ -208,7 +208,7 @@ def test_estimated_numbers_are_muted_italic_and_say_by_which_rule(hermite):
     assert hermite.model.data(index, Role.FontRole).italic()
     assert hermite.model.data(index, Role.ForegroundRole) == LIGHT.muted
     assert "estimated by the natural spline rule" in hermite.model.data(index, Role.ToolTipRole)
-    document = edits.set_velocity_rule(hermite.session.document, 0, VelocityRule.BESSEL)
+    document = edits.set_rule(hermite.session.document, 0, VelocityRule.BESSEL)
     hermite.session.commit(document, "Rule")
     assert "Bessel" in hermite.model.data(index, Role.ToolTipRole)
     document = edits.set_velocity(hermite.session.document, 0, 2, (1.0, 2.0))
@@ -417,7 +417,7 @@ def set_derivatives(table, *indices):
     document = table.session.document
     for index in indices:
         document = edits.set_velocity(document, 0, index, (1.0, 2.0))
-        document = edits.set_acceleration(document, 0, index, (3.0, 4.0))
+        document = edits.set_derivative(document, 0, index, 2, (3.0, 4.0))
     table.session.commit(document, "Set")
 
 
@@ -693,7 +693,7 @@ def test_a_thousand_rows_are_updated_and_not_reset(qtbot):
     table.session.commit(document, "Freeze")
     resets, changes = QSignalSpy(table.model.modelReset), QSignalSpy(table.model.dataChanged)
     rows = QSignalSpy(table.model.rowsInserted)
-    document = edits.set_velocity_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
+    document = edits.set_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
     table.session.commit(document, "Rule")
     changed = changes.count()
     table.session.commit(edits.move_points(table.session.document, 0, [500], (0.0, 1.0)), "Move point 500")

@@ -45,7 +45,7 @@ from app.view_model.motion_picture import jumps_in_words, rivals_of
 from app.view_model.nearest import NearestPoint
 from app.view_model.reshape import reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
-from curvecore import ParametricCurve
+from curvecore import ParametricCurve, monomial_condition
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance
 
@@ -255,7 +255,8 @@ def test_closing_is_what_the_family_can(name):
         return
     with pytest.raises(EditError, match=family.a_curve) as refusal:
         edits.set_closed(document, 0, True)
-    assert str(refusal.value).startswith("Choose Hermite, quintic Hermite or cosine steps to close the curve")
+    assert str(refusal.value).startswith("Choose Hermite, quintic Hermite, septic Hermite")
+    assert "or cosine steps to close the curve: " in str(refusal.value)
 
 
 def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
@@ -385,8 +386,10 @@ def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
         if isinstance(trial, str):
             continue
         truth = view.curve.evaluate(trial.t)
+        # Digits that powers of t lose: those of the condition number.
+        allowed = max(1e-8, 1e-16 * monomial_condition(view.curve))
         for outcome in trial.outcomes:
-            assert np.abs(np.vstack(outcome.pieces) - truth).max() < 1e-8
+            assert np.abs(np.vstack(outcome.pieces) - truth).max() < allowed
 
 
 def test_the_rest_of_what_is_said_holds_for_it(name):

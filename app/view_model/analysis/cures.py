@@ -52,7 +52,7 @@ class Remedy(NamedTuple):
         if self.rule is not None:
             return edits.set_parametrization(document, curve, self.rule, parameters)
         result = edits.set_family(document, curve, self.family)
-        result = edits.set_velocity_rule(result, curve, self.velocity_rule)
+        result = edits.set_rule(result, curve, self.velocity_rule)
         if self.estimates:
             result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].points)))
         return result
