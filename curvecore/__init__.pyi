@@ -65,6 +65,7 @@ from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.septic_hermite import SepticHermiteCurve as SepticHermiteCurve
+from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
 from curvecore.parametrization import chord_length as chord_length

@@ -29,14 +29,19 @@ class Parameters(NamedTuple):
     Attributes
     ----------
     values : ndarray, shape (m,)
-        Finite values.
-    is_scalar : bool
-        Whether a single number was given, so that the result drops its
-        first axis.
+        Finite values, in C order.
+    shape : tuple of int
+        That of the argument; () for a single number.
     """
 
     values: FloatArray
-    is_scalar: bool
+    shape: tuple[int, ...]
+
+    def shaped(self, results: FloatArray) -> FloatArray:
+        """Return results, (m, ...), as (*shape, ...)."""
+        if len(self.shape) == 1:
+            return results
+        return results.reshape(self.shape + results.shape[1:])
 
 
 def read_only(array: FloatArray) -> FloatArray:
@@ -210,12 +215,18 @@ def parameter_array(parameters: ArrayLike, count: int) -> FloatArray:
 
 
 def parameter_values(t: ArrayLike) -> Parameters:
-    """Check the parameters of an evaluation: a finite scalar or shape (m,)."""
+    """Check the parameters of an evaluation: finite, of any shape."""
     array = number_array(t, "t")
-    if array.ndim > 1:
-        raise CurveError(f"t must be a number or have the shape (m,), not {array.shape}")
     _check_finite(array, "t")
-    return Parameters(array.reshape(-1), array.ndim == 0)
+    return Parameters(array.reshape(-1), array.shape)
+
+
+def parameter_row(t: ArrayLike) -> FloatArray:
+    """Check parameters of which one counts as m = 1: a finite scalar or shape (m,), returned as (m,)."""
+    at = parameter_values(t)
+    if len(at.shape) > 1:
+        raise CurveError(f"t must be a number or have the shape (m,), not {at.shape}")
+    return at.values
 
 
 def unit_values(values: ArrayLike, name: str) -> FloatArray:

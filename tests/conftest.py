@@ -20,7 +20,7 @@ import msgspec
 import pytest
 from hypothesis import settings
 
-from app.families import FAMILIES, Family
+from app.families import FAMILIES, ChosenSettings, Family
 
 settings.register_profile("curvebench", deadline=None, derandomize=True, max_examples=60)
 settings.load_profile("curvebench")
@@ -154,9 +154,15 @@ def odd_values(value: object, place: str = "document", known: object = None) -> 
         return []
     if type(value) in _PLAIN or isinstance(value, Enum):
         return []
+    if isinstance(value, ChosenSettings):
+        return [odd for name, each in value.items() for odd in _odd_setting(each, f"{place}.{name}")]
     if isinstance(value, Family):
         return odd_values(value.name, f"{place}.name")
     return [f"{place} = {value!r}, a {type(value).__name__}"]
+
+
+def _odd_setting(value: object, place: str) -> list[str]:
+    return [] if type(value) in (int, str) else [f"{place} = {value!r}, a {type(value).__name__}"]
 
 
 def _odd_items(items: tuple[object, ...], place: str, known: object) -> list[str]:

@@ -109,7 +109,7 @@ def test_licences_are_there_and_name_their_owners():
 def test_the_wheel_carries_the_resources_but_no_screenshots():
     folders = {path.name for path in (ROOT / "resources").iterdir()} - {"screenshots"}
     assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"] == {
-        f"resources/{name}": f"app/resources/{name}" for name in folders
+        f"resources/{name}": f"curvebench/resources/{name}" for name in folders
     }
     # 0.7 MB that no program opens were in it.
     assert not [path for path in (ROOT / "app").rglob("*.py") if "screenshots" in path.read_text("utf-8")]

@@ -252,6 +252,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
     return {
         "name": facts.name,
         "family": facts.family.name,
+        "settings": {setting.name: value for setting, value in facts.settings.items()},
         "degree": facts.degree,
         "points": facts.points,
         "closed": facts.closed,
@@ -268,6 +269,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
 
 def _as_text(facts: CurveFacts) -> str:
     rows = [("family", facts.family.full_title)]
+    rows += [(setting.title, setting.text_of(value)) for setting, value in facts.settings.items()]
     if facts.degree is not None:
         where = "" if facts.family.is_one_polynomial else " on every segment"
         rows.append(("degree", f"{facts.degree}{where}"))

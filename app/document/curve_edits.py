@@ -39,7 +39,8 @@ def free_name(document: Document) -> str:
 
 def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
     """Return an empty curve of the family and with the rules of `model`, under a name free in `document`."""
-    return Curve(free_name(document), model.family, parametrization, ()).with_rules_of(model)
+    fresh = Curve(free_name(document), model.family, parametrization, (), settings=model.settings)
+    return fresh.with_rules_of(model)
 
 
 def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:

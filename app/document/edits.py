@@ -12,7 +12,7 @@ from itertools import pairwise
 
 from msgspec.structs import replace
 
-from ..families import FAMILIES, Family, titles
+from ..families import FAMILIES, Family, SettingValue, titles
 
 # Who edits needs these with the edits.
 from .kept_handles import stretched as stretched  # noqa: PLC0414
@@ -198,8 +198,20 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
 
 
 def set_family(document: Document, curve: int, family: Family) -> Document:
-    """Draw the same points with another family."""
-    return document.with_curve(curve, replace(document.curves[curve], family=family))
+    """Draw the same points with another family; its settings are the defaults."""
+    return document.with_curve(curve, document.curves[curve].with_family(family))
+
+
+def set_family_setting(document: Document, curve: int, name: str, value: SettingValue) -> Document:
+    """Choose a setting of the curve's family."""
+    old = document.curves[curve]
+    setting = next((each for each in old.family.settings if each.name == name), None)
+    if setting is None:
+        raise EditError(f"{old.family.label} has no setting “{name}”.")
+    if not setting.allows(value):
+        raise EditError(f"{setting.label} must be {setting.requirement}.")
+    chosen = old.family.without_defaults({**old.settings, name: value})
+    return document if chosen == old.settings else document.with_curve(curve, replace(old, settings=chosen))
 
 
 def set_rule(document: Document, curve: int, rule: EstimateRule) -> Document:

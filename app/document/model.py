@@ -9,7 +9,7 @@ from operator import attrgetter
 import msgspec
 from msgspec.structs import replace
 
-from ..families import LAGRANGE, Family
+from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .words import NamedEnum
 
 Vector = tuple[float, float]
@@ -220,6 +220,8 @@ class Curve(Value, frozen=True, dict=True):
         "#rrggbb", or empty for the ink of the theme.
     visible, locked
         Whether it is drawn, and whether it is safe from changes.
+    settings
+        Those of the family's settings that are not at their defaults.
     """
 
     name: str
@@ -233,6 +235,16 @@ class Curve(Value, frozen=True, dict=True):
     colour: str = ""
     visible: bool = True
     locked: bool = False
+    settings: ChosenSettings = NO_SETTINGS
+
+    def with_family(self, family: Family) -> Curve:
+        """Return this curve with another family, whose settings are the defaults."""
+        return self if family == self.family else replace(self, family=family, settings=NO_SETTINGS)
+
+    @property
+    def functions_key(self) -> tuple[Family, ChosenSettings]:
+        """What, with the parameters, determines its basis functions."""
+        return self.family, self.settings
 
     @property
     def is_closed(self) -> bool:

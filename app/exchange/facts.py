@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ from curvecore.bezier.pieces import BezierPieces
 from curvecore.scaling import LARGEST
 
 from ..document.model import Curve, Document, Parametrization
-from ..families import Family
+from ..families import Family, FamilySetting, SettingValue
 from ..tasks.progress import Report, silent
 from ..view_model.arc_lengths import lengths_of
 from ..view_model.curve_view import CurveView, ParametricCurve, view_of
@@ -57,6 +57,8 @@ class CurveFacts:
     ----------
     name, family, parametrization
         As in the document.
+    settings
+        All settings of the family, by their records.
     points
         Number of points.
     closed, visible
@@ -91,6 +93,7 @@ class CurveFacts:
     closed: bool = False
     corners: int = 0
     visible: bool = True
+    settings: Mapping[FamilySetting, SettingValue] = field(default_factory=dict)
 
 
 def facts_of(document: Document, report: Report = silent) -> tuple[CurveFacts, ...]:
@@ -182,7 +185,12 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
 def _facts_of_points(curve: Curve) -> CurveFacts:
     """Return the facts that need no more than the document's value."""
     return CurveFacts(
-        curve.name, curve.family, curve.parametrization, len(curve.points), visible=curve.visible
+        curve.name,
+        curve.family,
+        curve.parametrization,
+        len(curve.points),
+        visible=curve.visible,
+        settings=curve.family.values_of(curve.settings),
     )
 
 

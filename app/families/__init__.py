@@ -4,10 +4,15 @@ Whatever offers, names, stores or draws a family reads it here: menus, toolbar, 
 command line and tests.
 
 - ``family``: `Family`, the record, made from a curve class.
+- ``chosen``: `ChosenSettings`, the settings of a family that are not its defaults.
 - ``registry``: `FAMILIES`, those of the program and then those of installed packages and of files.
 - ``family_file``: families that a person wrote in a file of Python, checked before they are used.
 """
 
+from curvecore import FamilySetting
+from curvecore.families.setting import SettingValue
+
+from .chosen import NO_SETTINGS, ChosenSettings
 from .family import Family
 from .registry import (
     FAMILIES,
@@ -23,9 +28,13 @@ __all__ = [
     "FAMILIES",
     "HERMITE",
     "LAGRANGE",
+    "NO_SETTINGS",
     "QUINTIC_HERMITE",
+    "ChosenSettings",
     "Families",
     "Family",
+    "FamilySetting",
+    "SettingValue",
     "titles",
     "titles_with_derivatives",
 ]

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from inspect import isabstract
 from types import ModuleType
 from typing import Any, Self, final
 
 import numpy.typing as npt
 
-from curvecore import CurveError, ParametricCurve
+from curvecore import CurveError, FamilySetting, ParametricCurve
+from curvecore.families.setting import SettingValue
+
+from .chosen import NO_SETTINGS, ChosenSettings
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 
@@ -141,17 +145,43 @@ class Family:
         """Whether what a point carries does nothing beyond the two segments that meet there."""
         return self._curve_class is not None and self._curve_class.is_local
 
-    def make(self, jets: npt.ArrayLike, parameters: npt.ArrayLike) -> ParametricCurve:
+    @property
+    def settings(self) -> tuple[FamilySetting, ...]:
+        """What may be chosen about its functions beside the parameters."""
+        return () if self._curve_class is None else self._curve_class.settings
+
+    def values_of(self, chosen: Mapping[str, SettingValue]) -> dict[FamilySetting, SettingValue]:
+        """Return the value of each setting: what was chosen, else the default."""
+        return {setting: chosen.get(setting.name, setting.default) for setting in self.settings}
+
+    def without_defaults(self, chosen: Mapping[str, SettingValue]) -> ChosenSettings:
+        """Return what was chosen, without defaults; of a family that is not there all of it."""
+        if self.is_missing:
+            return ChosenSettings(chosen)
+        defaults = {setting.name: setting.default for setting in self.settings}
+        return ChosenSettings((name, value) for name, value in chosen.items() if value != defaults.get(name))
+
+    def make(
+        self,
+        jets: npt.ArrayLike,
+        parameters: npt.ArrayLike,
+        settings: Mapping[str, SettingValue] = NO_SETTINGS,
+    ) -> ParametricCurve:
         """Return the curve with these data, shape (n, R, dim), at these parameters, shape (n,).
+
+        Parameters
+        ----------
+        settings
+            Values of its `settings`, by their names; the defaults where none is given.
 
         Raises
         ------
         CurveError
-            If the data give no curve, or the family is not there.
+            If the data give no curve, a setting is none of the family's, or the family is not there.
         """
         if self._curve_class is None:
             raise CurveError(self.problem)
-        return self._curve_class.from_jets(jets, parameters)
+        return self._curve_class.from_jets(jets, parameters, **settings)
 
     def __eq__(self, other: object) -> bool:
         return self._name == other._name if isinstance(other, Family) else NotImplemented

@@ -1,9 +1,9 @@
 """Documents on disk: the file format, atomic writing, locks and snapshots.
 
-- ``format``: documents to and from bytes, strictly; ``coding``: families in them, by name.
+- ``format``: documents to and from bytes, strictly; ``coding``: values that are no plain JSON values.
   ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.  ``all_within``: a quick look at many numbers.
-  ``repeated_keys``: what typed decoding passes over.  ``coding``: values that are no plain JSON values.
+  ``repeated_keys``: what typed decoding passes over.  ``setting_check``: settings of families.
 - ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
   them; ``temporary``: temporary files, and removing stale ones; ``reasons``: why something failed, in words.
 - ``lock``: lock files that name their owner; ``system_lock``: locks of the operating system, on files and

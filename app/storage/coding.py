@@ -4,25 +4,32 @@ from __future__ import annotations
 
 from types import NoneType
 
-from ..families import FAMILIES, Family
+from ..families import FAMILIES, ChosenSettings, Family
 
 _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
 """The names that msgspec has for the values of JSON in its own refusals."""
 
 
-def to_plain(value: object) -> str | float:
+def to_plain(value: object) -> str | float | dict[str, int | str]:
     """Return what stands for a value: the name of a family, a number of NumPy's as one of Python's."""
+    if isinstance(value, ChosenSettings):
+        return dict(value)
     return value.name if isinstance(value, Family) else float(value)  # type: ignore[arg-type]
 
 
-def from_plain(kind: type, value: object) -> Family:
-    """Return the family of a name; one that is not there may be there elsewhere.
+def from_plain(kind: type, value: object) -> Family | ChosenSettings:
+    """Return the family of a name, which may be there elsewhere if not here, or the settings of one.
 
     Raises
     ------
     ValueError
-        In the words of msgspec, which adds the place, where no family can be called that.
+        In the words of msgspec, which adds the place, where no family can be called that, or settings are no
+        object; `validate` looks at what they hold.
     """
+    if kind is ChosenSettings:
+        if not isinstance(value, dict):
+            raise ValueError(f"Expected `object`, got `{_JSON_NAMES[type(value)]}`")
+        return ChosenSettings(value)
     if not isinstance(value, str):
         raise ValueError(f"Expected `str`, got `{_JSON_NAMES[type(value)]}`")
     if not Family.may_be_called(value):

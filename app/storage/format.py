@@ -30,6 +30,7 @@ from .all_within import all_within
 from .coding import from_plain, to_plain
 from .migration import can_migrate, migrated
 from .repeated_keys import repeated_key
+from .setting_check import setting_problem
 
 FORMAT = "curvebench"
 VERSION = 1
@@ -158,7 +159,13 @@ def decode(data: bytes) -> Document:
     _refuse_repeated_keys(data, file.curves if header.version == VERSION else ())
     document = Document(file.curves, file.image)
     validate(document)
+    if any(curve.settings for curve in document.curves):
+        document = replace(document, curves=tuple(map(_without_default_settings, document.curves)))
     return document
+
+
+def _without_default_settings(curve: Curve) -> Curve:
+    return replace(curve, settings=curve.family.without_defaults(curve.settings))
 
 
 def version_of(data: bytes) -> int | None:
@@ -278,6 +285,8 @@ def _validate_curve(curve: Curve, place: str) -> None:
         raise FormatError(
             f'{place}.colour must be written as "#rrggbb" in lower case, not {_quoted(curve.colour)}'
         )
+    if curve.settings and (problem := setting_problem(curve.family, curve.settings)):
+        raise FormatError(f"{place}.settings{problem}")
     if not all_within(curve.points):
         for index, point in enumerate(curve.points):
             for key, value in _numbers(point):

@@ -276,9 +276,9 @@ def basis_formulas(family: Family) -> tuple[str, ...]:
 def weights_at(view: CurveView, t: float) -> FloatArray:
     """Return what every point counts at `t`, with the derivatives that are estimated from it, (n,)."""
     if view.cardinal is not None:
-        return np.asarray(view.cardinal.basis(t)[0])
+        return np.asarray(view.cardinal.basis(t))
     assert view.basis_curve is not None
     count = len(view.source.points)
-    weights = view.basis_curve.basis(np.array([t]))[0, :, 0]
+    weights = view.basis_curve.basis(t)[:, 0]
     weights[0] += weights[count:].sum()
     return weights[:count]

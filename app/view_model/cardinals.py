@@ -61,7 +61,7 @@ class Cardinals:
         numbers = [basis_curve.parameters, arrays.corners, is_set]
         if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
             numbers += [np.array(curve.parametrization.alpha), points]
-        key = (curve.family, curve.is_closed, *curve.rules, *(each.tobytes() for each in numbers))
+        key = (curve.functions_key, curve.is_closed, *curve.rules, *(each.tobytes() for each in numbers))
         if key != self._key:
             self._key, self._known = key, Cardinal(_made(curve, points, basis_curve, arrays))
         return self._known

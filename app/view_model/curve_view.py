@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
 
 import msgspec
@@ -254,8 +254,8 @@ def _checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) ->
 def _same_parameters(
     curve: Curve, parameters: FloatArray, previous: CurveView | None
 ) -> ParametricCurve | None:
-    """Return the curve before if it has the same family and parameters: only its data are other ones."""
-    if previous is None or not previous.is_current or previous.source.family != curve.family:
+    """Return the curve before if it has the same functions and parameters: only its data are other ones."""
+    if previous is None or not previous.is_current or previous.source.functions_key != curve.functions_key:
         return None
     old = previous.curve
     if old is None or len(old.pieces) > 1:
@@ -274,16 +274,17 @@ def _core_curve(
 
     `frozen` is a curve of the family with these parameters, and without corners.
     """
+    make = partial(curve.family.make, settings=curve.settings)
     if not curve.family.derivatives:
         jets = points[:, None]
-        return curve.family.make(jets, parameters) if frozen is None else frozen.with_jets(jets), None
+        return make(jets, parameters) if frozen is None else frozen.with_jets(jets), None
     sides = sides_of(curve, points, parameters, arrays)
     last = len(parameters) - 1
     corners = [knot for knot in corner_knots(arrays, last + 1) if 0 < knot < last]
     if frozen is not None and not corners:
         return frozen.with_jets(_piece_jets(sides, 0, last)), sides
     pieces = [
-        curve.family.make(_piece_jets(sides, start, end), parameters[start : end + 1])
+        make(_piece_jets(sides, start, end), parameters[start : end + 1])
         for start, end in pairwise([0, *corners, last])
     ]
     return pieces[0] if len(pieces) == 1 else Chain(pieces), sides

@@ -49,8 +49,9 @@ def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
 
 
 def _lends(basis: BasisView, view: CurveView) -> bool:
-    """Whether these are dense functions, and of this curve: family and parameters decide."""
-    if view.basis_curve is None or basis.curve.is_local or basis.curve.name != view.basis_curve.name:
+    """Whether these are dense functions, and of this curve: family, settings and parameters decide."""
+    own = view.basis_curve
+    if own is None or basis.curve.is_local or basis.curve.functions_key != own.functions_key:
         return False
     return bool(np.array_equal(basis.curve.parameters, view.parameters))
 

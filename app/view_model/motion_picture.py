@@ -8,7 +8,6 @@ from functools import partial
 
 import msgspec
 import numpy as np
-from msgspec.structs import replace
 
 from curvecore.analysis.continuity import joint_report
 from curvecore.arrays import FloatArray
@@ -190,7 +189,7 @@ def in_three_digits(value: float) -> str:
 def rivals_of(view: CurveView) -> dict[Role, CurveView]:
     """Return the cubic and the quintic Hermite curve through the points of `view`, where both exist."""
     views = {
-        role: view if view.source.family == role.family else view_of(replace(view.source, family=role.family))
+        role: view if view.source.family == role.family else view_of(view.source.with_family(role.family))
         for role in Role
         if role.family is not None
     }

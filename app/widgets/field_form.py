@@ -51,6 +51,10 @@ class FieldForm(FollowsTheme, QWidget):
             else:
                 field.committed.connect(partial(self._begin, field))
 
+    def forget_entry(self) -> None:
+        """Forget the field that was typed in last: it may be gone."""
+        self._entry = None
+
     def _begin(self, field: FieldEdit, _value: object) -> None:
         self._entry = field
         self._clear_refusal()

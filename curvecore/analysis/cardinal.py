@@ -28,7 +28,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
+from curvecore.arrays import FloatArray, IntArray, parameter_row, parameter_values, read_only
 from curvecore.bezier.bernstein import controls_between
 from curvecore.errors import CurveError
 from curvecore.families.chain import joint_of_row
@@ -65,13 +65,13 @@ def estimation_matrix(rule: Rule, parameters: ArrayLike) -> FloatArray:
     ndarray, shape (n, n)
         ``[j, i]`` is what point i adds to the derivative at joint j.
     """
-    t = parameter_values(parameters).values
+    t = parameter_row(parameters)
     return rule(np.eye(len(t)), t)
 
 
 def follow_rules(parameters: ArrayLike, *rules: Rule) -> Follow:
     """Return the `Follow` of an open curve without corners: one rule for each kind of derivative."""
-    t = parameter_values(parameters).values
+    t = parameter_row(parameters)
 
     def follow(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
         derivatives = np.stack([rule(moves, t) for rule in rules], axis=1)
@@ -89,8 +89,8 @@ def cardinal_basis(
     ----------
     curve : ParametricCurve
         Of any family; only its parameters matter.
-    t : float or array_like, shape (m,)
-        A scalar counts as m = 1.
+    t : float or array_like of any shape
+        As for `ParametricCurve.basis`.
     order : int, optional
         Order of the derivative, at least 0.
     rules : tuple of callable, optional
@@ -98,7 +98,7 @@ def cardinal_basis(
 
     Returns
     -------
-    ndarray, shape (m, n)
+    ndarray, shape (*shape of t, n)
         ``cardinal_basis(curve, t, rules=rules) @ points`` is the curve through any points with these
         parameters. Rows of order 0 add up to 1.
     """
@@ -273,7 +273,7 @@ class CardinalBasis:
         order : int, optional
             Order of the derivative, at least 0.
         """
-        at = parameter_values(t).values
+        at = parameter_row(t)
         if self._estimates is None:
             return self._alone(at, order)
         columns, ends, estimates = self._estimates
@@ -308,20 +308,21 @@ class CardinalBasis:
 
         Parameters
         ----------
-        t : float or array_like, shape (m,)
-            A scalar counts as m = 1.
+        t : float or array_like of any shape
+            As for `ParametricCurve.basis`.
         order : int, optional
             Order of the derivative, at least 0.
 
         Returns
         -------
-        ndarray, shape (m, n)
-            ``[k, i]`` is C_i at t_k.
+        ndarray, shape (*shape of t, n)
+            ``[..., i]`` is C_i.
         """
-        points, values = self.local(t, order)
+        at = parameter_values(t)
+        points, values = self.local(at.values, order)
         result = np.zeros((len(values), self.count))
         np.put_along_axis(result, points, values, axis=1)
-        return result
+        return at.shaped(result)
 
     def sums(self, t: ArrayLike, sizes: ArrayLike = 1.0) -> FloatArray:
         """Return sum |C_i(t)| e_i: how far errors of the sizes e_i can displace c(t), at worst.

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.sensitivity import error_sizes
-from curvecore.arrays import FloatArray, integer, parameter_values
+from curvecore.arrays import FloatArray, integer, parameter_row
 from curvecore.errors import CurveError
 from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import ParametricCurve
@@ -40,13 +40,14 @@ class Ensemble(NamedTuple):
     parameters: FloatArray
 
     def evaluate(self, t: ArrayLike) -> FloatArray:
-        """Return all curves at t, shape (count, m, dim)."""
+        """Return all curves at t, shape (count, m, dim); a single t counts as m = 1."""
+        at = parameter_row(t)
         if (self.parameters == self.parameters[0]).all():
-            basis = self.curves[0].basis(t)
+            basis = self.curves[0].basis(at)
             flat = basis.reshape(len(basis), -1)
             with np.errstate(over="ignore", under="ignore"):
                 return flat @ self.jets.reshape(len(self.jets), flat.shape[1], -1)
-        return np.stack([curve.evaluate(parameter_values(t).values) for curve in self.curves])
+        return np.stack([curve.evaluate(at) for curve in self.curves])
 
 
 def ensemble(

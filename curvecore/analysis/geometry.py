@@ -93,7 +93,7 @@ def speed(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     at = parameter_values(t)
     (velocity,) = curve.derivatives_at(at.values, (1,))
     result = vector_lengths(velocity)
-    return result[0] if at.is_scalar else result
+    return at.shaped(result)
 
 
 def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
@@ -130,7 +130,7 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     at = parameter_values(t)
     velocity, acceleration = curve.derivatives_at(at.values, (1, 2))
     result = curvature_of(velocity, acceleration)
-    return result[0] if at.is_scalar else result
+    return at.shaped(result)
 
 
 def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArray:

@@ -107,7 +107,7 @@ class ArcLength(Immutable):
             place = np.clip((at.values - start) / (end - start), 0.0, 1.0)
             part = integrals(self._arcs.slopes[arc], np.zeros(len(arc)), place)
             result = np.minimum((self._at[arc] + part) * self._scale, LARGEST)
-        return result[0] if at.is_scalar else result
+        return at.shaped(result)
 
     def parameter_at(self, length: ArrayLike) -> FloatArray:
         """Return the parameters at which lengths are reached.
@@ -131,7 +131,7 @@ class ArcLength(Immutable):
             place = places_of(self._arcs.slopes[arc], wanted - self._at[arc], np.diff(self._at)[arc])
             start, end = self._arcs.start[arc], self._arcs.end[arc]
             result = np.minimum(start + place * (end - start), end)
-        return result[0] if at.is_scalar else result
+        return at.shaped(result)
 
 
 def arc_length(

@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.cardinal import CardinalBasis
-from curvecore.arrays import FloatArray, parameter_values
+from curvecore.arrays import FloatArray, parameter_row
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.vectors import cross, vector_lengths
@@ -58,19 +58,19 @@ def point_sensitivity(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
     curve : ParametricCurve or CardinalBasis
         Of a curve, velocities and accelerations stay as they are; of its cardinal basis, those that are
         estimated follow the points.
-    t : float or array_like, shape (m,)
-        A scalar counts as m = 1.
+    t : float or array_like of any shape
+        As for `ParametricCurve.basis`.
 
     Returns
     -------
-    ndarray, shape (m, n)
+    ndarray, shape (*shape of t, n)
         B_i0(t), or C_i(t). A `Chain` has a column for every row of its jets.
     """
-    return curve.basis(t) if isinstance(curve, CardinalBasis) else curve.basis(t)[:, :, 0]
+    return curve.basis(t) if isinstance(curve, CardinalBasis) else curve.basis(t)[..., 0]
 
 
 def velocity_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
-    """Return dc(t)/dv_i = B_i1(t), in units of t, shape (m, n); see `point_sensitivity`.
+    """Return dc(t)/dv_i = B_i1(t), in units of t, shape (*shape of t, n); see `point_sensitivity`.
 
     Raises
     ------
@@ -81,7 +81,7 @@ def velocity_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
 
 
 def acceleration_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
-    """Return dc(t)/da_i = B_i2(t), in units of t squared, shape (m, n); see `point_sensitivity`.
+    """Return dc(t)/da_i = B_i2(t), in units of t squared; see `point_sensitivity`.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def acceleration_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray
 def _column(curve: ParametricCurve, t: ArrayLike, r: int, name: str) -> FloatArray:
     if curve.jets.shape[1] <= r:
         raise CurveError(f"curve must be of a family with {name}")
-    return curve.basis(t)[:, :, r]
+    return curve.basis(t)[..., r]
 
 
 def parameter_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
@@ -168,7 +168,7 @@ def worst_case_band(
     whose farthest corner is found exactly in the plane; in space its
     distance is bounded by the sum of the lengths. `across` is exact always.
     """
-    at = parameter_values(t).values
+    at = parameter_row(t)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         ball = _ball(curve, at, (point_error, velocity_error, acceleration_error), cardinal)
         known = None if sensitivity is None else np.asarray(sensitivity, dtype=np.float64)
@@ -217,7 +217,7 @@ def _moves(curve: ParametricCurve, t: FloatArray, delta: FloatArray) -> FloatArr
 
 def error_sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
     """Check sizes of errors: one for all or one each, at least 0; return shape (count,)."""
-    sizes = parameter_values(error).values
+    sizes = parameter_row(error)
     if sizes.size not in (1, count):
         raise CurveError(f"{name} must be a number or have the shape ({count},), not ({sizes.size},)")
     if (sizes < 0.0).any():

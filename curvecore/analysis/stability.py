@@ -74,7 +74,7 @@ def lebesgue_function(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
     """
     at = parameter_values(t)
     result = curve.sums(at.values) if isinstance(curve, CardinalBasis) else _sums(curve, at.values)[:, 0]
-    return result[0] if at.is_scalar else result
+    return at.shaped(result)
 
 
 def derivative_sums(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
@@ -97,7 +97,7 @@ def derivative_sums(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """
     at = parameter_values(t)
     result = _sums(curve, at.values)[:, 1:]
-    return result[0] if at.is_scalar else result
+    return at.shaped(result)
 
 
 def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:

@@ -94,7 +94,7 @@ class FrozenFlattening:
     def _is_alike(self, curve: ParametricCurve) -> bool:
         """Whether the samples are close enough together for this curve, and hold its breaks."""
         old = self._curve
-        if curve.name != old.name or not np.array_equal(curve.breaks, old.breaks):
+        if curve.functions_key != old.functions_key or not np.array_equal(curve.breaks, old.breaks):
             return False
         if curve.degree is None or old.degree is None:
             return len(curve.points) == len(old.points) and curve.degree is old.degree

@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray, parameter_values
+from curvecore.arrays import FloatArray, IntArray, parameter_row
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
 from curvecore.scaling import UNIT_ROUNDOFF
@@ -58,7 +58,7 @@ class LeftOut:
     """
 
     def __init__(self, curve: ParametricCurve, moving: IntArray, t: FloatArray) -> None:
-        self._t = parameter_values(t).values
+        self._t = parameter_row(t)
         stays = np.ones(len(curve.parameters), dtype=bool)
         stays[moving] = False
         self._stays, self._moving = stays, moving

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray, parameter_values
+from curvecore.arrays import FloatArray, IntArray, parameter_row
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
 from curvecore.scaling import LIMIT, SMALLEST
@@ -37,7 +37,7 @@ class MovedParameters:
 
     def __init__(self, curve: ParametricCurve, t: FloatArray) -> None:
         self._curve, self._parameters = LagrangeCurve(curve.points, curve.parameters), curve.parameters
-        self._t = parameter_values(t).values
+        self._t = parameter_row(t)
         self._basis = curve.basis(self._t)[:, :, 0]
         sizes = np.abs(self._basis)
         # At a parameter all functions but one are 0 in truth; elsewhere what is 0 has underflowed.

@@ -10,5 +10,6 @@
 - ``product_form``, ``product_series``: the Lagrange basis as products, accurate for any parameters; its
   derivatives, as products of power series.  ``differentiation_matrix``: the same by a short cut.
 - ``parameter_differences``: derivatives by the parameters, where a family has no formula.
+- ``setting``: what may be chosen about the functions of a family beside the parameters.
 - ``immutable``: copies and pickles of curves.
 """

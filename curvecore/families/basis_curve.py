@@ -8,14 +8,7 @@ from typing import ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import (
-    FloatArray,
-    integer,
-    jet_array,
-    number_array,
-    parameter_values,
-    read_only,
-)
+from curvecore.arrays import FloatArray, jet_array, number_array, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
@@ -114,13 +107,10 @@ class BasisCurve(ParametricCurve):
         """Return a curve of the same scheme with other data and other parameters; see `ParametricCurve`."""
         return type(self)(jet_array(jets, (*np.shape(jets)[:1], 1))[:, 0], parameters, self._scheme)
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve`."""
-        at = parameter_values(t).values
-        rank = integer(order, "order", 0)
-        if rank == 0 or self._scheme.has_orders:
-            return self._functions(at, rank)[:, :, None]
-        return self._differences(at, rank)[:, :, None]
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        if order == 0 or self._scheme.has_orders:
+            return self._functions(t, order)[:, :, None]
+        return self._differences(t, order)[:, :, None]
 
     def _functions(self, t: FloatArray, order: int) -> FloatArray:
         scheme = self._scheme

@@ -14,7 +14,7 @@ from curvecore.arrays import (
     end_to_end,
     jet_array,
     parameter_array,
-    parameter_values,
+    parameter_row,
     read_only,
 )
 from curvecore.errors import CurveError
@@ -51,6 +51,7 @@ class Chain(ParametricCurve):
     def __init__(self, pieces: Sequence[ParametricCurve]) -> None:
         self._pieces = tuple(pieces)
         _check(self._pieces)
+        self._chosen = tuple(self._pieces[0].chosen.items())
         self._parameters = read_only(end_to_end(piece.parameters for piece in self._pieces))
         self._jets = read_only(np.concatenate([piece.jets for piece in self._pieces]))
 
@@ -90,19 +91,17 @@ class Chain(ParametricCurve):
         """Whether no B_i0 of any piece is negative there."""
         return all(piece.is_positive for piece in self._pieces)
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         """Return the curve, or a derivative; at a joint of two pieces the one after it counts."""
-        values = parameter_values(t)
-        result = np.empty((len(values.values), self._jets.shape[2]))
-        for part in self._parts(values.values):
+        result = np.empty((len(t), self._jets.shape[2]))
+        for part in self._parts(t):
             result[part.where] = part.piece.evaluate(part.t, order)
-        return result[0] if values.is_scalar else result
+        return result
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
         """Return the order-th derivatives of the basis functions of all rows, shape (m, rows, R)."""
-        values = parameter_values(t).values
-        result = np.zeros((len(values), *self._jets.shape[:2]))
-        for part in self._parts(values):
+        result = np.zeros((len(t), *self._jets.shape[:2]))
+        for part in self._parts(t):
             rows = slice(part.row, part.row + len(part.piece.parameters))
             result[part.where, rows] = part.piece.basis(part.t, order)
         return result
@@ -124,7 +123,7 @@ class Chain(ParametricCurve):
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
         """Return the functions that live on each t's segment, where all pieces are local."""
-        at = parameter_values(t).values
+        at = parameter_row(t)
         segment = np.empty(len(at), dtype=np.intp)
         values = np.empty((len(at), 2, self._jets.shape[1]))
         for part in self._parts(at):
@@ -144,7 +143,7 @@ class Chain(ParametricCurve):
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i, shape (m, k, dim): a joint of two pieces moves the ends of both."""
-        at = parameter_values(t).values
+        at = parameter_row(t)
         result = np.zeros((len(at), len(self._parameters), self._jets.shape[2]))
         for part in self._parts(at):
             joints = slice(part.joint, part.joint + len(part.piece.parameters))

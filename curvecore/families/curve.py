@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, NamedTuple, Self, final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,13 +14,16 @@ from curvecore.arrays import (
     integer,
     jet_array,
     parameter_array,
+    parameter_row,
     parameter_values,
     read_only,
     stacked_jets,
 )
 from curvecore.errors import CurveError
+from curvecore.families.extrapolation import Extrapolate, within_domain
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_differences import parameter_difference
+from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import made_finite
 
 JOINT_ORDERS = 4
@@ -93,7 +96,7 @@ class ParametricCurve(Immutable, ABC):
     the families that have them, d_i1 = c'(t_i), d_i2 = c''(t_i) and so on, all
     per unit of t. Curves are immutable: their arrays are read-only copies.
 
-    A family says what its basis functions are, by `basis`, and where their
+    A family says what its basis functions are, by `_basis`, and where their
     derivatives may jump, by `breaks`. All else is derived here, correct if
     slower; families override what they know how to do faster or exactly. One with
     derivatives in its data has a constructor of its own.
@@ -104,16 +107,20 @@ class ParametricCurve(Immutable, ABC):
         p_i, finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
+    **settings : int or str
+        Values of the family's `settings`, by their names; the defaults where none is given.
 
     Raises
     ------
     CurveError
-        If an argument does not have the shape or values above.
+        If an argument does not have the shape or values above, or a setting is not allowed.
 
     Attributes
     ----------
     name : str
-        The family's, as files store it: of one name, one set of functions for given parameters.
+        The family's, as files store it: of one name, one set of functions for given parameters and settings.
+    settings : tuple of FamilySetting
+        What may be chosen about the functions beside the parameters.
     title : str
         The family's, as people read it.
     derivatives : int
@@ -129,14 +136,15 @@ class ParametricCurve(Immutable, ABC):
     is_one_polynomial : bool
         Whether it is the polynomial of degree n - 1 through its n points.
     most_points : int or None
-        How many points a curve can have: what is derived from `basis` takes m * n numbers. None, any number,
-        in a family that overrides `evaluate`, `bezier_pieces` and whatever else it knows how to do with less.
+        How many points a curve can have: what is derived from `_basis` takes m * n numbers. None, any
+        number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
     """
 
-    __slots__ = ("_jets", "_parameters")
+    __slots__ = ("_chosen", "_jets", "_parameters")
 
     name: ClassVar[str]
     title: ClassVar[str]
+    settings: ClassVar[tuple[FamilySetting, ...]] = ()
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
     can_close: ClassVar[bool] = False
@@ -145,14 +153,16 @@ class ParametricCurve(Immutable, ABC):
     is_one_polynomial: ClassVar[bool] = False
     most_points: ClassVar[int | None] = 2000
 
+    _chosen: tuple[tuple[str, SettingValue], ...]
     _jets: FloatArray
     _parameters: FloatArray
 
-    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
-        self._keep(stacked_jets(points), parameters)
+    def __init__(self, points: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> None:
+        self._keep(stacked_jets(points), parameters, **settings)
 
-    def _keep(self, jets: FloatArray, parameters: ArrayLike) -> None:
-        """Store jets that are checked, and parameters, which are checked here."""
+    def _keep(self, jets: FloatArray, parameters: ArrayLike, **settings: SettingValue) -> None:
+        """Store jets that are checked, and parameters and settings, which are checked here."""
+        self._chosen = tuple(chosen_values(self.settings, settings, self.title).items())
         self._jets = read_only(jets)
         self._parameters = read_only(parameter_array(parameters, len(jets)))
         for name in self._caches:
@@ -161,22 +171,21 @@ class ParametricCurve(Immutable, ABC):
     # What a family says
 
     @abstractmethod
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t.
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        """Return B_ir^(order) at finite t (m,), inside the domain or not, as (m, n, R); order >= 0.
 
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            Finite, inside the domain or not; a scalar counts as m = 1. At a break the piece to the right
-            counts.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (m, n, R)
-            ``[k, i, r]`` is B_ir at t_k.
+        At a break the piece to the right counts.
         """
+
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        """Return the order-th derivative of the curve at finite t (m,), as (m, dim)."""
+        basis = self._basis(t, order)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            data = self.jets.reshape(-1, self.jets.shape[2])
+            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
+        if order == 0 and self.interpolates:
+            self._put_points(curve, t)
+        return curve
 
     @property
     def breaks(self) -> FloatArray:
@@ -211,12 +220,22 @@ class ParametricCurve(Immutable, ABC):
         return None
 
     @property
+    def chosen(self) -> dict[str, SettingValue]:
+        """The values of all settings, by their names."""
+        return dict(self._chosen)
+
+    @property
+    def functions_key(self) -> tuple[object, ...]:
+        """The name and the settings: curves of one key and the same parameters have the same functions."""
+        return (self.name, *self._chosen)
+
+    @property
     def pieces(self) -> tuple[ParametricCurve, ...]:
         """The curves that this one is a chain of: itself, unless it is a `Chain`."""
         return (self,)
 
     @classmethod
-    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> Self:
         """Return a curve of this family.
 
         Parameters
@@ -225,15 +244,18 @@ class ParametricCurve(Immutable, ABC):
             Finite numbers; n >= 2.
         parameters : array_like, shape (n,)
             Finite and strictly increasing.
+        **settings : int or str
+            Values of the family's `settings`, by their names; the defaults where none is given.
 
         Raises
         ------
         CurveError
-            If they are no such numbers, or more than `most_points`.
+            If they are no such numbers, or more than `most_points`, or a setting is not allowed.
         """
         cls._check_count(np.shape(jets)[0] if np.ndim(jets) else 0, cls.name)
+        chosen_values(cls.settings, settings, cls.title)
         data = jet_array(jets, (len(np.asarray(jets)), cls.derivatives + 1))
-        return cls(*data.swapaxes(0, 1), parameters)  # type: ignore[call-arg]
+        return cls(*data.swapaxes(0, 1), parameters, **settings)  # type: ignore[call-arg]
 
     @classmethod
     def _check_count(cls, count: int, name: str) -> None:
@@ -241,8 +263,8 @@ class ParametricCurve(Immutable, ABC):
             raise CurveError(f"a curve of {name} can have {cls.most_points} points, not {count}")
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve of the same family with other data and parameters, as many as there may be."""
-        return self.from_jets(jets, parameters)
+        """Return a curve of the same family and settings with other data and parameters."""
+        return self.from_jets(jets, parameters, **self.chosen)
 
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with other data, (n, R, dim); its parameters are shared and not checked again."""
@@ -252,35 +274,62 @@ class ParametricCurve(Immutable, ABC):
 
     # What follows from the basis
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t.
+    @final
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t.
 
         Parameters
         ----------
-        t : float or array_like, shape (m,)
-            As for `basis`.
+        t : float or array_like of any shape
+            Finite, inside the domain or not. At a break the piece to the right counts.
         order : int, optional
             Order of the derivative, at least 0.
 
         Returns
         -------
-        ndarray, shape (dim,) or (m, dim)
+        ndarray, shape (*shape of t, n, R)
+            ``[..., i, r]`` is B_ir; of a single t of the shape (n, R).
+
+        Raises
+        ------
+        CurveError
+            If t is not finite, or order is negative.
+        """
+        at = parameter_values(t)
+        return at.shaped(self._basis(at.values, integer(order, "order", 0)))
+
+    @final
+    def evaluate(self, t: ArrayLike, order: int = 0, extrapolate: Extrapolate = True) -> FloatArray:
+        """Return the curve, or a derivative with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like of any shape
+            As for `basis`.
+        order : int, optional
+            Order of the derivative, at least 0.
+        extrapolate : bool or "periodic", optional
+            Outside the domain: True, the first or the last piece goes on; False, NaN; "periodic", the curve
+            repeats itself, so that the end of the domain counts as its beginning.
+
+        Returns
+        -------
+        ndarray, shape (*shape of t, dim)
             At a parameter t_i and order 0 exactly p_i.
 
         Raises
         ------
         CurveError
-            If t is not finite or has another shape, or order is negative.
+            If t is not finite, order is negative, or extrapolate something else.
         """
         at = parameter_values(t)
         rank = integer(order, "order", 0)
-        basis = self.basis(at.values, rank)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            data = self.jets.reshape(-1, self.jets.shape[2])
-            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
-        if rank == 0 and self.interpolates:
-            self._put_points(curve, at.values)
-        return curve[0] if at.is_scalar else curve
+        if extrapolate is True:
+            return at.shaped(self._evaluate(at.values, rank))
+        within = within_domain(at.values, self.domain, extrapolate)
+        curve = self._evaluate(within.t, rank)
+        curve[within.outside] = np.nan
+        return at.shaped(curve)
 
     def _put_points(self, curve: FloatArray, t: FloatArray) -> None:
         """Put p_i into rows of `curve` where t is t_i."""
@@ -361,7 +410,7 @@ class ParametricCurve(Immutable, ABC):
             t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
         values, scale = [], []
         for order in range(JOINT_ORDERS):
-            basis = self.basis(t, order).reshape(len(t), -1)
+            basis = self._basis(t, order).reshape(len(t), -1)
             data = self.jets.reshape(basis.shape[1], -1)
             values.append(basis @ data)
             scale.append((np.abs(basis) @ np.abs(data)).max(axis=1))
@@ -383,7 +432,7 @@ class ParametricCurve(Immutable, ABC):
             Per unit of t. Here by differences of curves with moved parameters, to some nine digits; the
             ends are moved outwards only, for a basis may end where they are.
         """
-        at = parameter_values(t).values
+        at = parameter_row(t)
         moves = [parameter_difference(self, at, index) for index in range(len(self._parameters))]
         return np.stack(moves, axis=1)
 

@@ -7,7 +7,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, parameter_values
+from curvecore.arrays import FloatArray, parameter_row
 from curvecore.families.curve import Interpolant, ParametricCurve
 from curvecore.families.differentiation_matrix import derivatives_by_matrix, matrix_serves
 from curvecore.families.product_form import ProductForm
@@ -106,7 +106,7 @@ class LagrangeCurve(ParametricCurve):
         to max sum |L_i(t)| <= 1e5 times larger than those of `evaluate`.
         """
         if matrix_serves(self._parameters, self.points, t, orders):
-            basis = self.basis(t)[:, :, 0]
+            basis = self._basis(t, 0)[:, :, 0]
             found = derivatives_by_matrix(self._parameters, self.points, basis, orders)
             if found is not None:
                 return found
@@ -116,37 +116,31 @@ class LagrangeCurve(ParametricCurve):
         """Return dc(t)/dt_i = -L_i(t) c'(t_i), shape (m, n, dim)."""
         (velocity,) = self.derivatives_at(self._parameters, (1,))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            moves: FloatArray = -self.basis(t)[:, :, 0, None] * velocity
+            moves: FloatArray = -self._basis(parameter_row(t), 0)[:, :, 0, None] * velocity
         return moves
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t; outside the domain the same polynomial."""
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         # Bringing the points near 1 keeps a sum of large terms that cancel in range.
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         with np.errstate(under="ignore"):
             points = np.ldexp(self.points, -exponent)
-        result = np.empty((points.shape[1], at.values.size))
+        result = np.empty((points.shape[1], t.size))
         with np.errstate(over="ignore", under="ignore"):
-            for part in self._product_form.basis_parts(at.values, rank):
+            for part in self._product_form.basis_parts(t, order):
                 values, scale = part.values, exponent[:, None]
                 if part.exponent is not None:
                     values, common = normalise(Scaled(values, part.exponent))
                     scale = scale + common
                 result[:, part.where] = scale_by_power(points.T @ values, scale)
-                if rank == 0:
+                if order == 0:
                     result[:, part.where.start + part.hits.columns] = self.points[part.hits.rows].T
-        curve = np.ascontiguousarray(result.T)
-        return curve[0] if at.is_scalar else curve
+        return np.ascontiguousarray(result.T)
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
         """Return all basis functions, or their derivatives; each function lies contiguous in memory."""
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
-        result = np.empty((len(self._parameters), at.values.size))
+        result = np.empty((len(self._parameters), t.size))
         with np.errstate(over="ignore", under="ignore"):
-            for part in self._product_form.basis_parts(at.values, rank, result):
+            for part in self._product_form.basis_parts(t, order, result):
                 if part.exponent is not None:
                     result[:, part.where] = scale_by_power(part.values, part.exponent)
         return result.T[:, :, None]

@@ -11,7 +11,7 @@ from curvecore.arrays import (
     FloatArray,
     IntArray,
     integer,
-    parameter_values,
+    parameter_row,
     read_only,
     unit_values,
 )
@@ -64,24 +64,15 @@ class PiecewiseHermite(ParametricCurve):
         """The degree of each piece: 2 R - 1."""
         return len(self._functions) - 1
 
-    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return the curve, or a derivative with respect to t; see `ParametricCurve.evaluate`.
-
-        Outside the domain the polynomial of the first or last segment continues; at a joint the segment to
-        the right counts, at the last joint the one to the left.
-        """
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
-        curve = self._evaluate_inside(at.values) if rank == 0 else None
-        if curve is None:
-            curve = self._evaluate_anywhere(at.values, rank)
-        return curve[0] if at.is_scalar else curve
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        # At a joint the segment to the right counts, at the last joint the one to the left.
+        curve = self._evaluate_inside(t) if order == 0 else None
+        return self._evaluate_anywhere(t, order) if curve is None else curve
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
         """Return the 2 R basis functions that live on each t's segment; see `ParametricCurve.local_basis`."""
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
-        local = self._scaled_basis(at.values, rank)
+        at, rank = parameter_row(t), integer(order, "order", 0)
+        local = self._scaled_basis(at, rank)
         values = local.values
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             h = np.diff(self._parameters)[local.segment, None]
@@ -93,11 +84,8 @@ class PiecewiseHermite(ParametricCurve):
         made_finite(values)
         return local
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve.basis`.
-
-        All but 2 R entries of a row are zero; `local_basis` leaves those out.
-        """
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        """Return all basis functions; `local_basis` leaves out the zeros, all but 2 R entries of a row."""
         local = self.local_basis(t, order)
         m, _, width = local.values.shape
         n = len(self._parameters)
@@ -138,7 +126,7 @@ class PiecewiseHermite(ParametricCurve):
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i at fixed data, - sum over r of B_ir(t) c^(r+1)(t_i), shape (m, n, dim)."""
-        at = parameter_values(t).values
+        at = parameter_row(t)
         segment, moves = self.local_parameter_derivatives(at)
         result = np.zeros((len(at), *self.points.shape))
         rows = np.arange(len(at))

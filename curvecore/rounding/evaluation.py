@@ -57,7 +57,7 @@ from curvecore.arrays import (
     integer,
     number_array,
     parameter_array,
-    parameter_values,
+    parameter_row,
     stacked_jets,
 )
 from curvecore.errors import CurveError
@@ -186,7 +186,7 @@ def rounded_decimals(
     """
     data = _data(points, parameters, velocities, accelerations, jerks)
     form, context = _form(data, method), decimal_context(digits)
-    where = parameter_values(t).values
+    where = parameter_row(t)
     match _known(rounding):
         case Rounding.EVERY_STEP:
             return form(data, decimals(where), context)
@@ -229,7 +229,7 @@ def exact_values(
     200 parameters, 0.1 s for 20.
     """
     data = _data(points, parameters, velocities, accelerations, jerks)
-    where = parameter_values(t).values
+    where = parameter_row(t)
     segments = data.segments(where)
     result = np.empty((len(where), data.jets.shape[2]))
     for segment in sorted(set(segments.tolist())):

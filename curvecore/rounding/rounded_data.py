@@ -11,7 +11,7 @@ from decimal import ROUND_HALF_EVEN, Context, Decimal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, number_array, parameter_values
+from curvecore.arrays import FloatArray, integer, number_array, parameter_row
 from curvecore.errors import CurveError
 
 MOST_DIGITS = 16
@@ -78,5 +78,5 @@ def round_significant(values: ArrayLike, digits: int) -> FloatArray:
 
 def _each(values: FloatArray, rounded: Callable[[Decimal], Decimal]) -> FloatArray:
     """Round numbers, which must be finite, as the shortest decimals that stand for them."""
-    flat = parameter_values(values.ravel()).values
+    flat = parameter_row(values.ravel())
     return np.array([float(rounded(Decimal(repr(x)))) for x in flat.tolist()]).reshape(values.shape)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from curvecore import (
+    CurveError,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
@@ -86,10 +87,67 @@ def test_shapes(family, rng):
     assert curve.evaluate(T).shape == (41, 2)
     assert curve.evaluate(T).flags.c_contiguous
     assert curve.basis(T).shape == (41, 5, width)
-    assert curve.basis(0.3).shape == (1, 5, width)
+    assert curve.basis(0.3).shape == (5, width)
     assert curve.basis([]).shape == (0, 5, width)
     assert build(family, rng, dim=1).evaluate(T).shape == (41, 1)
     assert build(family, rng, dim=4).evaluate(T).shape == (41, 4)
+
+
+@every_family
+@pytest.mark.parametrize("shape", [(), (1,), (0,), (2, 3), (3, 1, 2), (2, 0)])
+@pytest.mark.parametrize("order", [0, 2])
+def test_parameters_of_any_shape_lead_the_shape_of_the_result(family, rng, shape, order):
+    curve = build(family, rng)
+    t = rng.uniform(-0.2, 1.2, shape)
+    for method in (curve.evaluate, curve.basis):
+        result = method(t, order)
+        one_by_one = [method(float(each), order) for each in t.ravel()]
+        assert result.shape == (*shape, *method(0.5, order).shape)
+        # Sums of a matrix product in another order.
+        assert np.ravel(result) == pytest.approx(np.ravel(one_by_one), rel=1e-12, abs=1e-11)
+        assert result.flags.writeable
+
+
+@every_family
+def test_parameters_in_any_order_of_memory_keep_their_places(family, rng):
+    curve = build(family, rng)
+    t = np.asfortranarray(rng.uniform(0.0, 1.0, (4, 3)))
+    assert curve.evaluate(t)[2, 1] == pytest.approx(curve.evaluate(t[2, 1]), rel=1e-12)
+    assert curve.evaluate(t.T)[1, 2] == pytest.approx(curve.evaluate(t[2, 1]), rel=1e-12)
+
+
+@every_family
+@pytest.mark.parametrize("order", [0, 1])
+def test_outside_the_domain_a_curve_goes_on_ends_or_repeats_itself(family, rng, order):
+    curve = build(family, rng)
+    first, last = curve.domain
+    t = np.array([[first - 0.5, first, 0.3], [last, last + 0.25, 0.7]])
+    assert np.array_equal(curve.evaluate(t, order, True), curve.evaluate(t, order))
+    ended = curve.evaluate(t, order, extrapolate=False)
+    outside = (t < first) | (t > last)
+    assert np.isnan(ended[outside]).all()
+    assert ended[~outside] == pytest.approx(curve.evaluate(t, order)[~outside], rel=1e-12)
+    repeated = curve.evaluate(t, order, extrapolate="periodic")
+    inside = [[last - 0.5, first, 0.3], [first, first + 0.25, 0.7]]
+    assert repeated == pytest.approx(curve.evaluate(inside, order), rel=1e-12, abs=1e-12)
+    assert np.isnan(curve.evaluate(last + 1.0, extrapolate=False)).all()
+
+
+@every_family
+def test_a_period_that_rounding_fills_up_stays_inside_the_domain(family, rng):
+    curve = build(family, rng)
+    first, last = curve.domain
+    for t in (first - 1e-300, np.nextafter(first, -np.inf), last - 1e-17, first + 7 * (last - first)):
+        value = curve.evaluate(t, extrapolate="periodic")
+        ends = np.abs(value - curve.points[[0, -1]]).max(axis=1)
+        assert ends.min() <= 1e-13
+
+
+@pytest.mark.parametrize("wrong", ["Periodic", None, 1, "no"])
+def test_other_ways_to_extrapolate_are_refused(rng, wrong):
+    curve = build("lagrange", rng)
+    with pytest.raises(CurveError, match=r"extrapolate must be True, False or 'periodic', not"):
+        curve.evaluate([0.5], extrapolate=wrong)
 
 
 @every_family

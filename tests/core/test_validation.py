@@ -11,7 +11,15 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from curvecore import CurveError, HermiteCurve, LagrangeCurve, QuinticHermiteCurve, cubic_path, flatten
+from curvecore import (
+    CurveError,
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    cubic_path,
+    flatten,
+    parameter_sensitivity,
+)
 
 POINTS = [[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]
 T = [0.0, 0.5, 1.0]
@@ -80,7 +88,7 @@ def test_derivatives_need_the_shape_of_the_points():
     [
         (math.nan, 0, "t is nan; every value must be finite"),
         ([0.0, math.inf], 0, "t[1] is inf"),
-        ([[0.0]], 0, "t must be a number or have the shape (m,), not (1, 1)"),
+        ([[0.0, math.inf]], 0, "t[0, 1] is inf"),
         (0.5, -1, "order must be at least 0, not -1"),
         (0.5, 1.5, "order must be an integer, not 1.5"),
     ],
@@ -89,6 +97,14 @@ def test_bad_evaluation(curve, t, order, message):
     for method in (curve.evaluate, curve.basis):
         with pytest.raises(CurveError, match=re.escape(message)):
             method(t, order)
+
+
+def test_where_results_have_an_axis_for_t_it_is_a_number_or_a_row():
+    for ask in (parameter_sensitivity, HermiteCurve.local_basis):
+        with pytest.raises(
+            CurveError, match=re.escape("t must be a number or have the shape (m,), not (1, 1)")
+        ):
+            ask(HermiteCurve(POINTS, POINTS, T), [[0.0]])
 
 
 @pytest.mark.parametrize(

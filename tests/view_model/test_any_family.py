@@ -145,7 +145,7 @@ def test_the_basis_panel_shows_the_functions_of_the_curve(name):
     shown = basis_view(view)
     t = 1.7
     weights = weights_at(view, t)
-    assert weights == pytest.approx(view.cardinal.basis(t)[0], abs=1e-12)
+    assert weights == pytest.approx(view.cardinal.basis(t), abs=1e-12)
     assert weights @ view.points == pytest.approx(view.curve.evaluate(t), abs=1e-12)
     for index in range(len(POINTS)):
         for order in range(view.source.family.derivatives + 1):
@@ -430,6 +430,6 @@ def test_a_family_that_does_more_than_it_must_says_so(name):
     """`most_points` is None only where the class has something of its own to draw many points with."""
     kind = type(view_of(curve_of(name)).curve)
     if kind.most_points is None:
-        assert kind.evaluate is not ParametricCurve.evaluate
+        assert kind._evaluate is not ParametricCurve._evaluate
     if name in ("lagrange", "hermite", "quintic_hermite"):
         assert kind.most_points is None

@@ -171,12 +171,12 @@ class BasisScene(QObject):
 def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
     """Tell whether these are the functions of `view`.
 
-    Those of a family depend on it and the parameters alone; cardinal ones on the rules, too.
+    Those of a family depend on it, its settings and the parameters alone; cardinal ones on the rules, too.
     """
     if basis is None or not view.is_current or len(view.source.points) <= basis.owners[-1]:
         return False
     if cardinals or isinstance(basis, CardinalView):
         return cardinals and isinstance(basis, CardinalView) and basis.cardinal is view.cardinal
-    same_family = basis.curve.degree == view.pieces[0].degree and basis.kinds == view.pieces[0].jets.shape[1]
+    same_family = basis.curve.functions_key == view.pieces[0].functions_key
     closes = (basis.owners[-1] == 0) is view.source.is_closed
     return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)

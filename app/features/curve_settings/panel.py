@@ -14,6 +14,7 @@ from ...appearance.theme import Theme
 from ...document import edits
 from ...document.model import DERIVATIVES, Derivative
 from ...document.words import count_of, number
+from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
 from ...view_model.curve_view import CurveView, ParametricCurve
 from ...widgets.boxes import column_of, form_of, row_of
@@ -22,10 +23,20 @@ from ...widgets.field_edit import FieldEdit, NumberEdit
 from ...widgets.field_form import FieldForm
 from ...widgets.number_text import decimal_mark
 from ...widgets.tool_buttons import ICON, tool_button
+from .setting_fields import SettingFields, step_of
+
+_SETTINGS_ROW = 2
+"""The row of the form at which the settings of the family begin."""
 
 
 class CurveSettings(FieldForm):
-    """A form that shows a view, and asks for changes of its curve."""
+    """A form that shows a view, and asks for changes of its curve.
+
+    Attributes
+    ----------
+    settings
+        The fields of the family's settings.
+    """
 
     def __init__(self, view: CurveView, parent: QWidget | None = None) -> None:
         super().__init__("curveSettings", "curveProblem", parent)
@@ -58,6 +69,7 @@ class CurveSettings(FieldForm):
             ("Interval of t", interval),
             *((each.plural.capitalize(), box) for each, box in self.rule_boxes.items()),
         )
+        self.settings = SettingFields(self._form, _SETTINGS_ROW, self)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         reset = (self.reset_button, Qt.AlignmentFlag.AlignLeft)
@@ -71,6 +83,12 @@ class CurveSettings(FieldForm):
         for each, box in self.rule_boxes.items():
             box.activated.connect(partial(self._set_rule, each))
         self.reset_button.clicked.connect(self._reset_all)
+        self.settings.chosen.connect(self._choose_setting)
+        self.settings.rebuilt.connect(self._watch_settings)
+
+    def _watch_settings(self) -> None:
+        self.forget_entry()
+        self.watch(*(field.edit for field in self.settings.numbers.values()))
 
     # Rendering: nothing here writes back
 
@@ -95,6 +113,7 @@ class CurveSettings(FieldForm):
         self.name_edit.show_text(curve.name)
         for edit, value in zip((self.start_edit, self.end_edit), self._interval, strict=True):
             edit.show_number(value, 6)
+        self.settings.render_view(self._view)
         for each, box in self.rule_boxes.items():
             box.setCurrentIndex(list(each.rules).index(getattr(curve, each.rule_field)))
             self._form.setRowVisible(box, each.order <= curve.family.derivatives)
@@ -126,6 +145,13 @@ class CurveSettings(FieldForm):
         self.edited.emit(
             f"Choose {of.name} rule", lambda document, curve: edits.set_rule(document, curve, rule)
         )
+
+    def _choose_setting(self, setting: FamilySetting, value: SettingValue) -> None:
+        self.edited.emit(
+            step_of(setting, value),
+            lambda document, curve: edits.set_family_setting(document, curve, setting.name, value),
+        )
+        self._render()
 
     def _reset_all(self) -> None:
         everyone, orders = range(len(self._view.source.points)), orders_set(self._view)

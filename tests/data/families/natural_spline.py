@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, parameter_values
+from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
 
 
@@ -57,25 +56,24 @@ class NaturalSplineCurve(ParametricCurve):
             self._bends = np.linalg.solve(system, right)
         return self._bends
 
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
         """Return all basis functions, or their derivatives with respect to t; see `ParametricCurve`."""
-        at, rank = parameter_values(t).values, integer(order, "order", 0)
         x, n = self._parameters, len(self._parameters)
-        i = np.clip(np.searchsorted(x, at, side="right") - 1, 0, n - 2)
-        h, s, r = np.diff(x)[i], at - x[i], x[i + 1] - at
-        value, bend = np.zeros((len(at), 2)), np.zeros((len(at), 2))
-        if rank == 0:
+        i = np.clip(np.searchsorted(x, t, side="right") - 1, 0, n - 2)
+        h, s, r = np.diff(x)[i], t - x[i], x[i + 1] - t
+        value, bend = np.zeros((len(t), 2)), np.zeros((len(t), 2))
+        if order == 0:
             value = np.column_stack([r / h, s / h])
             bend = np.column_stack([r**3 / (6 * h) - h * r / 6, s**3 / (6 * h) - h * s / 6])
-        elif rank == 1:
+        elif order == 1:
             value = np.column_stack([-1 / h, 1 / h])
             bend = np.column_stack([h / 6 - r**2 / (2 * h), s**2 / (2 * h) - h / 6])
-        elif rank == 2:
+        elif order == 2:
             bend = np.column_stack([r / h, s / h])
-        elif rank == 3:
+        elif order == 3:
             bend = np.column_stack([-1 / h, 1 / h])
         result = bend[:, :1] * self._second[i] + bend[:, 1:] * self._second[i + 1]
-        rows = np.arange(len(at))
+        rows = np.arange(len(t))
         result[rows, i] += value[:, 0]
         result[rows, i + 1] += value[:, 1]
         return result[:, :, None]

@@ -1,0 +1,41 @@
+"""Check of the settings that a file gives a curve: those of its family, and allowed ones."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+
+from ..document.model import MAX_MAGNITUDE
+from ..families import Family
+
+
+def setting_problem(family: Family, settings: Mapping[str, object]) -> str:
+    """Return what is wrong with settings, to follow their place in the file; empty where nothing is.
+
+    Of a family that is missing nobody knows which it has: names and values that one might are kept.
+    """
+    known = {setting.name: setting for setting in family.settings}
+    for name, value in settings.items():
+        if name in known:
+            is_allowed, requirement = known[name].allows(value), known[name].requirement
+        elif family.is_missing and Family.may_be_called(name):
+            is_allowed, requirement = _may_be_setting(value), "a whole number or a word"
+        else:
+            return f" has a key that {family} does not know: {_shown(name)}"
+        if not is_allowed:
+            return f".{name} must be {requirement}, not {_shown(value)}"
+    return ""
+
+
+def _may_be_setting(value: object) -> bool:
+    return Family.may_be_called(value) or (type(value) is int and abs(value) <= MAX_MAGNITUDE)
+
+
+def _shown(value: object) -> str:
+    """Return a value of JSON as it stands in a file, where that is short."""
+    if isinstance(value, list | dict):
+        return "a list" if isinstance(value, list) else "an object {…}"
+    if isinstance(value, int) and abs(value) > MAX_MAGNITUDE:
+        return "a larger one"
+    text = str(value)
+    return json.dumps(f"{text[:40]}…" if isinstance(value, str) and len(text) > 40 else value)

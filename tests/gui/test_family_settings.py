@@ -1,0 +1,174 @@
+"""Settings of a family in the form of the curve: typed, dragged, stepped, chosen, undone."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSlider, QWidget
+
+from app.document.model import Document, make_curve
+from app.families import FAMILIES, LAGRANGE
+from tests.own_families import EVERY
+
+POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0))
+
+pytestmark = pytest.mark.usefixtures("own_families_in_windows")
+
+
+@pytest.fixture
+def swaying(editor):
+    curve = make_curve(POINTS, family=FAMILIES.named("tests_swaying"))
+    editor.session.commit(Document((curve,)), "Begin")
+    editor.show_dock("curveDock")
+    return editor
+
+
+def widget(editor, kind, name):
+    found = editor.window.findChild(kind, name)
+    assert found is not None
+    assert found.isVisible()
+    return found
+
+
+def amount(editor):
+    return widget(editor, QLineEdit, "settingAmount")
+
+
+def slider(editor):
+    return widget(editor, QSlider, "settingAmountSlider")
+
+
+def enter(editor, field, text, key=Qt.Key.Key_Return):
+    field.setFocus()
+    field.selectAll()
+    editor.type_text(field, text)
+    QTest.keyClick(field, key)
+
+
+def chosen(editor):
+    return dict(editor.curve.settings)
+
+
+def test_a_number_is_typed_and_undone(swaying):
+    steps = swaying.session.undo_stack.count()
+    assert amount(swaying).text() == "2"
+    enter(swaying, amount(swaying), "7")
+    assert chosen(swaying) == {"amount": 7}
+    assert swaying.session.active_view.curve.chosen["amount"] == 7
+    assert swaying.session.undo_stack.count() == steps + 1
+    assert swaying.session.undo_stack.undoText() == "Set amount of sway to 7"
+    assert slider(swaying).value() == 7
+    swaying.trigger("undo")
+    assert chosen(swaying) == {}
+    assert amount(swaying).text() == "2"
+    assert slider(swaying).value() == 2
+    swaying.trigger("redo")
+    assert amount(swaying).text() == "7"
+
+
+@pytest.mark.parametrize("text", ["10", "-1", "2.5"])
+def test_a_number_that_cannot_be_is_refused_and_stays_to_be_mended(swaying, text):
+    steps = swaying.session.undo_stack.count()
+    enter(swaying, amount(swaying), text)
+    problem = widget(swaying, QLabel, "curveProblem").text()
+    assert problem == "⚠ Amount of sway must be a whole number from 0 to 9."
+    assert amount(swaying).text() == text
+    assert swaying.session.undo_stack.count() == steps
+    QTest.keyClick(amount(swaying), Qt.Key.Key_Escape)
+    assert amount(swaying).text() == "2"
+
+
+def test_what_is_no_number_is_refused(swaying):
+    enter(swaying, amount(swaying), "few")
+    assert widget(swaying, QLabel, "curveProblem").text().startswith("⚠ ")
+    assert chosen(swaying) == {}
+
+
+def test_the_slider_is_live_one_step_and_cancellable(swaying):
+    handle, document = slider(swaying), swaying.session.document
+    steps = swaying.session.undo_stack.count()
+    handle.setSliderDown(True)
+    handle.setSliderPosition(8)
+    assert swaying.session.active_view.curve.chosen["amount"] == 8
+    swaying.wait_for_rest()
+    assert amount(swaying).text() == "8"
+    assert swaying.window.canvas.drawing.curve.ghost_opacity == 1
+    QTest.keyClick(handle, Qt.Key.Key_Escape)
+    assert swaying.session.document is document
+    swaying.settle()
+    assert handle.value() == 2
+    handle.setSliderDown(False)
+    handle.setSliderDown(True)
+    handle.setSliderPosition(6)
+    handle.setSliderPosition(4)
+    handle.setSliderDown(False)
+    assert chosen(swaying) == {"amount": 4}
+    assert swaying.session.undo_stack.count() == steps + 1
+
+
+def test_the_slider_is_stepped(swaying):
+    handle = slider(swaying)
+    handle.setFocus()
+    QTest.keyClick(handle, Qt.Key.Key_Right)
+    assert chosen(swaying) == {"amount": 3}
+    QTest.keyClick(handle, Qt.Key.Key_Left)
+    assert chosen(swaying) == {}
+
+
+def test_a_choice_is_chosen_and_undone(swaying):
+    box = widget(swaying, QComboBox, "settingFirstSide")
+    assert [box.itemText(row) for row in range(box.count())] == ["Left", "Right"]
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Down)
+    assert chosen(swaying) == {"first_side": "right"}
+    assert swaying.session.undo_stack.undoText() == "Set first side to Right"
+    swaying.trigger("undo")
+    assert chosen(swaying) == {}
+    assert box.currentText() == "Left"
+
+
+def test_the_fields_are_those_of_the_family(swaying):
+    swaying.choose_family(LAGRANGE)
+    swaying.settle()
+    assert swaying.window.findChild(QLineEdit, "settingAmount") is None
+    swaying.trigger("undo")
+    enter(swaying, amount(swaying), "5")
+    assert chosen(swaying) == {"amount": 5}
+    assert slider(swaying).value() == 5
+
+
+def test_a_refusal_after_the_family_has_changed_finds_no_field_that_is_gone(swaying):
+    enter(swaying, amount(swaying), "5")
+    swaying.choose_family(LAGRANGE)
+    swaying.settle()
+    start = widget(swaying, QLineEdit, "intervalStart")
+    enter(swaying, start, "2")
+    assert widget(swaying, QLabel, "curveProblem").text()
+
+
+def test_a_new_curve_has_the_settings(swaying):
+    enter(swaying, amount(swaying), "5")
+    swaying.trigger("newCurve")
+    assert chosen(swaying) == {"amount": 5}
+
+
+def test_settings_are_saved_and_opened(swaying, tmp_path):
+    enter(swaying, amount(swaying), "5")
+    path = tmp_path / "sway.curve.json"
+    swaying.session.save(path)
+    swaying.session.new()
+    swaying.session.open(path)
+    swaying.settle()
+    assert chosen(swaying) == {"amount": 5}
+    assert amount(swaying).text() == "5"
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_every_setting_of_every_family_has_a_field_with_a_tip(editor, name):
+    family = FAMILIES.named(name)
+    editor.session.commit(Document((make_curve(POINTS, family=family),)), "Begin")
+    editor.show_dock("curveDock")
+    for setting in family.settings:
+        words = "".join(word.capitalize() for word in setting.name.split("_"))
+        field = widget(editor, QWidget, f"setting{words}")
+        assert field.accessibleName() == setting.label
+        assert field.toolTip().startswith(setting.tip)
