@@ -105,6 +105,21 @@ def test_a_corner_has_two_velocities_and_both_accelerations():
     validate(cornered)
 
 
+def test_a_corner_has_both_jerks_and_turns_round_with_its_signs():
+    document = edits.set_derivative(manual(), 0, 1, 3, (1.0, 2.0))
+    document = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
+    document = edits.set_derivative(document, 0, 1, 3, (5.0, 6.0), ahead=True)
+    document = edits.set_derivative(document, 0, 1, 2, (7.0, 8.0), ahead=True)
+    point = document.curves[0].points[1]
+    assert (point.jerk, point.jerk_after) == ((1.0, 2.0), (5.0, 6.0))
+    parameters = [each.t for each in document.curves[0].points]
+    turned = curve_edits.reverse_curve(document, 0, parameters).curves[0].points[-2]
+    assert (turned.velocity, turned.velocity_after) == ((-0.0, -1.0), (-1.0, -0.0))
+    assert (turned.acceleration, turned.acceleration_after) == ((7.0, 8.0), None)
+    assert (turned.jerk, turned.jerk_after) == ((-5.0, -6.0), (-1.0, -2.0))
+    validate(document)
+
+
 def test_a_smooth_point_has_one_velocity():
     cornered = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
     point = edits.make_smooth(cornered, 0, 1, (0.5, 0.5)).curves[0].points[1]
