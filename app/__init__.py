@@ -26,4 +26,4 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``testing``: a driver for pytest-qt.
 """
 
-__version__ = "0.1.0"
+from curvecore import __version__ as __version__

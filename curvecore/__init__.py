@@ -14,9 +14,10 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`,
 tangents             velocities and accelerations estimated from points
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
-                     `HermiteCurve`, `QuinticHermiteCurve`, `SepticHermiteCurve`;
-                     `BasisCurve` of any basis functions; `Chain`, curves end
-                     to end: corners
+                     `HermiteCurve`, `QuinticHermiteCurve`, `SepticHermiteCurve`,
+                     `CubicSplineCurve`, `FloaterHormannCurve`; over control points
+                     `BezierCurve` and `BSplineCurve`; `BasisCurve` of any basis
+                     functions; `Chain`, curves end to end: corners; `FamilySetting`
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots
@@ -27,6 +28,13 @@ bezier.bernstein     Bernstein form: fast evaluation from control points
   flatten            polylines within a tolerance, of Bezier pieces and of
                      samples (flatten_samples); polylines: their geometry
   arcs               Bezier arcs that searches halve
+
+calculus             curves differentiated, integrated, solved, and brought to SciPy:
+                     methods of every curve
+  derivative         `Derivative`, a curve; `Antiderivative`, likewise
+  integrals          between two parameters
+  solutions          where a coordinate has a value
+  scipy_objects      `BPoly` and `PPoly`
 
 drag                 updates while points or parameters move:
   frozen_samples     polylines while points move and parameters stay
@@ -55,13 +63,16 @@ rounding.evaluation  curves computed with k decimal digits, and the truth
 
 scaling, vectors     numbers with separate exponents; lengths, cross products
 double_double        numbers of 106 bits, where plain ones would cancel
+working_memory       arrays that are kept from call to call
+tridiagonal          systems of splines
 ===================  =======================================================
 
 Arguments are copied and checked; attributes are read-only; there is no global
-state. Indices count from 0. A module is imported when one of its names is
+state but working memory. Indices count from 0. A module is imported when one of its names is
 first used (SPEC 1): the list of names is ``__init__.pyi``.
 """
 
 from curvecore.late_names import late_names
 
+__version__ = "0.1.0"
 __getattr__, __dir__, __all__ = late_names(__name__, __file__)

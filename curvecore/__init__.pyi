@@ -52,20 +52,27 @@ from curvecore.bezier.flatten import flatten_parameters as flatten_parameters
 from curvecore.bezier.flatten import flatten_pieces as flatten_pieces
 from curvecore.bezier.polylines import MAX_VERTICES as MAX_VERTICES
 from curvecore.bezier.polylines import Pieces as Pieces
+from curvecore.calculus.antiderivative import Antiderivative as Antiderivative
+from curvecore.calculus.derivative import Derivative as Derivative
 from curvecore.drag.frozen_samples import FrozenFlattening as FrozenFlattening
 from curvecore.drag.frozen_segments import FrozenSegments as FrozenSegments
 from curvecore.errors import CurveError as CurveError
+from curvecore.families.b_spline import BSplineCurve as BSplineCurve
 from curvecore.families.basis_curve import BasisCurve as BasisCurve
 from curvecore.families.basis_curve import Scheme as Scheme
+from curvecore.families.bezier_curve import BezierCurve as BezierCurve
 from curvecore.families.chain import Chain as Chain
+from curvecore.families.cubic_spline import CubicSplineCurve as CubicSplineCurve
 from curvecore.families.curve import Interpolant as Interpolant
 from curvecore.families.curve import LocalBasis as LocalBasis
 from curvecore.families.curve import ParametricCurve as ParametricCurve
+from curvecore.families.floater_hormann import FloaterHormannCurve as FloaterHormannCurve
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.septic_hermite import SepticHermiteCurve as SepticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
+from curvecore.families.spline_system import SplineEnds as SplineEnds
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
 from curvecore.parametrization import chord_length as chord_length
@@ -89,3 +96,5 @@ from curvecore.tangents import natural_spline_accelerations as natural_spline_ac
 from curvecore.tangents import natural_spline_jerks as natural_spline_jerks
 from curvecore.tangents import natural_spline_velocities as natural_spline_velocities
 from curvecore.tangents import zero_accelerations as zero_accelerations
+
+__version__: str

@@ -61,6 +61,19 @@ def multiply(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
     return _renormalised(product, rest)
 
 
+def divide(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
+    """Return a / b with a relative error of about 2**-102; b is not 0."""
+    quotient = a.high / b.high
+    part = multiply(DoubleDouble(quotient, np.zeros_like(quotient)), b)
+    rest = add(a, DoubleDouble(-part.high, -part.low))
+    return _renormalised(quotient, rest.high / b.high)
+
+
+def reciprocal(a: DoubleDouble) -> DoubleDouble:
+    """Return 1 / a with a relative error of about 2**-102; a is not 0."""
+    return divide(DoubleDouble(np.ones_like(a.high), np.zeros_like(a.high)), a)
+
+
 def times(a: DoubleDouble, factor: float) -> DoubleDouble:
     """Return a times a small integer."""
     if abs(factor) in (1.0, 2.0, 4.0, 8.0):

@@ -182,3 +182,12 @@ def _check_increasing(parameters: FloatArray, what: str) -> None:
     if not increasing.all():
         i = int(np.argmin(increasing))
         raise CurveError(f"{what} {i} and {i + 1} would be equal in double precision", (i, i + 1))
+
+
+def with_one_more(parameters: FloatArray, t: float) -> FloatArray:
+    """Return parameters with one more at t inside of them, or halfway to the next where t is one of them."""
+    index = int(np.searchsorted(parameters, t))
+    if parameters[index] == t:
+        t = 0.5 * (t + float(parameters[index + 1]))
+        index += 1
+    return np.insert(parameters, index, t)

@@ -27,8 +27,7 @@ from curvecore.arrays import FloatArray, parameter_array, point_array
 from curvecore.errors import CurveError
 from curvecore.parametrization import relative_spacing
 from curvecore.scaling import SMALLEST
-
-_FEW = 48  # equations, up to which a full matrix takes a fifth of the time of NumPy's calls without one
+from curvecore.tridiagonal import solve_dominant
 
 _Arguments = ParamSpec("_Arguments")
 
@@ -194,7 +193,7 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
     before = np.concatenate((zero, 0.5 * (1.0 - share), half))
     after = np.concatenate((half, 0.5 * share, zero))
     inner = 3.0 * (before[1:-1] * slope[:-1] + after[1:-1] * slope[1:])
-    return _solve_dominant(before, after, np.concatenate((1.5 * slope[:1], inner, 1.5 * slope[-1:])))
+    return solve_dominant(before, after, np.concatenate((1.5 * slope[:1], inner, 1.5 * slope[-1:])))
 
 
 @_in_range
@@ -209,7 +208,7 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
     after = np.concatenate((zero, 0.5 * (h[1:] / length), zero))
     none = np.zeros((1, slope.shape[1]))
     right_side = np.concatenate((none, 3.0 * ((slope[1:] - slope[:-1]) / length), none))
-    return _solve_dominant(before, after, right_side)
+    return solve_dominant(before, after, right_side)
 
 
 def natural_spline_jerks(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
@@ -232,50 +231,3 @@ def _jerks_between(accelerations: FloatArray, parameters: ArrayLike) -> FloatArr
 def zero_accelerations(points: ArrayLike) -> FloatArray:
     """Return zeros of the shape of the points, (n, dim)."""
     return np.zeros_like(point_array(points))
-
-
-def _solve_dominant(before: FloatArray, after: FloatArray, right_side: FloatArray) -> FloatArray:
-    """Solve before_i x_(i-1) + x_i + after_i x_(i+1) = right_side_i.
-
-    Cyclic reduction of every row at once: each round eliminates the nearest
-    neighbours, which doubles the distance of those that remain and squares
-    the bound on |before| + |after|. From 1/2, six rounds leave 2**-64.
-
-    Parameters
-    ----------
-    before, after : ndarray, shape (n, 1)
-        With |before| + |after| <= 1/2; before[0] = after[-1] = 0.
-    right_side : ndarray, shape (n, dim)
-        Overwritten.
-
-    Returns
-    -------
-    ndarray, shape (n, dim)
-    """
-    if len(right_side) <= _FEW:
-        return _solve_few(before, after, right_side)
-    n, distance = len(right_side), 1
-    while distance < n and distance <= 32:
-        d = distance
-        diagonal = np.ones((n, 1))
-        diagonal[d:] -= before[d:] * after[:-d]
-        diagonal[:-d] -= after[:-d] * before[d:]
-        solved = right_side.copy()
-        solved[d:] -= before[d:] * right_side[:-d]
-        solved[:-d] -= after[:-d] * right_side[d:]
-        next_before, next_after = np.zeros((n, 1)), np.zeros((n, 1))
-        next_before[d:] = -before[d:] * before[:-d]
-        next_after[:-d] = -after[:-d] * after[d:]
-        before, after = next_before / diagonal, next_after / diagonal
-        right_side = solved / diagonal
-        distance *= 2
-    return right_side
-
-
-def _solve_few(before: FloatArray, after: FloatArray, right_side: FloatArray) -> FloatArray:
-    """Solve the same by elimination in a full matrix; dominance keeps the multipliers below 1."""
-    n = len(right_side)
-    matrix = np.eye(n)
-    matrix.flat[n :: n + 1] = before[1:, 0]
-    matrix.flat[1 :: n + 1] = after[:-1, 0]
-    return np.asarray(np.linalg.solve(matrix, right_side), dtype=np.float64)

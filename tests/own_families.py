@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from scipy.interpolate import BSpline
 
 from app.families import FAMILIES
 
@@ -40,4 +41,24 @@ def averaging(t, parameters):
     return weights / weights.sum(axis=1)[:, None]
 
 
-TRUE_BASIS = {"tests_averaging": averaging, "tests_gaussian": gaussian, "tests_cosine_steps": cosine_steps}
+def bezier(t, parameters):
+    """The Bernstein functions: B-splines without knots inside."""
+    n, ends = len(parameters), np.repeat(parameters[[0, -1]], len(parameters))
+    return BSpline(ends, np.eye(n), n - 1)(t)
+
+
+def b_spline(t, parameters):
+    """The B-splines of a degree of at most 3, by SciPy."""
+    degree = min(3, len(parameters) - 1)
+    ends = np.repeat(parameters[[0, -1]], degree + 1)
+    knots = np.concatenate((ends[: degree + 1], parameters[2:-2], ends[degree + 1 :]))
+    return BSpline(knots, np.eye(len(parameters)), degree)(t)
+
+
+TRUE_BASIS = {
+    "b_spline": b_spline,
+    "bezier": bezier,
+    "tests_averaging": averaging,
+    "tests_cosine_steps": cosine_steps,
+    "tests_gaussian": gaussian,
+}

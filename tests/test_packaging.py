@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import app
+import curvecore
 from app.storage.resources import resource
 from app.window.connect import all_actions
 
@@ -42,10 +43,11 @@ def text_of(name):
 
 
 def test_the_version_stands_in_one_place():
-    assert PROJECT["tool"]["hatch"]["version"]["path"] == "app/__init__.py"
+    assert PROJECT["tool"]["hatch"]["version"]["path"] == "curvecore/__init__.py"
     assert "version" in PROJECT["project"]["dynamic"]
     assert "version" not in PROJECT["project"]
-    assert re.fullmatch(r"\d+\.\d+\.\d+", app.__version__)
+    assert re.fullmatch(r"\d+\.\d+\.\d+", curvecore.__version__)
+    assert app.__version__ is curvecore.__version__
 
 
 def test_the_changelog_has_room_for_what_comes_next():

@@ -21,6 +21,7 @@ from ..tools.tool import Tool
 from ..view_model.basis_view import weights_at
 from ..view_model.curve_view import CurveView
 from .annotations import Annotations
+from .control_polygon_layer import ControlPolygonLayer
 from .curve_layer import CurveLayer
 from .grid_layer import GridLayer
 from .hit_test import hit_test
@@ -51,8 +52,8 @@ class CanvasScene:
         The grid behind the drawing; the unit at the axes.
     others, selected
         The curves that are not edited; those of them that are selected together with it.
-    curve, points
-        The curve that is edited.
+    polygon, curve, points
+        The curve that is edited, and its control polygon if it does not pass its points.
     annotations
         What explains it: figures, ghosts, other versions, the legend.
     marks, pen
@@ -69,6 +70,7 @@ class CanvasScene:
         self.units = UnitLayer(plot)
         self.others = OtherCurvesLayer(plot)
         self.selected = SelectedCurvesLayer(plot)
+        self.polygon = ControlPolygonLayer(plot)
         self.curve = CurveLayer(plot)
         self.annotations = Annotations(plot)
         self.points = PointLayer(plot)
@@ -82,6 +84,7 @@ class CanvasScene:
         """Show the curve that is edited; a ghost of the old one fades when a rule has changed."""
         self._show_ghost_of_other_rules(view)
         self.view = view
+        self.polygon.render(view)
         self.curve.render(view)
         self._show_weights()
         self.points.render(view)

@@ -242,9 +242,14 @@ class Curve(Value, frozen=True, dict=True):
         return self if family == self.family else replace(self, family=family, settings=NO_SETTINGS)
 
     @property
+    def settings_in_effect(self) -> ChosenSettings:
+        """The settings, with those that closing decides."""
+        return self.family.in_effect(self.settings, closed=self.is_closed)
+
+    @property
     def functions_key(self) -> tuple[Family, ChosenSettings]:
         """What, with the parameters, determines its basis functions."""
-        return self.family, self.settings
+        return self.family, self.settings_in_effect
 
     @property
     def is_closed(self) -> bool:

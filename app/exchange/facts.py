@@ -190,7 +190,7 @@ def _facts_of_points(curve: Curve) -> CurveFacts:
         curve.parametrization,
         len(curve.points),
         visible=curve.visible,
-        settings=curve.family.values_of(curve.settings),
+        settings=curve.family.values_of(curve.settings_in_effect),
     )
 
 

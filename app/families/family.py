@@ -99,6 +99,16 @@ class Family:
         return (self._curve_class.full_title if self._curve_class is not None else "") or self.title
 
     @property
+    def functions(self) -> str:
+        """The name of its basis functions, to begin a sentence."""
+        return ParametricCurve.functions if self._curve_class is None else self._curve_class.functions
+
+    @property
+    def point(self) -> str:
+        """The word for its points within a sentence: those beside their curves are control points."""
+        return "point" if self.interpolates else "control point"
+
+    @property
     def tip(self) -> str:
         """A line about its curves."""
         return (self._curve_class.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
@@ -160,6 +170,11 @@ class Family:
             return ChosenSettings(chosen)
         defaults = {setting.name: setting.default for setting in self.settings}
         return ChosenSettings((name, value) for name, value in chosen.items() if value != defaults.get(name))
+
+    def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
+        """Return the settings of a curve, open or closed, of which these were chosen."""
+        fixed = {each.name: each.when_closed for each in self.settings if each.when_closed is not None}
+        return self.without_defaults({**chosen, **fixed}) if closed and fixed else chosen
 
     def make(
         self,

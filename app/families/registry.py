@@ -99,19 +99,21 @@ def _any_package_brings_families() -> bool:
     )
 
 
-def _further() -> Iterator[Family]:
-    """Yield the families of the core that are not named below: each is a file of its own there."""
-    for file in iter_modules(curvecore.families.__path__):
-        for curve_class in families_of_module(import_module(f"curvecore.families.{file.name}")):
-            if Family.of(curve_class) not in _FIRST:
-                yield Family.of(curve_class)
+def _of_the_core() -> Iterator[Family]:
+    """Yield the families of the core in the order of their places: each is a file of its own there."""
+    found = [
+        curve_class
+        for file in iter_modules(curvecore.families.__path__)
+        for curve_class in families_of_module(import_module(f"curvecore.families.{file.name}"))
+    ]
+    for curve_class in sorted(found, key=lambda each: (each.place, each.name)):
+        yield Family.of(curve_class)
 
 
-LAGRANGE = Family.of(LagrangeCurve)
-HERMITE = Family.of(HermiteCurve)
-QUINTIC_HERMITE = Family.of(QuinticHermiteCurve)
-_FIRST = (LAGRANGE, HERMITE, QUINTIC_HERMITE)
-FAMILIES = Families([*_FIRST, *_further()])
+FAMILIES = Families(tuple(_of_the_core()))
+LAGRANGE, HERMITE, QUINTIC_HERMITE = (
+    FAMILIES.named(each.name) for each in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve)
+)
 
 
 def family_named(name: str) -> Family:

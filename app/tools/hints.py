@@ -28,7 +28,7 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool
     """Return the hint over a point or a handle."""
     if hit.part is Part.POINT:
         others = len(selection) > 1 and hit.index in selection
-        what = words.points(selection) if others else f"point {hit.index}"
+        what = words.points(selection) if others else f"{view.source.family.point} {hit.index}"
         text = f"Drag to move {what} · Shift: one axis, a click toggles · Ctrl: {_snap_word(snaps)}"
         if view.source.family.derivatives:
             text += " · Alt: pull out its velocity"

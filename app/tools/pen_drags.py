@@ -151,4 +151,9 @@ class InsertPoint(CurveDrag, frozen=True, dict=True):
         document = replace_curve(self.document, self.curve, self.on_curve.curve)
         if self._is_on_curve(pointer):
             return document
-        return edits.set_position(document, self.curve, self.hit.index, self.snapper.at(pointer))
+        place = self.snapper.at(pointer)
+        if not self.view.source.family.interpolates:
+            # The control point is not where the curve was pressed: it goes the same way.
+            way = (place[0] - self.hit.position[0], place[1] - self.hit.position[1])
+            place = plus(self.on_curve.curve.points[self.hit.index].position, way)
+        return edits.set_position(document, self.curve, self.hit.index, place)

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from ..document import words
 from ..document.edits import freeze_parameters, set_parameters
 from ..document.model import DERIVATIVES, Document, Vector
+from ..view_model.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingHost
 from .pointer import Cursor, Hint, Hit, Part, Pointer
@@ -197,9 +198,10 @@ class RailTool(ScrubTool):
         if hit is None or hit.part is Part.SCRUB:
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
-            return Hint(_tick_hint(hit.index, context.host.selected.points), cursor=Cursor.WIDER)
+            return Hint(_tick_hint(hit, context.view, context.host.selected.points), cursor=Cursor.WIDER)
         kind = f"{DERIVATIVES[hit.kind - 1].name} function" if hit.kind else "basis function"
-        return Hint(f"The {kind} of point {hit.index} · Click to select the point")
+        point = context.view.source.family.point
+        return Hint(f"The {kind} of {point} {hit.index} · Click to select the point")
 
 
 def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:
@@ -218,9 +220,14 @@ def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
     return DragTicks(frozen, host.active_index, parameters, knot, frozenset(knots), point, start)
 
 
-def _tick_hint(index: int, selection: frozenset[int]) -> str:
+def _tick_hint(hit: Hit, view: CurveView, selection: frozenset[int]) -> str:
+    index, family = hit.index, view.source.family
     is_one_of_several = index in selection and len(selection) > 1
     what = f"t of {len(selection)} points" if is_one_of_several else f"t of point {index}"
+    if not (family.interpolates or is_one_of_several or view.curve is None):
+        if view.is_current and view.curve.idle_parameters[hit.knot]:
+            return f"t of point {index} does nothing to {family.a_curve}: its ends and knots do"
+        what = f"the knot at t of point {index}" if 0 < index < len(view.points) - 1 else what
     return (
         f"Drag to change {what} · E: all ticks on the side you move to go along · "
         "Shift+click selects more · Double-click types t"

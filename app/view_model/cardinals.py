@@ -71,7 +71,7 @@ def _made(
     curve: Curve, points: FloatArray, basis_curve: ParametricCurve, arrays: PointArrays
 ) -> CardinalBasis | None:
     if not curve.family.derivatives:
-        return CardinalBasis(basis_curve)
+        return CardinalBasis(basis_curve, closed=curve.is_closed)
     follow = moved_with_points(curve, points, basis_curve.parameters, arrays)
     try:
         reach = REACH if len(curve.points) < _MANY else _SHORT_REACH

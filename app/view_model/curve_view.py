@@ -274,7 +274,7 @@ def _core_curve(
 
     `frozen` is a curve of the family with these parameters, and without corners.
     """
-    make = partial(curve.family.make, settings=curve.settings)
+    make = partial(curve.family.make, settings=curve.settings_in_effect)
     if not curve.family.derivatives:
         jets = points[:, None]
         return make(jets, parameters) if frozen is None else frozen.with_jets(jets), None

@@ -16,11 +16,11 @@ from curvecore.arrays import FloatArray, IntArray
 from ..document.curve_edits import reverse_curve
 from ..document.edits import EditError, freeze_parameters, stretched
 from ..document.jet_edits import JetValue, with_jet_values
-from ..document.model import Curve, Document, Point, Vector
+from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
 from ..document.words import number
-from .curve_view import CurveView, view_of
+from .curve_view import CurveView, ParametricCurve, view_of
 from .jets import Sides
-from .measure import dense, largest_distance, outcome
+from .measure import dense, is_kept, largest_distance, outcome
 
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""
@@ -37,11 +37,14 @@ class Reshaped(msgspec.Struct, frozen=True):
         The largest distance by which a point of the curve moved, measured on dense samples.
     parameters_moved
         Whether the rule gave the points that were there other parameters, so that the shape is another.
+    left_rule
+        Whether the parameters had to become manual for the shape to stay.
     """
 
     curve: Curve
     residual: float
     parameters_moved: bool = False
+    left_rule: bool = False
 
     @property
     def sentence(self) -> str:
@@ -49,7 +52,8 @@ class Reshaped(msgspec.Struct, frozen=True):
         if self.parameters_moved:
             return f"The parameters moved: largest change {number(self.residual, 2)}."
         words = outcome(self.residual, (self.curve,))
-        return words[0].upper() + words[1:]
+        manual = " The parameters are manual now." if self.left_rule else ""
+        return words[0].upper() + words[1:] + manual
 
 
 def baked(view: CurveView) -> Curve:
@@ -87,7 +91,8 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
 
     Under manual parameters the curve stays what it was to rounding: the derivatives at `t` become explicit,
     and so do those of other points whose estimates the new point would change. Under a rule the parameters
-    move, the derivatives are stretched along, and the shape changes by the residual.
+    move, the derivatives are stretched along, and the shape changes by the residual. Of control points there
+    is one more, and others move so that the shape stays, under manual parameters where it has to be.
 
     Raises
     ------
@@ -96,6 +101,13 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     """
     refuse_without_curve(view)
     index = _place_between(view, t)
+    assert view.curve is not None
+    longer = view.curve.refined(t)
+    if longer is not None:
+        made = through(view, longer)
+        left_rule = made.is_manual and not view.source.is_manual
+        at = dense(longer.parameters)
+        return Reshaped(made, largest_distance(view, at, view_of(made), at), left_rule=left_rule)
     curve = view.source
     point = _sampled(view, t)
     if not curve.is_manual:
@@ -111,13 +123,46 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     return Reshaped(grown, _change(view, after, np.insert(view.parameters, index, t)), parameters_moved=True)
 
 
+def inserted_index(view: CurveView, t: float) -> int:
+    """Return the index of the point that `with_point_inserted` makes: the control point nearest to `t`."""
+    longer = view.curve.refined(t) if view.curve is not None and view.is_current else None
+    if longer is None:
+        return int(np.searchsorted(view.parameters, t))
+    return int(np.argmin(np.abs(longer.places - t)))
+
+
+def through(view: CurveView, curve: ParametricCurve) -> Curve:
+    """Return the curve of a view with the points and parameters of `curve`, which has the same shape.
+
+    The rule for the parameters stays where it gives this shape; else they become manual. What points carry
+    beside their places stays with those that stay.
+    """
+    source = view.source
+    places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
+    old = {point.position: point for point in source.points}
+    points = [replace(old.get((x, y), Point(x, y)), x=x, y=y, t=t) for (x, y), t in places]
+    start, end = curve.domain
+    rule = replace(source.parametrization, start=start, end=end)
+    ruled = replace(source, points=tuple(points), parametrization=rule)
+    if not source.is_manual and (after := view_of(ruled)).is_current:
+        assert after.curve is not None
+        t = dense(curve.parameters)
+        away = float(np.abs(after.curve.evaluate(t) - curve.evaluate(t)).max())
+        if is_kept(away, (ruled,)):
+            return replace(ruled, points=tuple(replace(point, t=None) for point in points))
+    return replace(ruled, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
+
+
 def _place_between(view: CurveView, t: float) -> int:
     knots = view.parameters
     if not knots[0] < t < knots[-1]:
         raise EditError(f"There is no place for a point at t = {number(t, 6)}: it lies outside the curve.")
-    nearest = int(np.argmin(np.abs(knots - t)))
-    if abs(knots[nearest] - t) <= 1e-9 * (knots[-1] - knots[0]):
-        raise EditError(f"Point {view.owner(nearest)} is there already.")
+    assert view.curve is not None
+    away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
+    nearest = int(np.argmin(away))
+    if away[nearest] <= 1e-9 * (knots[-1] - knots[0]):
+        what = f"Point {view.owner(nearest)}" if view.source.family.interpolates else "A knot"
+        raise EditError(f"{what} is there already.")
     return int(np.searchsorted(knots, t))
 
 

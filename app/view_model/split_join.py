@@ -19,10 +19,12 @@ from ..families import HERMITE, titles_with_derivatives
 from .curve_view import CurveView, view_of
 from .measure import dense, is_kept, largest_distance, outcome
 from .plane import polygon_length, size_of
-from .reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
+from .reshape import Reshaped, baked, refuse_without_curve, through, with_point_inserted
 
 MOST_POINTS_SPLIT = 40
 """Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""
+
+_BETWEEN_ENDS = "The curve can be split between its ends, not at them."
 
 _COINCIDE = 1e-9
 """Distance, relative to the size of two curves, up to which end and start are one point."""
@@ -51,9 +53,9 @@ class Split(msgspec.Struct, frozen=True):
 def split(view: CurveView, t: float) -> Split:
     """Cut the curve at `t`, at a joint or between two; a closed curve becomes an open one that begins there.
 
-    A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives. Of one
-    polynomial each half goes through as many points as the whole, at Chebyshev points of its part of t, and
-    is thereby the same polynomial.
+    A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives; and so is a
+    curve over control points, by subdivision. Of one polynomial each half goes through as many points as the
+    whole, at Chebyshev points of its part of t, and is thereby the same polynomial.
 
     Raises
     ------
@@ -63,7 +65,9 @@ def split(view: CurveView, t: float) -> Split:
     """
     refuse_without_curve(view)
     family = view.source.family
-    parts = _split_polynomial(view, t) if family.is_one_polynomial else _split_pieces(view, t)
+    parts = _restricted(view, t)
+    if parts is None:
+        parts = _split_polynomial(view, t) if family.is_one_polynomial else _split_pieces(view, t)
     made = Split(parts, _residual_of_parts(view, parts))
     if not family.is_one_polynomial and not is_kept(made.residual, parts):
         raise EditError(
@@ -71,6 +75,21 @@ def split(view: CurveView, t: float) -> Split:
             f"{number(made.residual, 2)} away. Choose {titles_with_derivatives()} first."
         )
     return made
+
+
+def _restricted(view: CurveView, t: float) -> tuple[Curve, ...] | None:
+    """Return both parts as curves over their own control points; None of a family without such."""
+    assert view.curve is not None
+    start, end = view.curve.domain
+    if not start < t < end:
+        return None
+    parts = []
+    for half, name in zip(((start, t), (t, end)), _names_of_parts(view.source.name), strict=True):
+        part = view.curve.restricted(*half)
+        if part is None:
+            return None
+        parts.append(replace(through(view, part), name=name))
+    return tuple(parts)
 
 
 def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
@@ -82,7 +101,7 @@ def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
         )
     start, end = view.parameters[[0, -1]].tolist()
     if not start < t < end:
-        raise EditError("The curve can be split between its ends, not at them.")
+        raise EditError(_BETWEEN_ENDS)
     halves = ((start, t), (t, end))
     return tuple(
         _part(view.source, _on_polynomial(view, *half), half[1], name)
@@ -110,7 +129,7 @@ def _split_pieces(view: CurveView, t: float) -> tuple[Curve, ...]:
         return (_opened(whole, whole.owner(nearest)),)
     points = whole.source.points
     if not 0 < nearest < len(points) - 1:
-        raise EditError("The curve can be split between its ends, not at them.")
+        raise EditError(_BETWEEN_ENDS)
     first, second = _names_of_parts(view.source.name)
     ending, beginning = points[nearest].without_corner(), _beginning(points[nearest])
     return (

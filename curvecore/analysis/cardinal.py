@@ -149,7 +149,7 @@ class CardinalBasis:
     follow : Follow, optional
         How its derivatives follow the points; without it they stay where they are.
     closed : bool, optional
-        Whether the last joint is the first point again; of local families only.
+        Whether the last joint is the first point again.
     reach : int, optional
         How many joints away from a point the estimates still depend on it; more than that is left out.
 
@@ -184,7 +184,7 @@ class CardinalBasis:
         self.closed = closed
         self.parameters = curve.parameters
         self.count = len(self.parameters) - closed
-        if (closed or follow is not None) and not curve.is_local:
+        if follow is not None and not curve.is_local:
             raise CurveError("curve must be of a family whose functions are local")
         self._estimates = None if follow is None else self._estimated(follow, reach)
 
@@ -301,6 +301,9 @@ class CardinalBasis:
             # Two rows of data belong to a joint of two pieces.
             rows = np.flatnonzero(np.diff(joint_of_row(self.curve), prepend=-1))
             basis = np.add.reduceat(basis, rows, axis=1)
+        if self.closed:
+            basis[:, 0] += basis[:, -1]
+            basis = basis[:, :-1]
         return LocalCardinals(np.broadcast_to(np.arange(self.count), basis.shape), basis)
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:

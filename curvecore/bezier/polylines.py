@@ -50,6 +50,8 @@ def points_at(curve: ParametricCurve, t: FloatArray) -> FloatArray:
 def chord_bound(controls: FloatArray) -> FloatArray:
     """Bound the distance between arcs and their chords: max |c''| / 8 over s in [0, 1]."""
     degree = controls.shape[1] - 1
+    if degree == 1:
+        return np.zeros(len(controls))
     second = controls[:, 2:] - 2.0 * controls[:, 1:-1] + controls[:, :-2]
     sizes = np.hypot(second[:, :, 0], second[:, :, 1])
     bound: FloatArray = _along_columns(np.maximum, sizes) * (degree * (degree - 1) / 8.0)

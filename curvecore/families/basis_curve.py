@@ -93,6 +93,10 @@ class BasisCurve(ParametricCurve):
         if self.interpolates:
             self._check_cardinal()
 
+    def __repr__(self) -> str:
+        """Return a short description, with the name of the scheme."""
+        return f"{type(self).__name__}({self._shape_in_words()}, scheme={self._scheme.name!r})"
+
     @property
     def name(self) -> str:  # type: ignore[override]
         """That of the scheme."""

@@ -55,6 +55,10 @@ class Chain(ParametricCurve):
         self._parameters = read_only(end_to_end(piece.parameters for piece in self._pieces))
         self._jets = read_only(np.concatenate([piece.jets for piece in self._pieces]))
 
+    def __repr__(self) -> str:
+        """Return a short description: number of pieces, joints and so on."""
+        return f"Chain(pieces={len(self._pieces)}, {self._shape_in_words()})"
+
     @property
     def name(self) -> str:  # type: ignore[override]
         """That of the pieces."""
@@ -85,6 +89,11 @@ class Chain(ParametricCurve):
     def is_local(self) -> bool:  # type: ignore[override]
         """Whether all pieces are of local families."""
         return all(piece.is_local for piece in self._pieces)
+
+    @property
+    def interpolates(self) -> bool:  # type: ignore[override]
+        """Whether all pieces run through their points."""
+        return all(piece.interpolates for piece in self._pieces)
 
     @property
     def is_positive(self) -> bool:

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from typing import ClassVar, NamedTuple, Self, final
+from typing import ClassVar, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import (
+    BoolArray,
     FloatArray,
     IntArray,
-    integer,
     jet_array,
     parameter_array,
     parameter_row,
-    parameter_values,
     read_only,
     stacked_jets,
 )
+from curvecore.calculus.methods import Calculus
 from curvecore.errors import CurveError
-from curvecore.families.extrapolation import Extrapolate, within_domain
+from curvecore.families.evaluation import Evaluation
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_differences import parameter_difference
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
@@ -89,7 +88,7 @@ class Slopes(NamedTuple):
     error: FloatArray
 
 
-class ParametricCurve(Immutable, ABC):
+class ParametricCurve(Calculus, Evaluation, Immutable):
     """A parametric curve that is linear in its data.
 
     c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for
@@ -123,10 +122,14 @@ class ParametricCurve(Immutable, ABC):
         What may be chosen about the functions beside the parameters.
     title : str
         The family's, as people read it.
+    functions : str
+        The name of the basis functions, to begin a sentence, where they have one.
     derivatives : int
         How many derivatives belong to each point: R - 1.
     full_title : str
         The same where nothing else says what it is: cubic Hermite.
+    place : int
+        Where it stands among the families of a program that lists them, in ascending order.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
@@ -144,9 +147,11 @@ class ParametricCurve(Immutable, ABC):
 
     name: ClassVar[str]
     title: ClassVar[str]
+    functions: ClassVar[str] = "Basis functions"
     settings: ClassVar[tuple[FamilySetting, ...]] = ()
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
+    place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
@@ -168,14 +173,18 @@ class ParametricCurve(Immutable, ABC):
         for name in self._caches:
             setattr(self, name, None)
 
+    def __repr__(self) -> str:
+        """Return a short description: class, number of points, dimension, domain and settings."""
+        settings = "".join(f", {name}={value!r}" for name, value in self._chosen)
+        return f"{type(self).__name__}({self._shape_in_words()}{settings})"
+
+    def _shape_in_words(self) -> str:
+        first, last = self.domain
+        return f"n={len(self._parameters)}, dim={self._jets.shape[2]}, domain=({first:.6g}, {last:.6g})"
+
     # What a family says
 
-    @abstractmethod
-    def _basis(self, t: FloatArray, order: int) -> FloatArray:
-        """Return B_ir^(order) at finite t (m,), inside the domain or not, as (m, n, R); order >= 0.
-
-        At a break the piece to the right counts.
-        """
+    # `_basis` is abstract in `Evaluation`.
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         """Return the order-th derivative of the curve at finite t (m,), as (m, dim)."""
@@ -274,63 +283,6 @@ class ParametricCurve(Immutable, ABC):
 
     # What follows from the basis
 
-    @final
-    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
-        """Return all basis functions, or their derivatives with respect to t.
-
-        Parameters
-        ----------
-        t : float or array_like of any shape
-            Finite, inside the domain or not. At a break the piece to the right counts.
-        order : int, optional
-            Order of the derivative, at least 0.
-
-        Returns
-        -------
-        ndarray, shape (*shape of t, n, R)
-            ``[..., i, r]`` is B_ir; of a single t of the shape (n, R).
-
-        Raises
-        ------
-        CurveError
-            If t is not finite, or order is negative.
-        """
-        at = parameter_values(t)
-        return at.shaped(self._basis(at.values, integer(order, "order", 0)))
-
-    @final
-    def evaluate(self, t: ArrayLike, order: int = 0, extrapolate: Extrapolate = True) -> FloatArray:
-        """Return the curve, or a derivative with respect to t.
-
-        Parameters
-        ----------
-        t : float or array_like of any shape
-            As for `basis`.
-        order : int, optional
-            Order of the derivative, at least 0.
-        extrapolate : bool or "periodic", optional
-            Outside the domain: True, the first or the last piece goes on; False, NaN; "periodic", the curve
-            repeats itself, so that the end of the domain counts as its beginning.
-
-        Returns
-        -------
-        ndarray, shape (*shape of t, dim)
-            At a parameter t_i and order 0 exactly p_i.
-
-        Raises
-        ------
-        CurveError
-            If t is not finite, order is negative, or extrapolate something else.
-        """
-        at = parameter_values(t)
-        rank = integer(order, "order", 0)
-        if extrapolate is True:
-            return at.shaped(self._evaluate(at.values, rank))
-        within = within_domain(at.values, self.domain, extrapolate)
-        curve = self._evaluate(within.t, rank)
-        curve[within.outside] = np.nan
-        return at.shaped(curve)
-
     def _put_points(self, curve: FloatArray, t: FloatArray) -> None:
         """Put p_i into rows of `curve` where t is t_i."""
         joint = np.minimum(np.searchsorted(self._parameters, t), len(self._parameters) - 1)
@@ -376,6 +328,32 @@ class ParametricCurve(Immutable, ABC):
         """Whether no B_i0 is negative in the domain; they add up to 1, so that no error grows there."""
         return False
 
+    # What the points and parameters of a curve that passes its points by do
+
+    @property
+    def places(self) -> FloatArray:
+        """The parameters near which the points act most, shape (n,): t_i, of control points others."""
+        return self._parameters
+
+    @property
+    def idle_parameters(self) -> BoolArray:
+        """Whether the curve stays what it is when t_i alone changes, shape (n,)."""
+        return np.zeros(len(self._parameters), dtype=bool)
+
+    def refined(self, t: float) -> Self | None:
+        """Return the same curve with one more control point, for more detail near t inside the domain.
+
+        None where that is done by one more point on the curve, or cannot be done.
+        """
+        return None
+
+    def restricted(self, start: float, end: float) -> Self | None:
+        """Return the same curve on a stretch of its domain, start < end, as one of its own family.
+
+        None where that takes the data at both ends of the stretch alone, or cannot be done.
+        """
+        return None
+
     # Polynomial pieces
 
     def bezier_pieces(self) -> FloatArray | None:
@@ -385,6 +363,24 @@ class ParametricCurve(Immutable, ABC):
         control points are of no use to draw it (see `lagrange_to_bezier`).
         """
         return None
+
+    def exact_pieces(self) -> FloatArray | None:
+        """Return the Bezier control points of the pieces between `breaks` also of high degree, or None.
+
+        They are for a change of basis; None where the curve is no polynomial, or one through too many points.
+        """
+        return self.bezier_pieces()
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return a curve of this family that is `curve`, written with other data; exact but for rounding.
+
+        Raises
+        ------
+        CurveError
+            If there is none, or no way to it is known: the message says why.
+        """
+        raise CurveError(f"no curve is known to be a {cls.title} curve as well")
 
     def bezier_slopes(self, exponent: int) -> Slopes | None:
         """Return the control points of the derivatives of `bezier_pieces` times 2**-exponent, from the data.

@@ -40,6 +40,7 @@ class HermiteCurve(PiecewiseHermite):
     name = "hermite"
     title = "Hermite"
     full_title = "cubic Hermite"
+    place = 20
     derivatives = 1
     _functions = CUBIC
 

@@ -1,4 +1,4 @@
-"""Base class of objects that never change: their copies, and what comes back from a pickle.
+"""Base class of objects that never change: equality, copies, and what comes back from a pickle.
 
 NumPy pickles values and not flags, so an array that came back would be
 writeable, next to values computed from what it held before. A copy of what
@@ -23,6 +23,21 @@ class Immutable:
 
     _caches: ClassVar[tuple[str, ...]] = ()
 
+    def __eq__(self, other: object) -> bool:
+        """Whether the other object is of the same class and holds the same."""
+        if self is other:
+            return True
+        if type(self) is not type(other) or not isinstance(other, Immutable):
+            return NotImplemented
+        return self._key() == other._key()
+
+    def __hash__(self) -> int:
+        """Return a number that equal objects share."""
+        return hash(self._key())
+
+    def _key(self) -> tuple[object, ...]:
+        return tuple(_key(value) for value in self.__getstate__().values())
+
     def __copy__(self) -> Self:
         """Return the object itself."""
         return self
@@ -43,6 +58,14 @@ class Immutable:
             setattr(self, name, value)
         for name in self._caches:
             setattr(self, name, None)
+
+
+def _key(value: object) -> object:
+    """Return what is equal, and has the same hash, where values and their shapes are the same."""
+    if isinstance(value, np.ndarray):
+        # Adding 0 makes -0.0, which is equal to 0.0, the same bytes.
+        return value.shape, (value + 0.0).tobytes()
+    return tuple(_key(each) for each in value) if isinstance(value, tuple) else value
 
 
 def _freeze(value: object) -> None:

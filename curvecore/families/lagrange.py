@@ -8,9 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, parameter_row
+from curvecore.errors import CurveError
 from curvecore.families.curve import Interpolant, ParametricCurve
 from curvecore.families.differentiation_matrix import derivatives_by_matrix, matrix_serves
 from curvecore.families.product_form import ProductForm
+from curvecore.families.same_shape import pieces_of
+from curvecore.parametrization import chebyshev
 from curvecore.scaling import Scaled, normalise, scale_by_power
 
 
@@ -54,6 +57,7 @@ class LagrangeCurve(ParametricCurve):
 
     name = "lagrange"
     title = "Lagrange"
+    place = 10
     is_one_polynomial = True
     most_points = None
 
@@ -94,6 +98,23 @@ class LagrangeCurve(ParametricCurve):
     def is_positive(self) -> bool:
         """Whether no L_i is negative in the domain: only those of a straight line are not."""
         return len(self._parameters) == 2
+
+    def exact_pieces(self) -> FloatArray | None:
+        """Return the control points of the one polynomial; None of more than 64 points."""
+        from curvecore.bezier.conversion import MOST, bezier_stretch  # noqa: PLC0415 - it imports this module
+
+        return bezier_stretch(self, *self.domain)[None] if len(self._parameters) <= MOST else None
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return one polynomial through Chebyshev points of another way to write it."""
+        chain = pieces_of(curve, None, cls.title)
+        if len(chain.controls) > 1:
+            raise CurveError(f"a {cls.title} curve is one polynomial, and this one is {len(chain.controls)}")
+        start, end = curve.domain
+        t = start + chebyshev(chain.controls.shape[1]) * (end - start)
+        t[-1] = end
+        return cls(curve.evaluate(t), t)
 
     def interpolants(self) -> list[Interpolant]:
         """Return the one polynomial: all points."""

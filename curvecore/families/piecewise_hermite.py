@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,9 +26,12 @@ from curvecore.families.curve import (
 )
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import end_derivative_terms, slopes_of
+from curvecore.families.same_shape import joint_jets, pieces_of
+from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
 
+_ALL = 8  # segments a parameter, up to which all are expanded and kept
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
@@ -39,8 +42,8 @@ class PiecewiseHermite(ParametricCurve):
     ends, B_ik = h**k f_k(s, r), and each derivative divides by h once more.
     """
 
-    __slots__ = ("_columns",)
-    _caches = ("_columns",)
+    __slots__ = ("_columns", "_expansions")
+    _caches = ("_columns", "_expansions")
 
     can_close = True
     is_local = True
@@ -48,6 +51,7 @@ class PiecewiseHermite(ParametricCurve):
     _functions: ClassVar[tuple[LeftFunctions, ...]]
 
     _columns: FloatArray | None  # weighted control points, made when first needed
+    _expansions: dict[int, TaylorPieces | None] | None  # of derivatives by their order, likewise
 
     @property
     def breaks(self) -> FloatArray:
@@ -66,7 +70,7 @@ class PiecewiseHermite(ParametricCurve):
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         # At a joint the segment to the right counts, at the last joint the one to the left.
-        curve = self._evaluate_inside(t) if order == 0 else None
+        curve = self._evaluate_inside(t, order)
         return self._evaluate_anywhere(t, order) if curve is None else curve
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
@@ -147,6 +151,12 @@ class PiecewiseHermite(ParametricCurve):
                 moves[:, end] = -np.einsum("mr,mrd->md", values[:, end], slopes)
         return segment, moves
 
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return the curve with the same derivatives at the breaks of another of at most its degree."""
+        chain = pieces_of(curve, 2 * cls.derivatives + 1, cls.title)
+        return cls.from_jets(joint_jets(chain, cls.derivatives, cls.title), chain.breaks)
+
     def evaluate_segments(self, s: ArrayLike) -> FloatArray:
         """Return the curve at the same relative places of every segment.
 
@@ -194,15 +204,33 @@ class PiecewiseHermite(ParametricCurve):
             return np.repeat(np.arange(count.size), count)
         return np.searchsorted(inner, t, side="right")
 
-    def _evaluate_inside(self, t: FloatArray) -> FloatArray | None:
-        """Evaluate through the control points, where that is possible."""
-        if not self._is_inside(t):
+    def _evaluate_inside(self, t: FloatArray, order: int) -> FloatArray | None:
+        """Evaluate by expansions or through the control points, where that is possible."""
+        if not t.size or order > self.degree or not self._is_inside(t):
             return None
+        # Of quintics and above, control points are both the faster and the more accurate way to values.
+        if order or self.degree == 3:
+            pieces = self._taylor_pieces(t, order)
+            return None if pieces is None else pieces.evaluate(t)
         columns = self._weighted_controls()
         # Near the end of the floating point range the general method is the safe one.
         if np.abs(columns).max() >= LIMIT:
             return None
         return evaluate_inside(t, self._segments(t), self._parameters, columns)
+
+    def _taylor_pieces(self, t: FloatArray, order: int) -> TaylorPieces | None:
+        """Return the expansions of the order-th derivative, of few parameters those that they need."""
+        if self._expansions is None:
+            self._expansions = {}
+        joints, jets = self._parameters, self._jets
+        if order not in self._expansions:
+            if len(joints) > _ALL * (t.size + _ALL):
+                chosen = np.unique(self._segments(t))
+                return taylor_pieces(
+                    joints[chosen], joints[chosen + 1], jets[chosen], jets[chosen + 1], order
+                )
+            self._expansions[order] = taylor_pieces(joints[:-1], joints[1:], jets[:-1], jets[1:], order)
+        return self._expansions[order]
 
     def _evaluate_anywhere(self, t: FloatArray, order: int) -> FloatArray:
         """Sum the basis functions times the data, both free of powers of h."""

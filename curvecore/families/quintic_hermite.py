@@ -39,6 +39,7 @@ class QuinticHermiteCurve(PiecewiseHermite):
 
     name = "quintic_hermite"
     title = "quintic Hermite"
+    place = 30
     derivatives = 2
     _functions = QUINTIC
 

@@ -33,6 +33,9 @@ class FamilySetting:
         The least and the largest whole number; None for a setting with choices.
     choices : tuple of (str, str), optional
         The values and what people read for each, of a setting that is no number.
+    when_closed : int or str, optional
+        The value of closed curves, whatever was chosen: what makes them smooth where they close. None where
+        closing asks for nothing.
     """
 
     name: str
@@ -41,6 +44,7 @@ class FamilySetting:
     tip: str = ""
     limits: tuple[int, int] | None = None
     choices: tuple[tuple[str, str], ...] = ()
+    when_closed: SettingValue | None = None
 
     @property
     def label(self) -> str:

@@ -35,7 +35,7 @@ SIZE = (1200, 600)
 def document(n: int, family: Family, kind: ParametrizationKind) -> Document:
     """A wave of n points; at Chebyshev points for Lagrange, the only sane choice for many."""
     s = np.linspace(0, 1, n)
-    if family is LAGRANGE:
+    if family.is_one_polynomial:
         s = (1 - np.cos(np.pi * s)) / 2
     x, y = 4 * s, 1 + 0.7 * np.sin(14 * s)
     points = tuple(Point(float(a), float(b)) for a, b in zip(x, y, strict=True))
@@ -120,7 +120,8 @@ def bend(editor: Editor) -> Times:
     return drag(canvas.viewport(), place, counted(editor), ["canvas"], pace=PACE)
 
 
-NAMES = {LAGRANGE: "Lagrange", HERMITE: "Hermite", QUINTIC_HERMITE: "quintic"}
+OF_THE_COURSE = (LAGRANGE, HERMITE, QUINTIC_HERMITE)
+"""Families that are dragged in every way; the others only where all of them are asked for."""
 
 EXPLAINING = ("overlayComb", "overlayBand", "plotLebesgue")
 """Actions that switch on what follows a drag beside the curve; the budget is for all of them together."""
@@ -134,14 +135,14 @@ EXPLAINING_GHOSTS = {
 
 def frozen(family: Family) -> ParametrizationKind:
     """The rule whose parameters do not follow the points."""
-    return ParametrizationKind.CHEBYSHEV if family is LAGRANGE else ParametrizationKind.UNIFORM
+    return ParametrizationKind.CHEBYSHEV if family.is_one_polynomial else ParametrizationKind.UNIFORM
 
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_a_point_dragged_at_frozen_parameters(open_wave, beside, family):
     """The functions rest, in the peer too."""
     editor = open_wave(20, family, frozen(family))
-    what = f"{NAMES[family]} n = 20, a point"
+    what = f"{family.title} n = 20, a point"
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 4.6, functions=False)
 
 
@@ -149,7 +150,7 @@ def test_a_point_dragged_at_frozen_parameters(open_wave, beside, family):
 def test_a_point_dragged_under_chord_length(open_wave, beside, family):
     """The parameters follow the points, so canvas and basis panel both change."""
     editor = open_wave(20, family, ParametrizationKind.CHORD_LENGTH)
-    what = f"{NAMES[family]} n = 20, a point, chord length"
+    what = f"{family.title} n = 20, a point, chord length"
     assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), 2.6)
 
 
@@ -159,21 +160,21 @@ def test_a_point_dragged_under_its_cardinal_functions(open_wave, beside, family,
     """Under chord length the estimates change with every move, and every function with them."""
     editor = open_wave(n, family, ParametrizationKind.CHORD_LENGTH)
     editor.trigger("toggleEstimates")
-    what = f"{NAMES[family]} n = {n}, a point, with the estimates"
+    what = f"{family.title} n = {n}, a point, with the estimates"
     assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), most, n=n)
 
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_a_parameter_dragged(open_wave, beside, family):
     editor = open_wave(20, family, frozen(family))
-    assert beside(f"{NAMES[family]} n = 20, a parameter", lambda: drag_tick(editor), 2.7)
+    assert beside(f"{family.title} n = 20, a parameter", lambda: drag_tick(editor), 2.7)
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.CENTRIPETAL])
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", OF_THE_COURSE)
 def test_the_curve_bent_while_a_rule_answers(open_wave, beside, family, kind):
     editor = open_wave(20, family, kind)
-    what = f"{NAMES[family]} n = 20, bent, {kind.value.replace('_', ' ')}"
+    what = f"{family.title} n = 20, bent, {kind.value.replace('_', ' ')}"
     assert beside(what, lambda: bend(editor), 3.1)
 
 
@@ -181,7 +182,7 @@ def test_the_curve_bent_while_a_rule_answers(open_wave, beside, family, kind):
 def test_a_thousand_points(open_wave, beside, family):
     """The peer paints a thousand functions in full, and so it does in the tests that follow."""
     editor = open_wave(1000, family, frozen(family))
-    what = f"{NAMES[family]} n = 1000, a point"
+    what = f"{family.title} n = 1000, a point"
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 0.1, n=1000)
 
 
@@ -209,7 +210,7 @@ def test_ten_thousand_points(open_wave, beside):
 
 
 @pytest.mark.parametrize("errors", [(0.01, 0.0), (0.01, 0.001)], ids=["points", "points and parameters"])
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", OF_THE_COURSE)
 def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, family, errors):
     """With comb, band, and two ghosts, one of which has other parameters in every frame."""
     editor = open_wave(20, family, frozen(family))
@@ -218,19 +219,19 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, fa
     for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
         editor.trigger(name)
     error = "error of points" if not errors[1] else "and parameters"
-    what = f"{NAMES[family]} n = 20, comb, band ({error}), Λ(t), ghosts"
+    what = f"{family.title} n = 20, comb, band ({error}), Λ(t), ghosts"
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 6.5)
     assert len(editor.window.canvas.drawing.annotations.figure_layer.ghosts) == 2
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", OF_THE_COURSE)
 def test_a_point_dragged_under_all_that_explains_while_parameters_move(open_wave, beside, family):
     """Under chord length the functions and the Lebesgue function change in every frame, too."""
     editor = open_wave(20, family, ParametrizationKind.CHORD_LENGTH)
     editor.window.analysis.set_value(POINT_ERROR, 0.02)
     for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
         editor.trigger(name)
-    what = f"{NAMES[family]} n = 20, the same under chord length"
+    what = f"{family.title} n = 20, the same under chord length"
     assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), 7)
 
 

@@ -9,11 +9,14 @@ import pytest
 
 from curvecore import (
     ArcLength,
+    BasisCurve,
     Chain,
     CurveError,
+    FamilySetting,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    Scheme,
     arc_length,
     chord_length,
     nearest,
@@ -31,6 +34,7 @@ OBJECTS = {
     "chain": Chain([LINE, HermiteCurve(POINTS[1:3], POINTS[2:], [1, 2])]),
     "arc length": ArcLength(LINE, 1e-9),
 }
+HATS = Scheme("hats", lambda t, x: np.stack([np.interp(t, x, e) for e in np.eye(len(x))], axis=1))
 WAYS = {
     "copy": copy.copy,
     "deepcopy": copy.deepcopy,
@@ -76,6 +80,83 @@ def test_a_copy_cannot_be_changed_and_says_the_same(name, way, used):
         if not isinstance(other, ArcLength):
             assert not array.flags.writeable
     np.testing.assert_equal(values_of(other), values_of(original))
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+@pytest.mark.parametrize("way", WAYS)
+def test_what_holds_the_same_is_equal(name, way):
+    original = OBJECTS[name]
+    values_of(original)
+    other = WAYS[way](original)
+    assert other == original
+    assert hash(other) == hash(original)
+    assert len({original, other}) == 1
+
+
+def test_curves_of_other_data_parameters_classes_or_shapes_differ():
+    moved = POINTS + np.eye(4, 2) * 2.0**-50
+    different = [
+        *OBJECTS.values(),
+        LagrangeCurve(moved, uniform(4)),
+        LagrangeCurve(POINTS, 2.0 * uniform(4)),
+        LagrangeCurve(POINTS[:, :1], uniform(4)),
+        HermiteCurve(POINTS, POINTS, uniform(4)),
+        LINE,
+        LINE.derivative(),
+        LINE.derivative(2),
+        LINE.antiderivative(),
+        BasisCurve(POINTS[:2], [0, 1], HATS),
+        BasisCurve(POINTS[:2], [0, 1], HATS._replace(name="others")),
+    ]
+    for i, one in enumerate(different):
+        assert [one == other for other in different] == [i == k for k in range(len(different))]
+        assert one != POINTS.tolist()
+    assert len(set(different)) == len(different)
+
+
+def test_a_zero_is_a_zero():
+    one, other = (LagrangeCurve([[zero, 1.0], [1.0, 2.0]], [zero, 1.0]) for zero in (0.0, -0.0))
+    assert one == other
+    assert hash(one) == hash(other)
+
+
+@pytest.mark.parametrize(
+    ("curve", "text"),
+    [
+        (OBJECTS["hermite"], "HermiteCurve(n=4, dim=2, domain=(0, 1))"),
+        (OBJECTS["quintic"], "QuinticHermiteCurve(n=4, dim=2, domain=(0, 1))"),
+        (LagrangeCurve([[0.0], [1.0]], [-1.5, 1 / 3]), "LagrangeCurve(n=2, dim=1, domain=(-1.5, 0.333333))"),
+        (OBJECTS["chain"], "Chain(pieces=2, n=3, dim=2, domain=(0, 2))"),
+        (BasisCurve(POINTS[:2], [0, 1], HATS), "BasisCurve(n=2, dim=2, domain=(0, 1), scheme='hats')"),
+        (LINE.derivative(2), "Derivative(HermiteCurve(n=2, dim=2, domain=(0, 1)), order=2)"),
+        (LINE.antiderivative(), "Antiderivative(HermiteCurve(n=2, dim=2, domain=(0, 1)))"),
+    ],
+)
+def test_a_curve_says_in_short_what_it_is(curve, text):
+    assert repr(curve) == text
+
+
+def test_a_curve_is_no_array_of_numbers():
+    """NumPy would take whatever can be counted or iterated apart."""
+    for curve in OBJECTS.values():
+        assert np.asarray(curve).shape == ()
+        assert np.asarray(curve).dtype == object
+
+
+def test_a_curve_is_of_what_was_chosen_for_its_functions():
+    class Tense(LagrangeCurve):
+        __slots__ = ()
+        name = title = "tense"
+        settings = (FamilySetting("tension", "tension", 1, limits=(0, 9)),)
+
+        def __init__(self, points, parameters, **settings):
+            self._keep(np.asarray(points, dtype=float)[:, None], parameters, **settings)
+
+    one, other = (Tense(POINTS, uniform(4), tension=tension) for tension in (1, 2))
+    assert one != other
+    assert one == Tense(POINTS, uniform(4))
+    assert hash(one) == hash(Tense(POINTS, uniform(4)))
+    assert repr(other) == "Tense(n=4, dim=2, domain=(0, 1), tension=2)"
 
 
 MASKED = np.ma.masked_array(POINTS, mask=POINTS == 3.0)

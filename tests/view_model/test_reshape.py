@@ -12,12 +12,13 @@ from app.document.model import Document, ParametrizationKind, Point, VelocityRul
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from app.view_model.measure import dense
-from app.view_model.reshape import Reshaped, baked, reversed_curve, with_point_inserted
+from app.view_model.reshape import Reshaped, baked, inserted_index, reversed_curve, with_point_inserted
 from app.view_model.smoothness import made_smooth, with_corners
 from app.view_model.split_join import Split, joined, split
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.0), (6.0, -1.0), (7.0, 1.0))
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
+OVER_CONTROL_POINTS = [family for family in FAMILIES if not family.interpolates]
 # Values are about 10, a handful of operations of 2⁻⁵³ each on values and derivatives.
 ROUNDING = 1e-13
 
@@ -88,7 +89,7 @@ def test_a_new_point_on_a_polynomial_changes_nothing_under_manual_parameters():
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family.interpolates])
 def test_under_a_rule_the_parameters_move_and_the_change_is_measured(family, kind):
     before = view(family, manual=False)
     curve = before.source
@@ -105,6 +106,57 @@ def test_under_a_rule_the_parameters_move_and_the_change_is_measured(family, kin
     moved = np.hypot(*(old[:, None] - new[None]).transpose(2, 0, 1)).min(axis=1).max()
     # From no old point is the new curve farther away than was said; 9000 samples lie about 0.002 apart.
     assert 1e-4 < moved <= made.residual + 0.002
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL])
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 6, 12])
+@pytest.mark.parametrize("family", OVER_CONTROL_POINTS)
+def test_one_more_control_point_keeps_the_shape_under_every_rule(family, count, kind):
+    """A B-spline leaves its rule for that; the inner parameters of a Bézier curve do nothing anyway."""
+    points = [(float(x), float(x * x % 5)) for x in range(count)]
+    before = view(family, points, manual=kind is ParametrizationKind.MANUAL)
+    if kind is not ParametrizationKind.MANUAL:
+        rule = replace(before.source.parametrization, kind=kind)
+        before = view_of(replace(before.source, parametrization=rule))
+    for t in np.linspace(*before.curve.domain, 14)[1:-1]:
+        made = with_point_inserted(before, float(t))
+        after = view_of(made.curve)
+        assert len(made.curve.points) == count + 1
+        assert made.residual < ROUNDING
+        assert distance(before, after) < ROUNDING
+        assert not made.parameters_moved
+        assert made.left_rule is (made.curve.is_manual and kind is not ParametrizationKind.MANUAL)
+        assert made.sentence.endswith("The parameters are manual now.") is made.left_rule
+        if family.name == "bezier":
+            assert made.curve.parametrization.kind is kind
+        # The one that is called the new one is the nearest to the place on the curve, by its parameter.
+        index = inserted_index(before, float(t))
+        assert abs(after.curve.places[index] - t) == np.abs(after.curve.places - t).min()
+
+
+def test_there_is_no_second_knot_where_there_is_one():
+    """Knots of higher multiplicity are not written down by parameters that increase."""
+    before = view(FAMILIES.named("b_spline"))
+    with pytest.raises(EditError, match="A knot is there already"):
+        with_point_inserted(before, float(before.parameters[3]))
+    # What is no knot stands nobody in the way.
+    made = with_point_inserted(before, float(before.parameters[1]))
+    assert distance(before, view_of(made.curve)) < ROUNDING
+
+
+@pytest.mark.parametrize("place", [0.3, "a parameter"])
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 6, 12])
+@pytest.mark.parametrize("family", OVER_CONTROL_POINTS)
+def test_a_curve_over_control_points_is_split_exactly(family, count, place):
+    before = view(family, [(float(x), float(x * x % 5)) for x in range(count)], manual=False)
+    t = float(before.parameters[count // 2]) if place == "a parameter" and count > 2 else 0.3
+    made = split(before, t)
+    assert made.residual < ROUNDING
+    first, second = map(view_of, made.curves)
+    assert (first.curve.domain, second.curve.domain) == ((0.0, t), (t, 1.0))
+    for part in (first, second):
+        assert distance(part, before) < ROUNDING
+    assert [part.name for part in made.curves] == ["Curve 1 a", "Curve 1 b"]
 
 
 def test_handles_stay_when_a_point_is_inserted_under_a_rule():

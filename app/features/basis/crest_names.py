@@ -33,7 +33,7 @@ _HELD_MS = 200
 
 
 class Crest(NamedTuple):
-    """Greatest value of a function; that of a position is named at its t_i, where all others are 0."""
+    """Greatest value of a function; that of a point on the curve is named at its t_i, where others are 0."""
 
     owner: int
     kind: int
@@ -44,7 +44,7 @@ class Crest(NamedTuple):
 def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
     """Return the crests of the functions of these kinds; that of a derivative lies ahead of its knot."""
     knots, last = basis.curve.parameters.tolist(), basis.count - 1
-    found = [Crest(basis.owners[knot], 0, t, 1.0) for knot, t in enumerate(knots) if 0 in kinds]
+    found = [_crest_of_point(basis, knot, t) for knot, t in enumerate(knots) if 0 in kinds]
     for kind in kinds:
         if kind == 0:
             continue
@@ -54,6 +54,15 @@ def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
             top = int(np.argmax(sizes))
             found.append(Crest(basis.owners[knot], kind, float(t[top]), float(values[top])))
     return found
+
+
+def _crest_of_point(basis: BasisView, knot: int, t: float) -> Crest:
+    """Return the crest of a position function: 1 at its parameter, of a control point where it is."""
+    if basis.curve.interpolates:
+        return Crest(basis.owners[knot], 0, t, 1.0)
+    at, values = basis.function(knot, 0)
+    top = int(np.argmax(values))
+    return Crest(basis.owners[knot], 0, float(at[top]), float(values[top]))
 
 
 class Room(NamedTuple):

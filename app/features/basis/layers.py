@@ -11,7 +11,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...appearance.colours import point_colours
 from ...appearance.theme import mix
@@ -45,6 +45,10 @@ _MARKED_ONE_BY_ONE = 16
 
 _LEAST_TICK_GAP = 4.0
 """Pixels between ticks that are not chosen, at least: closer together they are a ribbon."""
+
+_PLACE_RADIUS = 3.0
+_IDLE = 0.6
+"""Share of the colour in the rim of a tick that does nothing."""
 
 _MOST_PENS = 1000
 
@@ -169,6 +173,9 @@ class RailLayer(Layer):
         self.hovered = -1
         self.scrub: float | None = None
         self.parameters: FloatArray = np.empty(0)
+        # Where control points act, None of points on the curve; which ticks do nothing.
+        self.places: FloatArray | None = None
+        self._idle: BoolArray = np.empty(0, dtype=np.bool_)
         self._stamps = Stamps(_tick)
         self._count = 0
 
@@ -176,6 +183,9 @@ class RailLayer(Layer):
         """Draw a tick at every knot from the next paint on."""
         self.parameters = view.ticks
         self._count = len(view.source.points)
+        curve = view.curve if view.is_current else None
+        self.places = None if curve is None or curve.interpolates else curve.places
+        self._idle = np.zeros(len(self.parameters), bool) if curve is None else curve.idle_parameters
         self.update()
 
     def owner(self, knot: int) -> int:
@@ -188,6 +198,8 @@ class RailLayer(Layer):
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(shown.width, round(top) + 0.5))
         self._paint_ticks(painter, shown, top)
+        if self.places is not None and self._count <= _NUMBERED_UP_TO:
+            self._paint_places(painter, shown.x(self.places), top)
         if self.scrub is not None:
             self._paint_scrub(painter, shown, self.scrub)
 
@@ -210,6 +222,14 @@ class RailLayer(Layer):
                 self._paint_number(painter, place, top, owner, chosen=chosen)
                 numbers_right_of = place + 16 * self.scale if not chosen else numbers_right_of
 
+    def _paint_places(self, painter: QPainter, x: FloatArray, top: float) -> None:
+        """Draw a disc on the rail's edge where each control point acts most: its Greville abscissa."""
+        radius = _PLACE_RADIUS * self.scale
+        painter.setPen(QPen(self.theme.paper, self.scale))
+        for place, colour in zip(x.tolist(), point_colours(self._count, self.theme), strict=True):
+            painter.setBrush(colour)
+            painter.drawEllipse(QPointF(place, top), radius, radius)
+
     def _stamp_ticks(
         self, painter: QPainter, x: FloatArray, visible: IntArray, count: int, top: float
     ) -> IntArray:
@@ -231,9 +251,13 @@ class RailLayer(Layer):
         size = (6.5 if index == self.hovered or index in self.selection else 5.0) * self.scale
         tip = QPointF(x, top + 1)
         base = top + 1 + 2 * size
-        painter.setBrush(colour)
         selected = index in self.selection
-        painter.setPen(QPen(self.theme.accent if selected else self.theme.paper, 1.5 * self.scale))
+        rim = self.theme.accent if selected else self.theme.paper
+        if self._idle[index % len(self._idle)]:
+            # Hollow: dragging it does nothing.
+            colour, rim = self.theme.paper, rim if selected else mix(colour, self.theme.paper, _IDLE)
+        painter.setBrush(colour)
+        painter.setPen(QPen(rim, 1.5 * self.scale))
         painter.drawPolygon(QPolygonF([tip, QPointF(x + size, base), QPointF(x - size, base)]))
 
     def _paint_number(self, painter: QPainter, x: float, top: float, index: int, *, chosen: bool) -> None:

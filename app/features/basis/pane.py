@@ -30,7 +30,7 @@ _NO_PARAMETERS = "none while the rule gives no parameters"
 _NO_CURVE = "none while there is no curve with these parameters"
 _NAMES = ("position", *(each.name for each in DERIVATIVES))
 
-_TITLES = (("Basis functions", "Basis functions"), ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)"))
+_CARDINAL_TITLES = ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)")
 _CARDINAL_TIP = "What point i does to the curve, with the derivatives that are estimated from it"
 
 _SOON_MS = 33
@@ -51,6 +51,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._estimates = tool_button("withEstimates", words, "", text="With estimates")
         mirror(self._estimates, estimates)
         self._shows_cardinals = False
+        self._functions = self._title.text()
         self._kinds = [self._kind_button(kind) for kind in range(len(_NAMES))]
         self._formulas: tuple[str, ...] = ()
         self._reach: tuple[float, float] | None = None
@@ -116,8 +117,10 @@ class BasisPane(FollowsTheme, CentralPane):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
         drawing = _note(basis, view)
         # Laying the header out costs more than drawing the curve: only when it says something else.
-        if (formulas, drawing) != (self._formulas, self._drawing.text()):
+        functions = view.source.family.functions
+        if (formulas, drawing, functions) != (self._formulas, self._drawing.text(), self._functions):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
+            self._functions = functions
             self._drawing.setText(drawing)
             self._write_header()
 
@@ -133,7 +136,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._title.setToolTip(_CARDINAL_TIP if self._shows_cardinals else "")
         for brief in range(4):
             self._brevity = brief
-            self._title.setText(_TITLES[self._shows_cardinals][min(brief, 1)])
+            self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else self._functions)
             for kind, formula in enumerate(self._formulas):
                 # The leading space keeps the words off the line that is their sign.
                 shown = _function_of(formula) if brief > 2 else formula

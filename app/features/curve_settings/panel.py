@@ -169,7 +169,7 @@ def orders_set(view: CurveView) -> set[int]:
 
 def _facts(view: CurveView) -> str:
     curve = view.source
-    facts = [count_of(len(curve.points), "point")]
+    facts = [count_of(len(curve.points), curve.family.point)]
     if view.is_current and view.curve is not None:
         facts += [*_kind_facts(view.curve), *_shape_facts(view)]
         start, end = (number(t, 6, decimal_mark()) for t in view.curve.domain)

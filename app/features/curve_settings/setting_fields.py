@@ -108,11 +108,12 @@ class SettingFields(QObject):
 
     def render_view(self, view: CurveView) -> None:
         """Show the settings of a curve; its family decides which fields there are."""
-        family = view.source.family
+        family, closed = view.source.family, view.source.is_closed
         if family.settings != tuple(self._fields):
             self._rebuild(family.settings)
-        for setting, value in family.values_of(view.source.settings).items():
+        for setting, value in family.values_of(view.source.settings_in_effect).items():
             self._fields[setting].render_value(value)
+            self._fields[setting].row.setEnabled(not (closed and setting.when_closed is not None))
 
     def _rebuild(self, settings: tuple[FamilySetting, ...]) -> None:
         for _ in self._fields:

@@ -18,7 +18,7 @@ from ...document.words import number
 from ...view_model.appending import with_closed
 from ...view_model.curve_view import view_of
 from ...view_model.measure import is_kept
-from ...view_model.reshape import Reshaped, reversed_curve, with_point_inserted
+from ...view_model.reshape import Reshaped, inserted_index, reversed_curve, with_point_inserted
 from ...view_model.split_join import Split, joined, split
 from ...workbench.context import WindowContext
 
@@ -101,14 +101,14 @@ class CurveCommands:
 
     @action("insertPoint", "Insert Point at the Scrub Line", CURVE_POINTS, "I", "add", needs=UNLOCKED_CURVE)
     def _insert(self) -> None:
-        """Insert a point on the curve; under manual parameters its shape stays."""
+        """Insert a point on the curve; under manual parameters, and of control points, its shape stays."""
         self._at_scrub(self.insert_at)
 
     @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
     def insert_at(self, t: float) -> None:
         """Insert a point on the active curve at `t`."""
         view = self._session.active_view
-        index = int(np.searchsorted(view.parameters, t))
+        index = inserted_index(view, t)
         made = self._reshape(f"Insert point {index}", lambda: with_point_inserted(view, t))
         if made is not None:
             self._session.selected.set_points([index])
@@ -130,7 +130,7 @@ class CurveCommands:
         if t is None:
             return
         session.undo_stack.undo()
-        view, index = session.active_view, int(np.searchsorted(session.active_view.parameters, t))
+        view, index = session.active_view, inserted_index(session.active_view, t)
         frozen = edits.freeze_parameters(session.document, session.active_index, view.parameters.tolist())
         fixed = view_of(frozen.curves[session.active_index])
         if self._reshape(f"Freeze and insert point {index}", lambda: with_point_inserted(fixed, t)):

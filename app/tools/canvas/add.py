@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from functools import partial
 
+from msgspec.structs import replace
+
 from ...document.curve_edits import add_curve, fresh_curve
 from ...document.model import Vector
 from ...view_model.appending import closed_by_pen, view_with_point
 from ...view_model.curve_view import CurveView, view_of
+from ...view_model.reshape import inserted_index
 from .. import hints
 from ..drag_machine import EditingHost
 from ..marks import GestureMarks
@@ -167,7 +170,7 @@ def _key(host: EditingHost) -> tuple[int, str]:
 
 
 def _insert(context: ToolContext, hit: Hit) -> None:
-    host = context.host
+    host, hit = context.host, replace(hit, index=inserted_index(context.view, hit.t))
     snapper = context.snappers.for_points((hit.index,), hit.index)
     insert = InsertPoint(host.document, host.active_index, context.view, hit, context.pointer, snapper)
     context.drags.press_at_once(

@@ -60,9 +60,9 @@ class JointRow:
     Attributes
     ----------
     joint
-        The point it lies at.
+        The index of its parameter: that of the point it lies at, if the curve runs through its points.
     place
-        The point.
+        Where it lies.
     reach
         The distance to the nearer of its neighbours: how closely to look.
     jumps
@@ -121,7 +121,9 @@ def certificate_of(view: CurveView) -> Certificate:
 
 def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
     point = view.owner(joint.joint)
-    x, y = view.points[point].tolist()
+    assert view.curve is not None
+    is_there = view.source.family.interpolates
+    x, y = (view.points[point] if is_there else view.curve.evaluate(joint.parameter)).tolist()
     sizes = (math.hypot(*jump.tolist()) for jump in joint.jumps)
     continuity = (joint.parametric, max(joint.parametric, joint.geometric))
     kind = _kind(joint)

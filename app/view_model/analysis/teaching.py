@@ -56,7 +56,8 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
     if not view.is_current:
         return []
     found = []
-    gap = _narrowest(view.parameters)
+    # Past its points a curve is in no hurry between two of them.
+    gap = _narrowest(view.parameters) if view.source.family.interpolates else None
     if gap is not None:
         knot, width, wider = gap
         found.append(

@@ -126,6 +126,8 @@ def explain(view: CurveView, t: float) -> Explanation | None:
         else _pull_words(view, pulls, segment)
     )
     words = (_swing_words(segment, swing, chord), pulling, _error_words(lebesgue))
+    if not view.source.family.interpolates:
+        words = (*_control_words(view, t, pulls), _error_words(lebesgue))
     return Explanation(t, segment, pulls[:MOST_PULLS], lebesgue, swing, words)
 
 
@@ -169,6 +171,25 @@ def _pull_words(view: CurveView, pulls: tuple[Pull, ...], segment: tuple[int, in
     away = "it is only the next point" if steps == 1 else f"it lies {steps} points away"
     follows = ", for the estimates follow it" if view.source.family.derivatives else ""
     return f"Point {pull.point} {verb} with weight {short(pull.weight)} though {away}{follows}{given}."
+
+
+def _control_words(view: CurveView, t: float, pulls: tuple[Pull, ...]) -> tuple[str, str]:
+    """Say which points beside the curve pull it, and that it stays among them where none pushes."""
+    assert view.curve is not None
+    count = sum(abs(pull.weight) >= _FAR_WEIGHT for pull in pulls)
+    first = pulls[0]
+    away = float(np.hypot(*(view.curve.evaluate(t) - view.points[first.point])))
+    strongest = (
+        f"Point {first.point} pulls hardest, with weight {short(first.weight)}; the curve passes it "
+        f"{short(away)} away."
+    )
+    if min(pull.weight for pull in pulls) < 0:
+        return strongest, "Points with negative weights push: the curve may leave the polygon of its points."
+    few = "one point" if count == 1 else f"{count} points"
+    return (
+        strongest,
+        f"It is a mean of the points, mostly of {few}, and cannot leave the hull of those that pull.",
+    )
 
 
 def _given_words(pulls: tuple[Pull, ...]) -> str:

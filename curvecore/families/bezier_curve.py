@@ -1,0 +1,301 @@
+"""Bezier curves: one polynomial over its control points, and the Bernstein functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+from math import comb
+from typing import NamedTuple, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
+from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
+from curvecore.errors import CurveError
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.same_shape import pieces_of
+from curvecore.parametrization import uniform, with_one_more
+from curvecore.scaling import ExponentArray, Scaled, scale_by_power
+
+_DRAWN = 8
+"""Degree up to which the one piece is drawn and searched as it is, as `pieces` has it of all curves."""
+
+_FACTORED = 3
+"""Order up to which derivatives of the functions are products; above, differences of such."""
+
+_CHUNK = 1 << 15  # function values at a time
+
+
+class BezierCurve(ParametricCurve):
+    """One polynomial that its control points pull: it begins at the first, ends at the last.
+
+    Of degree n - 1: c(t) = sum over i of B_i(x) p_i with the Bernstein functions
+    B_i(x) = C(n - 1, i) x**i (1 - x)**(n - 1 - i), x = (t - t_0) / (t_(n-1) - t_0) [1]_. The parameters
+    between the first and the last do nothing.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        The control points p_i, finite; 2 <= n <= 2000, dim >= 1. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above.
+
+    Notes
+    -----
+    With u = 2**-53, values and derivatives up to the third differ from the exact ones by at most
+    c u sum |B_i^(order)(t)| |p_i|, c at most 25 for n <= 60, inside the domain and outside: x and 1 - x enter
+    with 106 bits, for their powers multiply what is lost. Results beyond the floating point range become
+    the largest finite number of their sign. Between 0 and 1 the functions are positive.
+
+    References
+    ----------
+    .. [1] G. Farin, "Curves and Surfaces for CAGD", 5th ed., Morgan Kaufmann 2002, chapters 5 and 6.
+
+    Examples
+    --------
+    >>> BezierCurve([[0, 0], [0, 4], [4, 4], [4, 0]], [0, 1, 2, 3]).evaluate(1.5)
+    array([2., 3.])
+    """
+
+    __slots__ = ()
+
+    name = "bezier"
+    title = "Bézier"
+    functions = "Bernstein functions"
+    interpolates = False
+
+    @property
+    def degree(self) -> int:
+        """The degree n - 1."""
+        return len(self._parameters) - 1
+
+    @property
+    def is_positive(self) -> bool:
+        """True: no Bernstein function is negative in the domain."""
+        return True
+
+    @property
+    def places(self) -> FloatArray:
+        """The Greville abscissae, where each function is largest: they lie evenly."""
+        first, last = self.domain
+        n = len(self._parameters)
+        return np.append(first + (last - first) * (np.arange(n - 1) / (n - 1)), last)
+
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        curve = np.empty((t.size, self.points.shape[1]))
+        _, exponent = np.frexp(np.abs(self.points).max(axis=0))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            points = np.ldexp(self.points, -exponent)
+            for part, functions in self._functions(t, order):
+                common = functions.exponent.max(axis=1)
+                values = scale_by_power(functions.mantissa, functions.exponent - common[:, None])
+                curve[part] = scale_by_power(values @ points, exponent + common[:, None])
+        return curve
+
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        result = np.empty((t.size, len(self._parameters)))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            for part, functions in self._functions(t, order):
+                result[part] = scale_by_power(functions.mantissa, functions.exponent)
+        return result[:, :, None]
+
+    def bezier_pieces(self) -> FloatArray | None:
+        """Return the control points, shape (1, n, dim); None of a degree above 8.
+
+        A control polygon of high degree is far from its curve, and what halves it takes n**2 operations.
+        """
+        return self.points[None] if self.degree <= _DRAWN else None
+
+    def exact_pieces(self) -> FloatArray:
+        """Return the control points, shape (1, n, dim), of any degree."""
+        return self.points[None]
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+        """Return the control points of a curve that is one polynomial."""
+        chain = pieces_of(curve, None, cls.title)
+        if len(chain.controls) > 1:
+            raise CurveError(f"a {cls.title} curve is one polynomial, and this one is {len(chain.controls)}")
+        start, end = curve.domain
+        parameters = start + uniform(chain.controls.shape[1]) * (end - start)
+        parameters[-1] = end
+        return cls.from_jets(chain.controls[0][:, None], parameters)
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i, shape (m, n, dim): the ends stretch the curve along t, the others do nothing."""
+        at = parameter_row(t)
+        first, last = self.domain
+        moves = np.zeros((at.size, *self.points.shape))
+        velocity = self.evaluate(at, 1)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            moves[:, 0] = -velocity * ((last - at) / (last - first))[:, None]
+            moves[:, -1] = -velocity * ((at - first) / (last - first))[:, None]
+        return moves
+
+    @property
+    def idle_parameters(self) -> BoolArray:
+        """All but those at the ends."""
+        idle = np.ones(len(self._parameters), dtype=bool)
+        idle[[0, -1]] = False
+        return idle
+
+    def refined(self, t: float) -> Self:
+        """Return the same curve with a control point more, wherever t is: its degree is raised by one."""
+        return type(self)(elevated(self.points[None])[0], with_one_more(self._parameters, t))
+
+    def restricted(self, start: float, end: float) -> Self:
+        """Return the same curve between two parameters of its domain, of the same degree.
+
+        By de Casteljau's algorithm: convex combinations, so that rounding does not grow.
+        """
+        first, last = self.domain
+        points = _cut(self.points, (start - first) / (last - first), (last - start) / (last - first))[1]
+        points = _cut(points, (end - start) / (last - start), (last - end) / (last - start))[0]
+        inner = start + (self._parameters[1:-1] - first) / (last - first) * (end - start)
+        return type(self)(points, np.concatenate(([start], inner, [end])))
+
+    def _functions(self, t: FloatArray, order: int) -> Iterator[tuple[slice, Scaled]]:
+        """Yield the functions part by part, shape (k, n) each, with exponents of their own."""
+        n = len(self._parameters)
+        step = max(1, _CHUNK // n)
+        for begin in range(0, t.size, step):
+            part = slice(begin, begin + step)
+            yield part, _derivatives(_Coordinates.of(t[part], *self.domain), n - 1, order)
+
+
+class _Coordinates(NamedTuple):
+    """Places of parameters relative to the domain.
+
+    Attributes
+    ----------
+    x, y : DoubleDouble, shape (m, 1)
+        (t - t_0) / h and (t_(n-1) - t) / h, h = t_(n-1) - t_0.
+    length, exponent : float and int
+        h is length * 2**exponent.
+    """
+
+    x: DoubleDouble
+    y: DoubleDouble
+    length: float
+    exponent: int
+
+    @staticmethod
+    def of(t: FloatArray, first: float, last: float) -> _Coordinates:
+        start, end = np.array(first), np.array(last)
+        h, exponent = np.frexp(end - start)
+        whole = rescaled(difference(end, start), -exponent)
+        column = t[:, None]
+        x = divide(rescaled(difference(column, start), -exponent), whole)
+        y = divide(rescaled(difference(end, column), -exponent), whole)
+        return _Coordinates(x, y, float(h), int(exponent))
+
+
+def _derivatives(at: _Coordinates, degree: int, order: int) -> Scaled:
+    """Return derivatives of the functions of a degree with respect to t, shape (m, degree + 1)."""
+    if order > degree:
+        empty = np.zeros((len(at.x.high), degree + 1))
+        return Scaled(empty, empty.astype(np.int64))
+    if order <= _FACTORED:
+        return _factored(at, degree, order)
+    lower = _derivatives(at, degree - 1, order - 1)
+    common = lower.exponent.max(axis=1, keepdims=True)
+    values = np.pad(scale_by_power(lower.mantissa, lower.exponent - common), ((0, 0), (1, 1)))
+    mantissa = degree / at.length * (values[:, :-1] - values[:, 1:])
+    return Scaled(mantissa, np.broadcast_to(common - at.exponent, mantissa.shape))
+
+
+def _factored(at: _Coordinates, degree: int, order: int) -> Scaled:
+    """Return derivatives as products of powers and of a polynomial of degree `order` at most.
+
+    B_i^(k) h**k = C(N, i) sum over j of (-1)**(k-j) C(k, j) i_(j) (N-i)_(k-j) x**(i-j) y**(N-i-k+j), with
+    falling factorials i_(j) = i (i - 1) ... (i - j + 1). The powers that all terms share are taken out; the
+    rest, which may vanish, is summed with 106 bits.
+    """
+    i = np.arange(degree + 1)
+    in_x, in_y = _power(at.x, np.maximum(i - order, 0)), _power(at.y, np.maximum(degree - i - order, 0))
+    counts = _binomials(degree)
+    rest = _rest(at, i, degree, order) if order else 1.0
+    mantissa, carried = np.frexp(in_x.mantissa * in_y.mantissa * counts.mantissa)
+    exponent = in_x.exponent + in_y.exponent + counts.exponent + carried - order * at.exponent
+    return Scaled(mantissa * rest / at.length**order, exponent)
+
+
+def _rest(at: _Coordinates, i: np.ndarray, degree: int, order: int) -> FloatArray:
+    total = None
+    for j in range(order + 1):
+        factor = (-1.0) ** (order - j) * comb(order, j) * _falling(i, j) * _falling(degree - i, order - j)
+        term = DoubleDouble(factor, np.zeros(degree + 1))
+        term = multiply(term, _small_power(at.x, np.maximum(np.minimum(i, order) - j, 0), order))
+        in_y = np.maximum(np.minimum(degree - i, order) - (order - j), 0)
+        term = multiply(term, _small_power(at.y, in_y, order))
+        total = term if total is None else add(total, term)
+    assert total is not None
+    return np.where(np.isfinite(total.high), total.high, 0.0)
+
+
+def _falling(i: np.ndarray, count: int) -> FloatArray:
+    """Return i (i - 1) ..., `count` factors, exact up to 2000**3; 0 where i < count."""
+    factors: FloatArray = np.ones(len(i))
+    for k in range(count):
+        factors = factors * np.maximum(i - k, 0)
+    return factors
+
+
+def _small_power(base: DoubleDouble, exponent: np.ndarray, most: int) -> DoubleDouble:
+    """Return powers of (m, 1) numbers to whole exponents (n,) up to `most`, shape (m, n)."""
+    high, low = np.ones((most + 1, len(base.high))), np.zeros((most + 1, len(base.high)))
+    flat = DoubleDouble(base.high[:, 0], base.low[:, 0])
+    for k in range(most):
+        high[k + 1], low[k + 1] = multiply(DoubleDouble(high[k], low[k]), flat)
+    return DoubleDouble(high[exponent].T, low[exponent].T)
+
+
+def _power(base: DoubleDouble, exponent: np.ndarray) -> Scaled:
+    """Return powers of (m, 1) numbers of 106 bits to whole exponents (n,), shape (m, n).
+
+    (a + b)**i is a**i (1 + i b / a) to all digits, and a is brought between 0.7 and 1.4: up to i = 2000 its
+    powers stay in range.
+    """
+    mantissa, shift = np.frexp(base.high)
+    low = np.abs(mantissa) < np.sqrt(0.5)
+    mantissa, shift = np.where(low, 2.0 * mantissa, mantissa), shift - low
+    correction = np.where(base.high == 0.0, 0.0, base.low / np.where(base.high == 0.0, 1.0, base.high))
+    powers = np.power(mantissa, exponent.astype(np.float64)) * (1.0 + exponent * correction)
+    values, carried = np.frexp(np.where(np.isfinite(powers), powers, 0.0))
+    return Scaled(values, carried + shift.astype(np.int64) * exponent)
+
+
+class _Binomials(NamedTuple):
+    """C(N, i), i = 0 .. N, as numbers with exponents; see `Scaled`."""
+
+    mantissa: FloatArray
+    exponent: ExponentArray
+
+
+@lru_cache(maxsize=64)
+def _binomials(degree: int) -> _Binomials:
+    mantissa, exponent = np.empty(degree + 1), np.empty(degree + 1, dtype=np.int64)
+    value = 1
+    for i in range(degree + 1):
+        shift = max(value.bit_length() - 1000, 0)
+        mantissa[i], carried = np.frexp(float(value >> shift))
+        exponent[i] = carried + shift
+        value = value * (degree - i) // (i + 1)
+    return _Binomials(read_only(mantissa), exponent)
+
+
+def _cut(points: FloatArray, s: float, r: float) -> tuple[FloatArray, FloatArray]:
+    """Return the control points on both sides of the place s = 1 - r."""
+    left, right = points.copy(), points.copy()
+    work = points
+    for k in range(1, len(points)):
+        work = r * work[:-1] + s * work[1:]
+        left[k], right[-1 - k] = work[0], work[-1]
+    return left, right

@@ -1,0 +1,222 @@
+"""The twice continuously differentiable cubic spline."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, IntArray, read_only
+from curvecore.errors import CurveError
+from curvecore.families.curve import Interpolant, JointDerivatives, ParametricCurve, Slopes
+from curvecore.families.hermite import HermiteCurve
+from curvecore.families.setting import FamilySetting, SettingValue
+from curvecore.families.spline_system import SplineEnds, spline_derivatives
+from curvecore.scaling import made_finite
+from curvecore.vectors import vector_lengths
+
+
+class _Data(NamedTuple):
+    """What a spline has at its joints, each of shape (n, k): for k coordinates, or k basis functions."""
+
+    points: FloatArray
+    velocities: FloatArray
+    bends: FloatArray
+
+
+class CubicSplineCurve(ParametricCurve):
+    """Cubic pieces whose bend does not jump.
+
+    Twice continuously differentiable; c'''(t) may jump at the joints. Of all such curves through the points
+    the one with natural ends has the least integral of c''(t)**2.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+    ends : str, optional
+        The conditions at both ends, of `SplineEnds`: ``"natural"``, ``"clamped"``, ``"not_a_knot"`` or
+        ``"periodic"``. By keyword.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above, or the derivatives exceed the largest number.
+
+    Notes
+    -----
+    It is the cubic Hermite curve with the velocities that make c'' continuous. Values and derivatives up to
+    order 3 have errors of at most a small multiple of u sum |B_i^(order)(t) p_i|, u = 2**-53. Periodic
+    curves should end where they begin; else the last point is the first one moved, and c is periodic but for
+    that move.
+
+    References
+    ----------
+    .. [1] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001, chapter IV.
+    """
+
+    __slots__ = ("_bends", "_hermite", "_units")
+    _caches = ("_bends", "_hermite", "_units")
+
+    name = "cubic_spline"
+    title = "cubic spline"
+    full_title = "C² cubic spline"
+    place = 40
+    settings = (
+        FamilySetting(
+            "ends",
+            "ends",
+            SplineEnds.NATURAL.value,
+            "The conditions at both ends: c″ = 0, c′ = 0, no jump of c‴ beside them, or the same c′ and c″",
+            choices=tuple((each.value, each.label) for each in SplineEnds),
+            when_closed=SplineEnds.PERIODIC.value,
+        ),
+    )
+    can_close = True
+    most_points = None
+
+    _hermite: HermiteCurve | None  # the same curve
+    _bends: FloatArray | None  # c'' at the joints
+    _units: _Data | None  # of all basis functions
+
+    def __init__(self, points: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> None:
+        super().__init__(points, parameters, **settings)
+        self._solve()
+
+    @property
+    def ends(self) -> SplineEnds:
+        """The conditions at both ends."""
+        return SplineEnds(str(self.chosen["ends"]))
+
+    @property
+    def breaks(self) -> FloatArray:
+        """The parameters: c''' jumps there."""
+        return self._parameters
+
+    @property
+    def degree(self) -> int:
+        """3."""
+        return 3
+
+    def with_jets(self, jets: ArrayLike) -> Self:
+        """Return the curve with other points; it shares everything that depends on the parameters."""
+        curve = super().with_jets(jets)
+        curve._units = self._units
+        curve._solve()
+        return curve
+
+    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        if order < 2 and bool((self._outside(t) == 0).all()):
+            return self._pieces._evaluate(t, order)
+        jets = self._pieces.jets
+        return self._summed(t, order, _Data(jets[:, 0], jets[:, 1], self._second))
+
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        if self._units is None:
+            unit = np.eye(len(self._parameters))
+            slopes = spline_derivatives(unit, np.diff(self._parameters), self.ends)
+            self._units = _Data(unit, *(read_only(made_finite(each)) for each in slopes))
+        return self._summed(t, order, self._units)[:, :, None]
+
+    def _outside(self, t: FloatArray) -> IntArray:
+        """Return -1 where t lies before the domain, 1 where it lies behind it, else 0."""
+        first, last = self.domain
+        return (t > last).astype(np.intp) - (t < first)
+
+    def _summed(self, t: FloatArray, order: int, data: _Data) -> FloatArray:
+        """Return sums of the data, (m, k), by the formula that is most accurate at each t."""
+        outside = self._outside(t)
+        inside = outside == 0
+        result = np.zeros((len(t), data.points.shape[1]))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            result[inside] = self._inside(t[inside], order, data)
+            for end in (-1, 1):
+                beyond = outside == end
+                result[beyond] = self._beyond(t[beyond], order, data, end)
+        return made_finite(result)
+
+    def _inside(self, t: FloatArray, order: int, data: _Data) -> FloatArray:
+        """Return sums by points and velocities, or by the second derivatives, of which c'' is linear."""
+        segment, hermite = self._pieces.local_basis(t, order)
+        if order < 2:
+            values = [(data.points, hermite[:, :, 0]), (data.velocities, hermite[:, :, 1])]
+        else:
+            start, end = self._parameters[segment], self._parameters[segment + 1]
+            h = end - start
+            linear = {2: ((end - t) / h, (t - start) / h), 3: (-1.0 / h, 1.0 / h)}
+            values = [(data.bends, np.stack(linear.get(order, (0.0 * h, 0.0 * h)), axis=1))]
+        result = np.zeros((len(t), data.points.shape[1]))
+        for given, factors in values:
+            for side in (0, 1):
+                result += factors[:, side, None] * given[segment + side]
+        return result
+
+    def _beyond(self, t: FloatArray, order: int, data: _Data, end: int) -> FloatArray:
+        """Return sums outside of the domain, by the power series about its end."""
+        here, next_to = (0, 1) if end < 0 else (-1, -2)
+        h = self._parameters[next_to] - self._parameters[here]
+        x = ((t - self._parameters[here]) / h)[:, None]
+        bend = data.bends[here] * h * h
+        jump = (data.bends[next_to] - data.bends[here]) * h * h
+        terms = [data.points[here], data.velocities[here] * h, bend, jump][order:]
+        result = np.zeros((len(t), data.points.shape[1]))
+        for power, term in enumerate(terms):
+            result += x**power * (term / math.factorial(power))
+        for _ in range(order):
+            result /= h
+        return result
+
+    def bezier_pieces(self) -> FloatArray:
+        """Return the Bezier control points of all segments, shape (n - 1, 4, dim)."""
+        return self._pieces.bezier_pieces()
+
+    def bezier_slopes(self, exponent: int) -> Slopes | None:
+        """Return the control points of the derivatives, from the points and velocities."""
+        return self._pieces.bezier_slopes(exponent)
+
+    def interpolants(self) -> list[Interpolant]:
+        """Return the points and velocities at both ends of each segment."""
+        return self._pieces.interpolants()
+
+    def joint_derivatives(self, *, before: bool) -> JointDerivatives:
+        """Return c to c''' at the ends of all segments: up to c'' the same on both sides of a joint."""
+        values, scale = (each.copy() for each in self._pieces.joint_derivatives(before=before))
+        values[:, 2] = self._second[1:] if before else self._second[:-1]
+        scale[:, 2] = vector_lengths(values[:, 2])
+        return JointDerivatives(values, scale)
+
+    # The system
+
+    @property
+    def _pieces(self) -> HermiteCurve:
+        """The same curve by points and velocities."""
+        if self._hermite is None:
+            self._solve()
+        assert self._hermite is not None
+        return self._hermite
+
+    @property
+    def _second(self) -> FloatArray:
+        """The second derivatives at the joints."""
+        if self._bends is None:
+            self._solve()
+        assert self._bends is not None
+        return self._bends
+
+    def _solve(self) -> None:
+        """Compute first and second derivatives at the joints."""
+        velocities, bends = spline_derivatives(self.points, np.diff(self._parameters), self.ends)
+        finite = np.isfinite(velocities).all(axis=1)
+        if not finite.all():
+            index = int(np.argmin(finite))
+            raise CurveError(
+                f"points around {index} lie too far apart for parameters so close: "
+                "the derivative there exceeds the largest number",
+                (index,),
+            )
+        self._bends = read_only(made_finite(bends))
+        self._hermite = HermiteCurve(self.points, velocities, self._parameters)

@@ -1,0 +1,126 @@
+"""The data that give a curve of one family the shape of another: Bezier pieces, and what meets at their ends.
+
+A change of basis of polynomial pieces rounds, and nothing else, where the family that is wanted has pieces of
+that degree which join as smoothly. Where it has not, the reason is told.
+
+References
+----------
+.. [1] G. Farin, "Curves and Surfaces for CAGD", 5th ed., Morgan Kaufmann 2002, sections 5.1 (derivatives at
+   the ends), 6.1 and 6.4 (degree elevation and reduction) and 8.2 (B-splines and their Bezier points).
+"""
+
+from __future__ import annotations
+
+from math import comb, perm
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.errors import CurveError
+from curvecore.families.curve import ParametricCurve
+
+_RESIDUE = 1e-10
+"""Share of the largest term up to which a difference counts as rounding."""
+
+
+class BezierChain(NamedTuple):
+    """Polynomial pieces of one degree, end to end.
+
+    Attributes
+    ----------
+    controls : ndarray, shape (k, degree + 1, dim)
+    breaks : ndarray, shape (k + 1,)
+        Where the pieces meet, and the ends.
+    """
+
+    controls: FloatArray
+    breaks: FloatArray
+
+
+def pieces_of(curve: ParametricCurve, degree: int | None, wanted: str) -> BezierChain:
+    """Return the pieces of a curve, written in a degree if one is given.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of any family.
+    degree : int or None
+        That of the family `wanted`, which is named in messages.
+
+    Raises
+    ------
+    CurveError
+        If they are no polynomials, or of a higher degree, or the curve has corners.
+    """
+    if len(curve.pieces) > 1:
+        raise CurveError(f"a {wanted} curve is one curve, and this one is several, with corners between them")
+    controls = curve.exact_pieces()
+    if controls is None:
+        raise CurveError("only polynomial pieces that are known exactly can be written in another way")
+    if degree is not None:
+        controls = _of_degree(controls, degree, wanted)
+    return BezierChain(controls, curve.breaks)
+
+
+def joint_jets(chain: BezierChain, derivatives: int, wanted: str) -> FloatArray:
+    """Return the points and derivatives where pieces meet, shape (k + 1, derivatives + 1, dim).
+
+    Raises
+    ------
+    CurveError
+        If one of them jumps.
+    """
+    ahead, behind = _end_jets(chain, derivatives, 0), _end_jets(chain, derivatives, 1)
+    for order in range(derivatives + 1):
+        before, after = behind[:-1, order], ahead[1:, order]
+        jump = np.abs(after - before).max(axis=1, initial=0.0)
+        steps = np.diff(chain.breaks)
+        # Rounding of the control points, seen through divisions by both lengths.
+        noise = np.abs(chain.controls).max() / np.minimum(steps[:-1], steps[1:]) ** order
+        scale = np.abs(np.concatenate([before, after])).max(initial=0.0)
+        jumps = np.flatnonzero(jump > _RESIDUE * scale + 64.0 * perm(5, order) * 2.0**-53 * noise)
+        if jumps.size:
+            what = ("the curve", "its velocity", "its acceleration", "its jerk")[min(order, 3)]
+            t = float(chain.breaks[1 + jumps[0]])
+            raise CurveError(f"{what} jumps at t = {t:.6g}, where that of a {wanted} curve goes on")
+    return np.concatenate([ahead, behind[-1:]])
+
+
+def _end_jets(chain: BezierChain, derivatives: int, end: int) -> FloatArray:
+    """Return derivatives at the beginnings (0) or the ends (1) of the pieces, shape (k, R, dim)."""
+    degree = chain.controls.shape[1] - 1
+    h = np.diff(chain.breaks)[:, None]
+    found = []
+    for order in range(derivatives + 1):
+        if order > degree:
+            found.append(np.zeros_like(chain.controls[:, 0]))
+            continue
+        differences = np.diff(chain.controls, n=order, axis=1)[:, -1 if end else 0]
+        found.append(perm(degree, order) * differences / h**order)
+    return np.stack(found, axis=1)
+
+
+def _of_degree(controls: FloatArray, degree: int, wanted: str) -> FloatArray:
+    """Return the pieces with control points of a degree."""
+    while controls.shape[1] - 1 > degree:
+        own = controls.shape[1] - 1
+        highest = np.abs(np.diff(controls, n=own, axis=1)).max()
+        if highest > _RESIDUE * comb(own, own // 2) * np.abs(controls).max():
+            raise CurveError(f"its pieces have degree {own}, those of a {wanted} curve {degree}")
+        controls = _reduced(controls)
+    return elevated(controls, degree - controls.shape[1] + 1)
+
+
+def _reduced(controls: FloatArray) -> FloatArray:
+    """Return the control points before an elevation: from both ends to the middle."""
+    degree = controls.shape[1] - 1
+    result = np.empty_like(controls[:, 1:])
+    for i in range((degree + 1) // 2):
+        before = result[:, i - 1] if i else 0.0
+        result[:, i] = (degree * controls[:, i] - i * before) / (degree - i)
+    for i in range(degree - 1, (degree + 1) // 2 - 1, -1):
+        after = result[:, i + 1] if i + 1 < degree else 0.0
+        result[:, i] = (degree * controls[:, i + 1] - (degree - i - 1) * after) / (i + 1)
+    return result

@@ -1,0 +1,121 @@
+"""Where derivatives of the cardinal Hermite polynomials vanish, and their Taylor coefficients there.
+
+Expanded about a place where it is 0, a polynomial has no constant term, so that it keeps a small *relative*
+error next to that place in plain arithmetic. Of the 2 R functions of a segment every one vanishes
+somewhere else; between two such places, each expansion holds as far as the middle, where the terms of every
+function sum up in size to at most some nine times the function itself.
+
+The places are roots of polynomials with integer coefficients. Those of cubics are rational; all are found in
+exact arithmetic, once for every R and every order.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray, read_only
+from curvecore.double_double import DoubleDouble
+
+_LARGEST_DENOMINATOR = 64
+_DIGITS = 2**160
+_ZERO = Fraction(1, 2**120)
+
+
+class VanishingPlaces(NamedTuple):
+    """Places of a segment, in s from 0 to 1, about which the functions are expanded.
+
+    Attributes
+    ----------
+    from_right, from_left : DoubleDouble, shape (P,)
+        1 - s and s of every place, ascending in s.
+    cuts : ndarray, shape (P - 1,)
+        The middles between neighbours.
+    coefficients : ndarray, shape (K, P, 2 R)
+        ``[j, i, k]`` belongs to the j-th power of s minus place i and to function k: those of the left end
+        in the order of their derivatives, then those of the right end; K = 2 R - order.
+    """
+
+    from_right: DoubleDouble
+    from_left: DoubleDouble
+    cuts: FloatArray
+    coefficients: FloatArray
+
+
+@cache
+def vanishing_places(width: int, order: int) -> VanishingPlaces:
+    """Return the places for the order-th derivatives by s of the functions, R = `width` at each end."""
+    functions = range(2 * width)
+    places = sorted({place for k in functions for place in _roots(width, k, order)}) or [Fraction(1, 2)]
+    coefficients = [
+        [[_taylor(width, k, order, j, place) for k in functions] for place in places]
+        for j in range(2 * width - order)
+    ]
+    cuts = [float(a + b) / 2.0 for a, b in pairwise(places)]
+    return VanishingPlaces(
+        _parts([1 - place for place in places]),
+        _parts(places),
+        read_only(np.array(cuts)),
+        read_only(np.array(coefficients)),
+    )
+
+
+@cache
+def _form(width: int, k: int, order: int) -> tuple[int, ...]:
+    """Return the coefficients of r**d, r**(d - 1) s, ..., s**d of a function's derivative, r = 1 - s.
+
+    They are integers: those of the functions of the i-th derivatives at an end are multiplied by i!.
+    """
+    if order:
+        before = _form(width, k, order - 1)
+        degree = len(before) - 1
+        return tuple((j + 1) * before[j + 1] - (degree - j) * before[j] for j in range(degree))
+    of_end = k % width
+    top = 2 * width - 1 - of_end
+    left = [0] * of_end + [math.comb(top, j) for j in range(width - of_end)] + [0] * width
+    return tuple(left) if k < width else tuple((-1) ** of_end * value for value in reversed(left))
+
+
+def _value(form: tuple[int, ...], s: Fraction) -> Fraction:
+    left, right = s.numerator, s.denominator - s.numerator
+    total, power = 0, 1
+    for value in form:
+        total = total * right + value * power
+        power *= left
+    return Fraction(total, s.denominator ** (len(form) - 1))
+
+
+def _taylor(width: int, k: int, order: int, power: int, place: Fraction) -> float:
+    value = _value(_form(width, k, order + power), place)
+    # Of an irrational root, the function itself is 0 but for the digits that were not computed.
+    exact = value if abs(value) > _ZERO else Fraction(0)
+    return float(exact / (math.factorial(power) * math.factorial(k % width)))
+
+
+def _roots(width: int, k: int, order: int) -> set[Fraction]:
+    """Return the roots of a function from 0 to 1: exact where they are simple fractions, else to 2**-160."""
+    form, slope = _form(width, k, order), _form(width, k, order + 1)
+    found = {Fraction(end) for end in (0, 1) if form[-end] == 0}
+    for ratio in np.roots(np.trim_zeros(form)[::-1]):
+        # The roots inside are simple: a multiple one, whose digits are few, is an end.
+        if abs(ratio.imag) > 0.0 or ratio.real <= 0.0:
+            continue
+        root = Fraction(float(ratio.real / (1.0 + ratio.real)))
+        simple = root.limit_denominator(_LARGEST_DENOMINATOR)
+        if _value(form, simple) != 0:
+            for _ in range(3):
+                root -= _value(form, root) / _value(slope, root)
+                root = Fraction(round(root * _DIGITS), _DIGITS)
+        found.add(root if _value(form, simple) != 0 else simple)
+    return found
+
+
+def _parts(exact: list[Fraction]) -> DoubleDouble:
+    high = [float(each) for each in exact]
+    low = [float(each - Fraction(part)) for each, part in zip(exact, high, strict=True)]
+    return DoubleDouble(read_only(np.array(high)), read_only(np.array(low)))

@@ -1,0 +1,118 @@
+"""Expansions of Hermite segments against exact fractions, one datum at a time: no other hides its error."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from flint import fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from curvecore import HermiteCurve, QuinticHermiteCurve
+from curvecore.families.vanishing_places import vanishing_places
+
+profile = settings(derandomize=True, deadline=None, max_examples=150)
+LIMIT = 20.0
+"""The one of test_hermite_accuracy; 8.5 is the largest of millions that were compared with 80-bit numbers."""
+
+FAMILIES = {2: HermiteCurve, 3: QuinticHermiteCurve}
+
+
+def one_datum(width, start, length, which):
+    """One segment whose data are 0 but for one."""
+    jets = np.zeros((2, width, 1))
+    jets[divmod(which, width)] = 1.0
+    return FAMILIES[width](*jets.swapaxes(0, 1), [start, start + length])
+
+
+def assert_relatively_accurate(exact, curve, t, order):
+    nodes = [exact.rational(x) for x in curve.parameters]
+    for x, (value,) in zip(t, curve.evaluate(t, order), strict=True):
+        _, functions = exact.hermite_terms(exact.rational(x), nodes, curve.jets.shape[1], order)
+        (end, k, _) = np.argwhere(curve.jets)[0]
+        constant = exact.worst_constant(value, [functions[end][k]])
+        assert constant is None or constant <= LIMIT
+
+
+@profile
+@given(
+    st.sampled_from([2, 3]).flatmap(lambda R: st.tuples(st.just(R), st.integers(0, 2 * R - 1))),
+    st.integers(0, 5),
+    st.sampled_from([0.0, -1.0, 0.1, 1e6, -1e-7]),
+    st.sampled_from([1.0, 3.0, 1 / 19, 1e-3, 1e9]),
+    st.lists(st.floats(0.0, 1.0, allow_subnormal=False), min_size=1, max_size=9),
+    st.integers(-2, 2),
+)
+def test_every_function_keeps_its_relative_error_beside_its_zeros(
+    exact, kind, which, start, length, places, away
+):
+    width, order = kind
+    curve = one_datum(width, start, length, which % (2 * width))
+    roots = vanishing_places(width, order).from_left.high
+    # The doubles next to every zero: from there on the function is as small as it gets.
+    with np.errstate(under="ignore"):
+        t = start + length * np.concatenate([places, roots])
+        t += away * np.spacing(t)
+    t = t[(t >= start) & (t <= curve.parameters[1]) & (np.abs(t) > 1e-290) | (t == 0.0)]
+    assert_relatively_accurate(exact, curve, t, order)
+
+
+def test_zeros_that_are_doubles_are_zeros():
+    """Of joints 0, 3, 6, … the derivatives vanish at 1/3 or 2/3 of a segment, which are whole numbers."""
+    velocities = np.zeros((5, 1))
+    velocities[2] = 1.0
+    curve = HermiteCurve(np.zeros((5, 1)), velocities, 3.0 * np.arange(5))
+    assert (curve.evaluate([5.0, 7.0], 1) == 0.0).all()
+    assert (curve.evaluate([4.0, 8.0], 2) == 0.0).all()
+
+
+@pytest.mark.parametrize("family", FAMILIES.values())
+@pytest.mark.parametrize("order", range(4))
+def test_how_many_are_asked_for_and_in_what_order_changes_nothing(rng, family, order):
+    """Segments alone or all of them; searched, interpolated and counted; at once and in pieces."""
+    n = 400
+    joints = np.cumsum(rng.random(n) + 0.01)
+    data = rng.standard_normal((family.derivatives + 1, n, 2))
+    t = np.sort(np.concatenate([rng.uniform(joints[0], joints[-1], 40_000), joints[1:-1], joints[1:-1]]))
+    t = np.sort(np.concatenate([t, np.nextafter(joints[1:-1], 0.0)]))
+    together = family(*data, joints).evaluate(t, order)
+    assert (family(*data, joints).evaluate(t[::-1], order)[::-1] == together).all()
+    some = slice(1000, 1300)
+    assert (family(*data, joints).evaluate(t[some], order) == together[some]).all()
+    few = t[::997]
+    assert (np.array([family(*data, joints).evaluate(x, order) for x in few]) == together[::997]).all()
+    dense = np.sort(np.concatenate([t, rng.uniform(joints[3], joints[5], 40_000)]))
+    found = np.searchsorted(dense, t)
+    assert (family(*data, joints).evaluate(dense, order)[found] == together).all()
+
+
+@pytest.mark.parametrize("length", [1, 2, 3, 7])
+def test_segments_of_a_few_roundings(exact, length):
+    start = 1.0
+    joints = np.array([0.5, start, start + length * np.spacing(start), 2.0])
+    curve = HermiteCurve([[1.0], [2.0], [-1.0], [0.0]], [[1.0], [-2.0], [3.0], [1.0]], joints)
+    assert (curve.evaluate(joints) == curve.points).all()
+    nodes = [exact.rational(x) for x in joints]
+    for x in start + np.arange(length + 1) * np.spacing(start):
+        for order in range(4):
+            segment, functions = exact.hermite_terms(exact.rational(x), nodes, 2, order)
+            terms = [
+                functions[end][r] * exact.rational(curve.jets[segment + end, r, 0])
+                for end in (0, 1)
+                for r in (0, 1)
+            ]
+            assert exact.worst_constant(curve.evaluate(x, order)[0], terms) <= LIMIT
+
+
+def test_coefficients_are_those_of_the_functions(exact):
+    """Summed up at the middle of a segment, all expansions are what the functions are there."""
+    for width in (2, 3):
+        for order in range(2 * width):
+            found = vanishing_places(width, order)
+            half = fmpq(1, 2)
+            _, functions = exact.hermite_terms(half, [fmpq(0), fmpq(1)], width, order)
+            wanted = np.array([float(each) for end in functions for each in end])
+            pairs = zip(found.from_left.high, found.coefficients.swapaxes(0, 1), strict=True)
+            for place, coefficients in pairs:
+                powers = (0.5 - place) ** np.arange(len(coefficients))
+                assert np.allclose(powers @ coefficients, wanted, rtol=1e-11, atol=1e-11)
