@@ -47,6 +47,7 @@ class SepticHermiteCurve(PiecewiseHermite):
 
     name = "septic_hermite"
     title = "septic Hermite"
+    place = 50
     derivatives = 3
     _functions = left_functions(4)
 
