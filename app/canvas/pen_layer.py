@@ -1,9 +1,11 @@
-"""Preview of the pen before it is pressed: the curve with one point more."""
+"""Preview of the pen before it is pressed: the curve with one point more; the line that the pencil draws."""
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtGui import QPainter, QPen
 
+from ..document.model import Vector
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
@@ -20,19 +22,22 @@ class PenLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._preview: CurveView | None = None
+        self._line: tuple[Vector, ...] = ()
         self._stroke = Stroke()
 
-    def render(self, preview: CurveView | None) -> None:
-        """Draw this curve from the next paint on; None for nothing."""
-        if preview is not self._preview:
-            self._preview = preview
+    def render(self, preview: CurveView | None, line: tuple[Vector, ...]) -> None:
+        """Draw this curve and this line from the next paint on; None and () for nothing."""
+        if preview is not self._preview or line != self._line:
+            self._preview, self._line = preview, line
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the line."""
-        view = self._preview
-        if view is None:
-            return
-        self._stroke.show(line_of(view, shown).points, shown)
-        painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
-        self._stroke.draw(painter)
+        if self._preview is not None:
+            self._stroke.show(line_of(self._preview, shown).points, shown)
+            painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
+            self._stroke.draw(painter)
+        elif self._line:
+            self._stroke.show(np.array(self._line), shown)
+            painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+            self._stroke.draw(painter)

@@ -22,6 +22,7 @@ from ..exchange.drawing.animation import FILMS, Film, first_round, write_film
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, can_import, endings_of
 from ..exchange.reading import ImportOptions, import_file
+from ..exchange.table.family_word import FamilyWord, read_family_word
 from ..exchange.writing import export
 from ..families import FAMILIES
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
@@ -163,7 +164,15 @@ def _render_film(options: argparse.Namespace) -> int:
     return 0
 
 
+def _family_of(options: argparse.Namespace) -> FamilyWord:
+    try:
+        return read_family_word(" ".join([options.family, *options.setting]))
+    except ValueError as problem:
+        raise RefusalError(f"--setting must be of {problem}.") from None
+
+
 def _convert(options: argparse.Namespace) -> int:
+    word = _family_of(options)
 
     with _told_on_terminals() as report:
         source = import_file(
@@ -172,7 +181,8 @@ def _convert(options: argparse.Namespace) -> int:
                 tolerance=options.tolerance,
                 thin=options.thin,
                 corners=options.corners,
-                family=FAMILIES.named(options.family),
+                family=word.family,
+                settings=word.settings,
                 columns=columns_to_read(options),
                 missing=options.missing,
                 only=options.only,
@@ -271,7 +281,7 @@ def _as_text(facts: CurveFacts) -> str:
     rows = [("family", facts.family.full_title)]
     rows += [(setting.title, setting.text_of(value)) for setting, value in facts.settings.items()]
     if facts.degree is not None:
-        where = "" if facts.family.is_one_polynomial else " on every segment"
+        where = "" if facts.pieces == 1 else " on every segment"
         rows.append(("degree", f"{facts.degree}{where}"))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:

@@ -9,6 +9,7 @@ from typing import Final
 from PySide6.QtCore import QSettings
 
 from ..appearance.theme import ThemeMode
+from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
 from .file import SettingsFile
 from .kinds import (
@@ -73,6 +74,15 @@ class Preferences:
         "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"
     )
     """Targets that dragged and added points snap to."""
+
+    pencil = Choice(
+        "pencil/detail",
+        PencilDetail.MEDIUM,
+        "Pencil",
+        "How near a curve comes to the line that was drawn",
+        "pencilBox",
+    )
+    """How near a curve comes to what the pencil draws."""
 
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""

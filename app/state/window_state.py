@@ -10,6 +10,7 @@ from ..appearance.theme import ThemeMode
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
+from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
 from ..tools.tool import ToolRecord
 from ..view_model.analysis.settings import AnalysisSettings
@@ -52,7 +53,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, grid_spacing, unit_name, transform_box, with_estimates, theme_mode
+    snap_on, snap_kinds, grid_spacing, unit_name, transform_box, with_estimates, theme_mode, pencil
         As the preferences remember them.
     analysis
         Overlays, plots, ghosts and laboratory.
@@ -83,6 +84,7 @@ class WindowState(msgspec.Struct, frozen=True):
     transform_box: bool = True
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
+    pencil: PencilDetail = PencilDetail.MEDIUM
     analysis: AnalysisSettings = AnalysisSettings()
     error_plot: bool = False
     motion: MotionSettings = MotionSettings()

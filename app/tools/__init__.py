@@ -13,5 +13,6 @@
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.
 - ``marks``: what a gesture shows over the drawing.
+- ``pencil_detail``: how near a curve comes to what the pencil draws.
 - ``hints``: what a press would do, in words.
 """

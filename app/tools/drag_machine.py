@@ -74,10 +74,17 @@ class EditingHost(Protocol):
     def commit(self, document: Document, text: str, *, active: int | None = None) -> object:
         """End the gesture with this document as a step of the history; true where it is one."""
 
-    def change(self, text: str, edit: Callable[[Document], Document], *, run: Hashable = None) -> object:
+    def change(
+        self,
+        text: str,
+        edit: Callable[[Document], Document],
+        *,
+        active: int | None = None,
+        run: Hashable = None,
+    ) -> object:
         """Make what `edit` returns a step of the history; true where it is one.
 
-        Quick steps of the same run are one.
+        Quick steps of the same run are one; `active` is the curve to edit from then on, where that changes.
         """
 
     def cancel(self) -> None:

@@ -54,6 +54,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         The curve as it would be with a point where the pen is.
     spot
         Where on the curve the pen would insert a point.
+    line
+        What the pencil has drawn so far.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -64,8 +66,9 @@ class GestureMarks(msgspec.Struct, frozen=True):
     axis: tuple[Vector, int] | None = None
     preview_curve: CurveView | None = None
     spot: Vector | None = None
+    line: tuple[Vector, ...] = ()
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""
-        own = {name: value for name, value in asdict(self).items() if value is not None}
+        own = {name: value for name, value in asdict(self).items() if value not in (None, ())}
         return replace(below, **own)

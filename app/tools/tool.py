@@ -15,6 +15,7 @@ from ..view_model.records import Records
 from .drag_machine import DragMachine, EditingHost
 from .drags import NudgePoints
 from .marks import GestureMarks, Note
+from .pencil_detail import PencilDetail
 from .pointer import Cursor, Hint, Hit, Part, Pointer
 from .snappers import Snappers
 from .snapping import SnapKind, Snapping, with_snap
@@ -32,11 +33,14 @@ class ToolSettings(msgspec.Struct, frozen=True):
         The name of the unit of length, for what is measured.
     shows_box
         Whether two or more selected points, or several selected curves, get a box with grips.
+    pencil
+        How near a curve comes to what the pencil draws.
     """
 
     snapping: Snapping = Snapping()
     unit: str = ""
     shows_box: bool = True
+    pencil: PencilDetail = PencilDetail.MEDIUM
 
 
 class ToolContext(msgspec.Struct, frozen=True):

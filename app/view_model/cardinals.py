@@ -12,7 +12,7 @@ from curvecore import CurveError, ParametricCurve, lebesgue_constant
 from curvecore.analysis.cardinal import REACH, CardinalBasis
 from curvecore.arrays import FloatArray
 
-from ..document.model import Curve, VelocityRule
+from ..document.model import Curve
 from .jets import moved_with_points
 from .point_arrays import PointArrays
 
@@ -59,7 +59,7 @@ class Cardinals:
         """
         is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
         numbers = [basis_curve.parameters, arrays.corners, is_set]
-        if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
+        if not all(rule.is_linear for rule in curve.rules):
             numbers += [np.array(curve.parametrization.alpha), points]
         key = (curve.functions_key, curve.is_closed, *curve.rules, *(each.tobytes() for each in numbers))
         if key != self._key:

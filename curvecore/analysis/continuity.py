@@ -49,6 +49,17 @@ class Joint(NamedTuple):
         2 a common curvature too, 3 also a common change of the curvature along
         the curve. At least 0 unless there is a break; at a
         point at rest never more.
+
+    See Also
+    --------
+    joint_report : The function that returns them.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, joint_report
+    >>> (joint,) = joint_report(HermiteCurve([[0, 0], [1, 0], [1, 1]], [[1, 0], [0, 1], [0, 1]], [0, 1, 2]))
+    >>> joint.label, joint.parameter, joint.acceleration_jump.round(9).tolist()
+    ('C1', 1.0, [4.0, -4.0])
     """
 
     joint: int
@@ -111,6 +122,17 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     ------
     CurveError
         If the tolerance is not a positive number.
+
+    See Also
+    --------
+    Joint : What it returns.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, joint_report
+    >>> curve = HermiteCurve([[0, 0], [1, 0], [1, 1]], [[1, 0], [0, 1], [0, 1]], [0, 1, 2])
+    >>> [(joint.parameter, joint.label) for joint in joint_report(curve)]
+    [(1.0, 'C1')]
     """
     limit = tolerance_value(tolerance)
     t = curve.parameters

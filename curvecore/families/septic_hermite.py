@@ -33,6 +33,11 @@ class SepticHermiteCurve(PiecewiseHermite):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    QuinticHermiteCurve : Without the jerks.
+    natural_spline_jerks : A rule for the jerks.
+
     Notes
     -----
     Accuracy and limits are those of `HermiteCurve`.
@@ -41,6 +46,16 @@ class SepticHermiteCurve(PiecewiseHermite):
     ----------
     .. [1] D. Mellinger and V. Kumar, "Minimum snap trajectory generation and control for quadrotors", IEEE
        International Conference on Robotics and Automation 2011, 2520-2525.
+
+    Examples
+    --------
+    >>> from curvecore import SepticHermiteCurve
+    >>> rest = [[0], [0]]
+    >>> curve = SepticHermiteCurve([[0], [1]], rest, rest, rest, [0, 1])
+    >>> curve
+    SepticHermiteCurve(n=2, dim=1, domain=(0, 1))
+    >>> curve(0.5, order=1).tolist()
+    [2.1875]
     """
 
     __slots__ = ()

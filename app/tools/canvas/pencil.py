@@ -1,0 +1,148 @@
+"""The tool that draws freehand: a drag becomes a curve of few points near the line."""
+
+from __future__ import annotations
+
+import math
+
+from msgspec.structs import replace
+
+from ...document.curve_edits import add_curve, fresh_curve, replace_curve
+from ...document.edits import EditError
+from ...document.model import Curve, Parametrization, Vector
+from ...document.words import count_of, number, with_decimals
+from ...view_model.least_squares import Fitted, fitted
+from ..drag_machine import CANCELLED, THRESHOLD, EditingHost
+from ..marks import GestureMarks
+from ..pointer import Hint, Pointer
+from ..tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
+
+_CLOSING = 12.0
+"""Pixels between beginning and end of a line that is meant to return."""
+
+_LEAST_ROUND = 5.0
+"""How many times as long as that a line is that can return."""
+
+_HINT = "Drag to draw freehand; the curve gets few points"
+
+
+class Drawing(Gesture):
+    """A line that is being drawn; it changes nothing in the document before it ends."""
+
+    def __init__(self, context: ToolContext) -> None:
+        self._press = context.pointer
+        self._places = [context.pointer.position]
+        self._length = self._farthest = 0.0
+        self._last = context.pointer.pixel
+
+    @property
+    def line(self) -> tuple[Vector, ...]:
+        """What was drawn so far; nothing before the pointer has travelled far enough for a drag."""
+        return tuple(self._places) if self._farthest >= THRESHOLD else ()
+
+    def move(self, context: ToolContext) -> None:
+        """Take the place of the pointer."""
+        pointer = context.pointer
+        self._length += math.dist(pointer.pixel, self._last)
+        self._farthest = max(self._farthest, math.dist(pointer.pixel, self._press.pixel))
+        self._last = pointer.pixel
+        if pointer.position != self._places[-1]:
+            self._places.append(pointer.position)
+
+    def release(self, context: ToolContext) -> None:
+        """Make a curve of the line."""
+        self.move(context)
+        host = context.host
+        if not self.line:
+            host.say(f"{_HINT}.")
+            return
+        returns = math.dist(self._last, self._press.pixel) <= _CLOSING
+        model, place = _model(host, closed=returns and self._length > _LEAST_ROUND * _CLOSING)
+        tolerance = context.settings.pencil.pixels / self._press.scale
+        try:
+            made = fitted(model, self.line, tolerance=tolerance)
+        except EditError as reason:
+            host.refuse(str(reason))
+            return
+        if host.change(
+            "Draw with the pencil",
+            lambda document: (
+                replace_curve(document, place, made.curve)
+                if place < len(document.curves) and not document.curves[place].points
+                else add_curve(document, place, made.curve)
+            ),
+            active=place,
+        ):
+            host.say(_told(made, self._press, tolerance))
+
+    def cancel(self, context: ToolContext) -> None:
+        """Tell that nothing was drawn."""
+        if self.line:
+            context.host.say(CANCELLED)
+
+    def progress(self, context: ToolContext) -> str:
+        """Tell how the line becomes a curve."""
+        if not self.line:
+            return ""
+        detail = context.settings.pencil.label.lower()
+        return f"Drawing, {detail} · back to the beginning: closed · Escape cancels"
+
+
+def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
+    """Return the curve that a line becomes, and its place: the active one where that is empty."""
+    active, place = host.active_view.source, host.active_index
+    if not active.points and not active.locked:
+        return replace(active, closed=closed), place
+    fresh = fresh_curve(host.document, active, Parametrization())
+    return replace(fresh, settings=active.settings, closed=closed), place + 1
+
+
+def _told(made: Fitted, press: Pointer, tolerance: float) -> str:
+    """Return how many points the curve has, and how near it came."""
+    points, family = count_of(len(made.curve.points), "point"), made.curve.family
+    pixels = with_decimals(made.deviation * press.scale, 1)
+    text = f"{points}; largest deviation {pixels} px ({number(made.deviation, 2)})."
+    if made.deviation > tolerance:
+        text += (
+            f" No {family.title} curve was found nearer; another family may come nearer with fewer points."
+        )
+    return text
+
+
+class PencilTool(Tool):
+    """Tool that draws freehand."""
+
+    gesture: Drawing | None = None
+
+    def press(self, context: ToolContext) -> None:
+        """Begin a line here."""
+        self.gesture = Drawing(context)
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do."""
+        detail = context.settings.pencil.label.lower()
+        return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V goes back to Select")
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return the line."""
+        return GestureMarks(line=self.gesture.line if self.gesture is not None else ())
+
+
+PENCIL = ToolRecord(
+    name="pencil",
+    make=PencilTool,
+    hint="Drag to draw freehand; V or Escape goes back to selecting.",
+    doing="drawing freehand",
+    gestures=(
+        GestureRow("Drag", "draw a line; a curve of few points near it comes out"),
+        GestureRow("Drag back to the beginning", "the same, closed"),
+        GestureRow("Escape", "take the line back"),
+    ),
+    place=25,
+    action="pencilTool",
+    title="Pencil",
+    full_name="Pencil Tool",
+    key="D",
+    icon="pencil",
+    tip="Draw freehand: a curve of few points near the line",
+    in_menu=True,
+)

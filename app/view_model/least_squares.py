@@ -1,0 +1,117 @@
+"""Curves of few points near many, as a document has them."""
+
+from __future__ import annotations
+
+from itertools import chain, pairwise
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from msgspec.structs import replace
+
+from curvecore import CurveError, ParametricCurve
+from curvecore.arrays import FloatArray
+
+from ..document.edits import EditError
+from ..document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
+from ..tasks.progress import Report, silent
+
+_DERIVATIVES = ("velocity", "acceleration")
+"""The fields of a point that hold its derivatives, in order."""
+
+
+class Fitted(NamedTuple):
+    """A curve of the document near data.
+
+    Attributes
+    ----------
+    curve
+        The curve; its parameters are its own, so that it stays as it was fitted.
+    core
+        The same as the core has it.
+    deviation, root_mean_square
+        The largest distance of the data from it, and the root of the mean of the squares.
+    place
+        The datum that is farthest away.
+    """
+
+    curve: Curve
+    core: ParametricCurve
+    deviation: float
+    root_mean_square: float
+    place: Vector
+
+
+def fitted(
+    model: Curve,
+    points: npt.ArrayLike,
+    *,
+    count: int | None = None,
+    tolerance: float | None = None,
+    times: FloatArray | None = None,
+    report: Report = silent,
+) -> Fitted:
+    """Return the curve of the family, style and interval of `model` that is near `points`, (m, 2).
+
+    Closed where the model is. `times` are parameters of the data, which are kept; see `curvecore.fit` for
+    the rest.
+
+    Raises
+    ------
+    EditError
+        If there is no such curve.
+    """
+    data = np.asarray(points, dtype=np.float64)
+    is_closed = model.closed and model.family.can_close
+    try:
+        found = model.family.fit(
+            data,
+            count,
+            tolerance=tolerance,
+            parameters=times,
+            settings=model.settings,
+            closed=is_closed,
+            progress=lambda share: report(share, "Fitting"),
+        )
+    except CurveError as problem:
+        text = str(problem)
+        raise EditError(f"{text[:1].upper()}{text[1:]}.") from None
+    rule = model.parametrization
+    span = (rule.start, rule.end) if times is None else found.curve.domain
+    own = _points(found.curve, span, is_closed=is_closed)
+    parametrization = Parametrization(ParametrizationKind.MANUAL, rule.alpha, *span)
+    curve = replace(model, points=own, parametrization=parametrization, closed=is_closed)
+    x, y = data[found.worst].tolist()
+    return Fitted(curve, found.curve, found.deviation, found.root_mean_square, (x, y))
+
+
+def _points(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Point, ...]:
+    """Return the points of a curve of the document, whose parameters begin and end at `span`."""
+    (start, end), (first, last) = span, core.domain
+    stretch = (end - start) / (last - first)
+    jets = [piece.jets / stretch ** np.arange(float(piece.jets.shape[1]))[:, None] for piece in core.pieces]
+    times = start + (core.parameters - first) * stretch
+    times[-1] = end
+    joints = {0: (jets[-1][-1], jets[0][0])} if is_closed else {}
+    place = 0
+    for before, after in pairwise(jets):
+        place += len(before) - 1
+        joints[place] = (before[-1], after[0])
+    rows = list(chain(jets[0][:1], *(each[1:] for each in jets)))
+    return tuple(
+        _point(joints.get(index, (jet, jet)), float(t), may_turn=index in joints)
+        for index, (jet, t) in enumerate(zip(rows, times, strict=True))
+        if index < len(rows) - is_closed
+    )
+
+
+def _point(sides: tuple[FloatArray, FloatArray], t: float, *, may_turn: bool) -> Point:
+    before, after = (each.tolist() for each in sides)
+    is_corner = may_turn and before != after
+    x, y = before[0]
+    point = Point(x, y, t=t, corner=is_corner)
+    given = {name: tuple(value) for name, value in zip(_DERIVATIVES, before[1:], strict=False)}
+    if is_corner:
+        ahead = zip(_DERIVATIVES, after[1:], strict=False)
+        given |= {f"{name}_after": tuple(value) for name, value in ahead}
+    return replace(point, **given)

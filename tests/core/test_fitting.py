@@ -1,0 +1,202 @@
+"""Least squares: the linear problem against SciPy and exact data; fits against what they promise."""
+
+import numpy as np
+import pytest
+from scipy.interpolate import make_lsq_spline
+
+from app.families import FAMILIES
+from curvecore import (
+    CurveError,
+    HermiteCurve,
+    LagrangeCurve,
+    chebyshev,
+    fit,
+    least_squares_curve,
+    uniform,
+)
+from curvecore.fitting.joints import sharp_turns
+
+CLASSES = [pytest.param(family._curve_class, id=family.name) for family in FAMILIES]
+LOCAL = [each for each in CLASSES if each.values[0].is_local]
+NUMBERS = np.random.default_rng(12)
+
+
+def wave(count=600, turns=3.0):
+    """A sine wave, (count, 2), of amplitude 1 and length 6."""
+    x = np.linspace(0.0, 6.0, count)
+    return np.stack([x, np.sin(turns * x)], axis=1)
+
+
+def distances(found, points):
+    return np.linalg.norm(found.curve.evaluate(found.parameters) - points, axis=1)
+
+
+# The linear problem
+
+
+@pytest.mark.parametrize("family", CLASSES)
+def test_data_of_a_curve_of_the_family_give_that_curve(family):
+    knots = chebyshev(8)
+    jets = NUMBERS.normal(size=(8, family.derivatives + 1, 2))
+    curve = family.from_jets(jets, knots)
+    t = np.sort(np.concatenate([[0.0], NUMBERS.random(300), [1.0]]))
+    found = least_squares_curve(family, curve.evaluate(t), t, knots)
+    # The condition of the problem, below 1e4 for these parameters, times the rounding of the data.
+    size = np.abs(curve.evaluate(t)).max()
+    assert np.abs(found.evaluate(t) - curve.evaluate(t)).max() <= 1e-11 * size
+
+
+def test_cubic_hermite_is_the_least_squares_spline_of_double_knots():
+    t = np.sort(np.concatenate([[0.0], NUMBERS.random(400), [1.0]]))
+    data = np.stack([np.sin(7 * t), np.cos(5 * t)], axis=1) + 0.1 * NUMBERS.normal(size=(402, 2))
+    knots = np.array([0.0, 0.1, 0.35, 0.4, 0.8, 1.0])
+    # Heavy ends: SciPy's spline then ends where the data do.
+    weights = np.ones(402)
+    weights[[0, -1]] = 1e7
+    double = np.concatenate([np.zeros(4), np.repeat(knots[1:-1], 2), np.ones(4)])
+    spline = make_lsq_spline(t, data, double, w=weights)
+    found = least_squares_curve(HermiteCurve, data, t, knots)
+    # The weights leave the ends 1e-14 times the sum of 402 errors of 0.1 away.
+    assert np.abs(found.evaluate(t) - spline(t)).max() <= 1e-10
+    assert found.evaluate(0.0).tolist() == data[0].tolist()
+    assert found.evaluate(1.0).tolist() == data[-1].tolist()
+
+
+@pytest.mark.parametrize("family", CLASSES)
+def test_no_other_jets_are_nearer(family):
+    t = np.linspace(0.0, 1.0, 90)
+    data = wave(90) + 0.05 * NUMBERS.normal(size=(90, 2))
+    found = least_squares_curve(family, data, t, uniform(6))
+    basis = found.basis(t).reshape(90, -1)
+    off = found.evaluate(t) - data
+    # What is orthogonal to all functions but those that the ends hold: the normal equations.
+    ends = found.basis([0.0, 1.0]).reshape(2, -1)
+    free = np.linalg.svd(ends)[2][2:].T
+    assert np.abs(free.T @ (basis.T @ off)).max() <= 1e-11 * np.abs(basis.T).sum(axis=1).max()
+    assert np.abs(off[[0, -1]]).max() <= 1e-13
+
+
+@pytest.mark.parametrize("family", LOCAL)
+def test_corners_have_two_derivatives_and_a_closed_curve_returns(family):
+    t = np.linspace(0.0, 1.0, 200)
+    data = wave(200)
+    cornered = least_squares_curve(family, data, t, uniform(5), corners=[2])
+    assert [len(piece.parameters) for piece in cornered.pieces] == [3, 3]
+    round_ = np.stack([np.cos(2 * np.pi * t), np.sin(2 * np.pi * t)], axis=1)
+    closed = least_squares_curve(family, round_, t, uniform(5), closed=True)
+    assert closed.jets[0].tolist() == closed.jets[-1].tolist()
+    assert np.abs(np.linalg.norm(closed.evaluate(t), axis=1) - 1.0).max() < 2e-2
+
+
+def test_few_data_leave_a_calm_curve():
+    t = np.array([0.0, 0.02, 0.5, 1.0])
+    data = np.stack([t, t * t], axis=1)
+    found = least_squares_curve(HermiteCurve, data, t, uniform(6))
+    assert np.abs(found.evaluate(np.linspace(0.0, 1.0, 101))).max() < 1.1
+
+
+def test_corners_are_refused_where_there_can_be_none():
+    with pytest.raises(CurveError, match="can have no corners"):
+        least_squares_curve(LagrangeCurve, wave(50), np.linspace(0, 1, 50), uniform(5), corners=[2])
+
+
+# Fits
+
+
+@pytest.mark.parametrize("family", CLASSES)
+def test_a_fit_within_a_tolerance_says_the_truth(family):
+    data = wave(300, turns=1.5)
+    found = fit(data, family, tolerance=0.02)
+    away = distances(found, data)
+    assert found.deviation == pytest.approx(away.max(), rel=1e-12)
+    assert found.deviation <= 0.02
+    assert found.root_mean_square == pytest.approx(np.sqrt((away**2).mean()), rel=1e-12)
+    assert away[found.worst] == pytest.approx(found.deviation, rel=1e-12)
+    assert np.abs(found.curve.evaluate(found.curve.domain) - data[[0, -1]]).max() <= 1e-12
+    assert len(found.curve.parameters) <= 20
+
+
+@pytest.mark.parametrize("family", CLASSES)
+def test_a_fit_has_as_many_points_as_asked(family):
+    found = fit(wave(300, turns=1.5), family, 9)
+    assert len(found.curve.parameters) == 9
+    assert found.curve.domain == (0.0, 1.0)
+
+
+def test_more_points_come_nearer_and_fewer_do_not_keep_the_tolerance():
+    data = wave(turns=1.0)
+    found = fit(data, HermiteCurve, tolerance=0.001)
+    count = len(found.curve.parameters)
+    assert fit(data, HermiteCurve, count - 2).deviation > 0.001
+    # Of order four at least: twice the points, at most an eighth.
+    assert fit(data, HermiteCurve, 2 * count).deviation < 0.001 / 8
+
+
+def test_a_square_has_four_corners_and_five_points():
+    side = np.linspace(0.0, 1.0, 100)[:-1]
+    edges = [(side, 0 * side), (1 + 0 * side, side), (1 - side, 1 + 0 * side), (0 * side, 1 - side)]
+    data = np.concatenate([np.stack(edge, axis=1) for edge in edges])
+    closed = fit(data, HermiteCurve, tolerance=0.01, closed=True)
+    assert len(closed.curve.parameters) == 5
+    assert len(closed.curve.pieces) == 4
+    smooth = fit(data, HermiteCurve, tolerance=0.01, closed=True, with_corners=False)
+    assert len(smooth.curve.pieces) == 1
+    assert smooth.deviation <= 0.01 < 5 * smooth.deviation
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.003])
+def test_smooth_bends_are_no_corners(noise):
+    data = wave(2000) + noise * NUMBERS.normal(size=(2000, 2))
+    assert len(fit(data, HermiteCurve, tolerance=0.02).curve.pieces) == 1
+    assert sharp_turns(data, 0.1) == []
+
+
+def test_errors_of_dense_data_do_not_lengthen_the_way():
+    """The polyline through these data is 20 times as long as the wave: joints by its length lay anywhere."""
+    data = wave(10_000, turns=1.0) + 0.01 * NUMBERS.normal(size=(10_000, 2))
+    found = fit(data, HermiteCurve, tolerance=0.06)
+    assert len(found.curve.parameters) <= 5
+    assert found.deviation <= 0.06
+    assert found.root_mean_square < 0.02
+
+
+def test_given_parameters_stay():
+    t = np.linspace(0.0, 1.0, 400) ** 1.3 * 5.0
+    data = np.stack([np.sin(t), np.cos(2 * t)], axis=1)
+    found = fit(data, HermiteCurve, tolerance=0.01, parameters=t)
+    assert found.parameters.tolist() == t.tolist()
+    assert found.curve.domain == (0.0, 5.0)
+    assert set(found.curve.parameters) <= set(t)
+
+
+def test_what_cannot_be_reached_is_told():
+    noisy = wave(200) + 0.05 * NUMBERS.normal(size=(200, 2))
+    found = fit(noisy, LagrangeCurve, tolerance=1e-6)
+    assert found.deviation > 1e-6
+    with pytest.raises(CurveError, match="too few"):
+        fit(wave(10), HermiteCurve, 11)
+    with pytest.raises(CurveError, match="distinct"):
+        fit(np.ones((5, 2)), HermiteCurve, 2)
+    with pytest.raises(CurveError, match="either count or tolerance"):
+        fit(wave(10), HermiteCurve)
+
+
+def test_coinciding_neighbours_count_once():
+    data = np.repeat(wave(80, turns=1.0), 3, axis=0)
+    found = fit(data, HermiteCurve, tolerance=0.01)
+    assert found.parameters.shape == (240,)
+    assert distances(found, data).max() == pytest.approx(found.deviation, rel=1e-12)
+
+
+def test_progress_grows_and_ends_the_work():
+    told = []
+
+    def progress(share):
+        told.append(share)
+        if len(told) == 7:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        fit(wave(), HermiteCurve, tolerance=1e-4, progress=progress)
+    assert told == sorted(told)
+    assert len(told) == 7

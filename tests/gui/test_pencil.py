@@ -1,0 +1,137 @@
+"""The pencil: a drag with the mouse becomes a curve of few points near the line."""
+
+import math
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt
+
+from app.families import FAMILIES
+from app.testing import Editor
+from app.view_model.curve_view import view_of
+
+PLACES = {
+    "wobbling": [(100 + 2 * i, round(240 + 70 * math.sin(i / 20) + math.sin(1.3 * i))) for i in range(200)],
+    "loop": [(round(300 + 90 * math.cos(i / 20)), round(240 + 70 * math.sin(i / 20))) for i in range(126)],
+    "corner": [(200 + i, 300) for i in range(0, 101, 4)] + [(300, 300 - i) for i in range(0, 101, 4)],
+}
+
+
+@pytest.fixture
+def editor(qtbot):
+    editor = Editor(qtbot)
+    editor.new()
+    editor.choose_family(FAMILIES.named("hermite"))
+    editor.trigger("pencilTool")
+    return editor
+
+
+def draw(editor, places, *, release=True):
+    """Drag from place to place, in pixels; return the line in the plane."""
+    canvas = editor.window.canvas
+    pixels = [QPoint(*place) for place in places]
+    line = np.array([canvas.to_plane(pixel) for pixel in pixels])
+    editor.press(tuple(line[0]))
+    for pixel in pixels:
+        editor.send(canvas, QEvent.Type.MouseMove, pixel)
+    editor.settle()
+    if release:
+        editor.release(tuple(line[-1]))
+    return line
+
+
+def farthest(editor, line):
+    """Return the largest distance of a line from the active curve, in pixels, by samples of it."""
+    view = view_of(editor.session.active_curve)
+    curve = view.curve.evaluate(np.linspace(*view.curve.domain, 4000))
+    gaps = np.linalg.norm(line[:, None] - curve[None], axis=2).min(axis=1)
+    return gaps.max() * editor.window.canvas.pixel_map.sx
+
+
+def test_a_wobbling_line_becomes_few_points_within_the_tolerance(editor):
+    line = draw(editor, PLACES["wobbling"])
+    curve = editor.session.active_curve
+    assert len(editor.session.document.curves) == 1
+    assert 3 <= len(curve.points) <= 14
+    assert not curve.is_closed
+    # The samples of the curve lie 0.2 pixels apart.
+    assert farthest(editor, line) <= 2.2
+    assert [curve.points[0].position, curve.points[-1].position] == [tuple(line[0]), tuple(line[-1])]
+    assert editor.session.undo_stack.undoText() == "Draw with the pencil"
+    assert editor.session.undo_stack.count() == 2  # the family before it
+    said = editor.status
+    assert said.startswith(f"{len(curve.points)} points; largest deviation ")
+    assert " px (" in said
+    editor.trigger("undo")
+    assert not editor.session.active_curve.points
+
+
+def test_a_second_line_is_another_curve_of_the_same_family(editor):
+    draw(editor, PLACES["wobbling"])
+    draw(editor, PLACES["corner"])
+    first, second = editor.session.document.curves
+    assert editor.session.active_index == 1
+    assert second.family is first.family
+    assert second.name != first.name
+    assert [point.corner for point in second.points] == [False, True, False]
+
+
+def test_a_line_back_to_its_beginning_is_closed_where_the_family_can(editor):
+    draw(editor, PLACES["loop"])
+    assert editor.session.active_curve.is_closed
+    assert len(editor.session.active_curve.points) <= 5
+    editor.new()
+    editor.choose_family(FAMILIES.named("lagrange"))
+    editor.trigger("pencilTool")
+    line = draw(editor, PLACES["loop"])
+    assert not editor.session.active_curve.closed
+    assert farthest(editor, line) <= 2.2
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=str)
+def test_every_family_can_be_drawn(editor, family):
+    editor.new()
+    editor.choose_family(family)
+    editor.trigger("pencilTool")
+    line = draw(editor, PLACES["corner"] if family.is_local else PLACES["loop"][:60])
+    assert editor.session.active_curve.family is family
+    assert farthest(editor, line) <= 2.2
+
+
+@pytest.mark.parametrize("way", [0, 2])
+def test_a_click_and_two_pixels_draw_nothing(editor, way):
+    before = editor.session.document
+    draw(editor, [(200, 200), (200 + way, 200)])
+    assert editor.session.document == before
+    assert editor.status.startswith("Drag to draw freehand")
+
+
+def test_escape_leaves_no_trace(editor):
+    before, count = editor.session.document, editor.session.undo_stack.count()
+    draw(editor, PLACES["wobbling"], release=False)
+    assert len(editor.window.canvas.marks.line) > 100
+    editor.key(Qt.Key.Key_Escape)
+    editor.release(editor.window.canvas.to_plane(QPoint(300, 300)))
+    assert editor.session.document == before
+    assert editor.session.undo_stack.count() == count
+    assert editor.window.canvas.marks.line == ()
+    assert editor.status == "Cancelled."
+
+
+def test_how_near_is_chosen_from_the_menu_and_remembered(editor):
+    draw(editor, PLACES["wobbling"])
+    usual = len(editor.session.active_curve.points)
+    editor.trigger("pencilVerySmooth")
+    assert editor.window.preferences.pencil.pixels == 10.0
+    line = draw(editor, PLACES["wobbling"])
+    assert len(editor.session.active_curve.points) < usual
+    assert farthest(editor, line) <= 10.2
+
+
+def test_a_line_of_two_thousand_places_is_drawn_as_quickly_as_a_short_one(editor):
+    """Each move of the pointer takes what is new alone: the line, not the curve, is shown meanwhile."""
+    places = [(100 + i % 600, 100 + i // 10) for i in range(2000)]
+    draw(editor, places, release=False)
+    assert len(editor.window.canvas.marks.line) >= 1900
+    assert editor.session.undo_stack.count() == 1
+    editor.key(Qt.Key.Key_Escape)
