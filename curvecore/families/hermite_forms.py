@@ -48,7 +48,7 @@ class Form(NamedTuple):
     coefficients: tuple[int, ...]
 
     @classmethod
-    def of(cls, coefficients: list[int], divisor: int) -> Form:
+    def of(cls, coefficients: tuple[int, ...], divisor: int) -> Form:
         """Return the form of these coefficients of r**m, r**(m - 1) s, ... over a divisor."""
         first = next(k for k, value in enumerate(coefficients) if value)
         last = next(k for k, value in enumerate(reversed(coefficients)) if value)
@@ -88,14 +88,20 @@ class Form(NamedTuple):
 
 
 @cache
-def _coefficients(width: int, k: int, order: int) -> list[int]:
-    """Return those of k! times the order-th derivative of f_k by s."""
-    if order == 0:
-        top = 2 * width - 1 - k
-        return [0] * k + [math.comb(top, j) for j in range(width - k)] + [0] * width
-    before = _coefficients(width, k, order - 1)
-    degree = len(before) - 1
-    return [(j + 1) * before[j + 1] - (degree - j) * before[j] for j in range(degree)]
+def hermite_form(width: int, k: int, order: int) -> tuple[int, ...]:
+    """Return the coefficients of r**d, r**(d - 1) s, ..., s**d of a function's derivative by s, r = 1 - s.
+
+    They are integers: those of the functions of the i-th derivatives at an end are multiplied by i!. Of the
+    2 R functions, R = `width`, those of the left end come first.
+    """
+    if order:
+        before = hermite_form(width, k, order - 1)
+        degree = len(before) - 1
+        return tuple((j + 1) * before[j + 1] - (degree - j) * before[j] for j in range(degree))
+    of_end = k % width
+    top = 2 * width - 1 - of_end
+    left = [0] * of_end + [math.comb(top, j) for j in range(width - of_end)] + [0] * width
+    return tuple(left) if k < width else tuple((-1) ** of_end * value for value in reversed(left))
 
 
 def left_functions(width: int) -> tuple[LeftFunctions, ...]:
@@ -107,7 +113,7 @@ class _Functions:
     """The order-th derivatives of all functions of the left end."""
 
     def __init__(self, width: int, order: int) -> None:
-        self._forms = [Form.of(_coefficients(width, k, order), math.factorial(k)) for k in range(width)]
+        self._forms = [Form.of(hermite_form(width, k, order), math.factorial(k)) for k in range(width)]
 
     def __call__(self, at: LocalCoordinates) -> tuple[FloatArray, ...]:
         """Return the values of f_0, ..., f_(R-1) at places of segments."""
@@ -130,8 +136,5 @@ class EndWeights(NamedTuple):
 @cache
 def end_weights(width: int, order: int) -> EndWeights:
     """Return the weights of the order-th derivative by s at s = 0."""
-    rows = [(_coefficients(width, k, order), math.factorial(k)) for k in range(width)]
-    return EndWeights(
-        tuple(values[0] / divisor for values, divisor in rows),
-        tuple((-1.0) ** (k + order) * values[-1] / divisor for k, (values, divisor) in enumerate(rows)),
-    )
+    at_start = [hermite_form(width, k, order)[0] / math.factorial(k % width) for k in range(2 * width)]
+    return EndWeights(tuple(at_start[:width]), tuple(at_start[width:]))
