@@ -199,10 +199,11 @@ class CubicSplineCurve(ParametricCurve):
         return self._pieces.interpolants()
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments: the same on both sides of a joint."""
-        values = np.concatenate((self._pieces.jets, self._second[:, None]), axis=1)
-        values = values[1:] if before else values[:-1]
-        return JointDerivatives(values, vector_lengths(values))
+        """Return c to c''' at the ends of all segments: up to c'' the same on both sides of a joint."""
+        values, scale = (each.copy() for each in self._pieces.joint_derivatives(before=before))
+        values[:, 2] = self._second[1:] if before else self._second[:-1]
+        scale[:, 2] = vector_lengths(values[:, 2])
+        return JointDerivatives(values, scale)
 
     # The system
 

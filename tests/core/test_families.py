@@ -42,7 +42,7 @@ def test_attributes(family, rng):
     assert curve.jets.shape == (5, width, 2)
     assert (curve.jets[:, 0] == curve.points).all()
     assert curve.domain == (-1.0, 3.0)
-    degrees = {"lagrange": 4, "hermite": 3, "quintic_hermite": 5, "cubic_spline": 3}
+    degrees = {"lagrange": 4, "hermite": 3, "quintic_hermite": 5, "septic_hermite": 7, "cubic_spline": 3}
     assert curve.degree == degrees.get(family, curve.degree)
     for array in (curve.points, curve.parameters, curve.jets):
         assert not array.flags.writeable
@@ -263,7 +263,7 @@ def test_a_joint_belongs_to_the_segment_on_its_right():
     assert curve.evaluate(3.0, 2)[0] == pytest.approx(6.0 / 4.0 + 6.0 / 2.0, abs=1e-14)
 
 
-@pytest.mark.parametrize("family", ["hermite", "quintic_hermite"])
+@pytest.mark.parametrize("family", ["hermite", "quintic_hermite", "septic_hermite"])
 def test_local_basis_is_the_dense_one(family, rng):
     curve = build(family, rng)
     for order in range(4):
@@ -275,7 +275,7 @@ def test_local_basis_is_the_dense_one(family, rng):
             assert np.count_nonzero(dense[k]) <= local.values[k].size
 
 
-@pytest.mark.parametrize("family", ["hermite", "quintic_hermite"])
+@pytest.mark.parametrize("family", ["hermite", "quintic_hermite", "septic_hermite"])
 def test_segments_are_sampled_alike(family, rng):
     curve = build(family, rng)
     s = np.array([0.0, 0.25, 0.5, 1.0])
@@ -298,10 +298,11 @@ def test_scipy_agrees_on_cubics(rng):
         assert curve.evaluate(T, order) == pytest.approx(reference(T, order), rel=1e-12, abs=1e-12)
 
 
-def test_scipy_agrees_on_quintics(rng):
+@pytest.mark.parametrize("family", ["quintic_hermite", "septic_hermite"])
+def test_scipy_agrees_on_higher_degrees(family, rng):
     from scipy.interpolate import BPoly
 
-    curve = build("quintic_hermite", rng)
+    curve = build(family, rng)
     reference = BPoly.from_derivatives(PARAMETERS, curve.jets)
     for order in range(4):
         assert curve.evaluate(T, order) == pytest.approx(reference(T, order), rel=1e-11, abs=1e-11)
