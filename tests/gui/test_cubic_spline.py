@@ -91,7 +91,7 @@ def test_a_closed_curve_has_periodic_ends_whatever_was_chosen(spline):
     assert is_scipys(spline, "clamped")
 
 
-def test_the_lebesgue_constant_of_a_closed_curve_counts_its_first_point_once(spline):
+def test_the_lebesgue_constant_of_a_closed_curve_counts_its_first_point_once(spline, qtbot):
     """Both functions of the seam were counted each for itself."""
     spline.trigger("closeCurve")
     view = spline.session.active_view
@@ -102,7 +102,8 @@ def test_the_lebesgue_constant_of_a_closed_curve_counts_its_first_point_once(spl
     assert growth_of_points(view) == pytest.approx(truth, rel=1e-6)
     basis = spline.window.basis_panel.drawing.basis
     assert growth_of_points(view, basis) == pytest.approx(truth, rel=1e-6)
-    assert spline.window.findChild(QLabel, "lebesgueConstant").text() == f"Λ {truth:.3g}"
+    shown = spline.window.findChild(QLabel, "lebesgueConstant")
+    qtbot.waitUntil(lambda: shown.text() == f"Λ {truth:.3g}")
 
 
 @pytest.fixture(params=[VelocityRule.MONOTONE, VelocityRule.AKIMA])
@@ -132,6 +133,8 @@ def test_the_band_the_bend_and_the_explanation_say_it(bent, qtbot):
     bent.trigger("overlayBand")
     note = bent.window.findChild(QLabel, "overlayBandNote")
     qtbot.waitUntil(lambda: note.text().endswith(f"; the effects of points are those {SMALL}."))
+    rows = [row.text for row in bent.window.canvas.drawing.annotations.legend.rows]
+    assert any(text.startswith("Worst case to first order") for text in rows)
     assert explain(bent.session.active_view, 0.3).sentences[-1] == f"The weights are those {SMALL}."
     x, y = bent.session.active_view.curve.evaluate(0.5)
     bent.press((float(x), float(y)), keys=Qt.KeyboardModifier.ControlModifier)
