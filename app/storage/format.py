@@ -18,6 +18,7 @@ from msgspec.structs import replace
 
 from ..document.model import (
     MAX_MAGNITUDE,
+    VECTORS,
     Curve,
     Document,
     ParametrizationKind,
@@ -301,7 +302,7 @@ def _numbers(point: Point) -> Iterator[tuple[str, float]]:
     yield "y", point.y
     if point.t is not None:
         yield "t", point.t
-    for key in ("velocity", "acceleration", "velocity_after", "acceleration_after"):
+    for _, key in VECTORS:
         vector: Vector | None = getattr(point, key)
         for index, value in enumerate(vector or ()):
             yield f"{key}[{index}]", value

@@ -16,8 +16,8 @@ from ...widgets.controls import named
 from ...widgets.toolbar_widget import ToolbarWidget
 
 _WORD, _TIP = "Families", "Further families of curves"
-_ICON, _BESIDES = 20, 36
-"""Pixels along the sides of the icon, and of what stands beside icon and word."""
+_ICON, _ARROW, _BESIDES = 20, 22, 36
+"""Pixels along the sides of the icon, and of what stands beside it alone, and beside icon and word."""
 
 
 class FamilyButton(FollowsTheme, ToolbarWidget):
@@ -77,4 +77,4 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         )
         metrics = button.fontMetrics()
         widest = max(metrics.horizontalAdvance(each) for each in (_WORD, *self._words.values()))
-        button.setFixedWidth(_ICON + _BESIDES + (0 if self._is_compact else widest))
+        button.setFixedWidth(_ICON + (_ARROW if self._is_compact else _BESIDES + widest))
