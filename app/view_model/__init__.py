@@ -22,6 +22,7 @@ A curve changed:
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
 - ``reshape``, ``split_join``: other points for the same curve, two curves of one.
   ``smoothness``, ``straight``: corners, straight segments.  ``measure``: the change of shape.
+- ``least_squares``: curves of few points near many.
 - ``pasting``: points carried from one curve to another.
 - ``point_columns``: the columns of the point table.
 
