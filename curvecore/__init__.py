@@ -1,5 +1,24 @@
 """curvecore: parametric curves that are linear in their data, with NumPy alone.
 
+A curve is made of points, of what its family asks for beside them, and of
+parameters, and is called like a function:
+
+>>> from curvecore import HermiteCurve, arc_length, chord_length, natural_spline_velocities
+>>> points = [[0, 0], [1, 2], [4, 3], [5, 0]]
+>>> t = chord_length(points)
+>>> curve = HermiteCurve(points, natural_spline_velocities(points, t), t)
+>>> curve
+HermiteCurve(n=4, dim=2, domain=(0, 1))
+>>> curve([0, 0.5]).round(3).tolist()
+[[0.0, 0.0], [2.986, 3.079]]
+>>> curve.derivative().roots(axis=1).round(3).tolist()
+[0.55]
+>>> round(arc_length(curve, 1e-9).value, 6)
+8.871727
+
+Its methods are those of `ParametricCurve`, whatever its family; functions of
+this package take any curve. Start with ``help(curvecore.ParametricCurve)``.
+
 Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
 `jets` holds d with shape (n, R, dim) - point, velocity, acceleration, per unit
 of t - and ``basis(t)`` is B with shape (m, n, R).
@@ -9,9 +28,11 @@ A tour of the package, one concept a file:
 ===================  =======================================================
 errors               `CurveError`, the only exception for unusable input
 arrays               validation of every argument, shared array types
-parametrization      rules for the t_i: `uniform`, `chebyshev`,
+parametrization      rules for the t_i: `uniform`, `chebyshev`, `chebyshev_roots`,
                      `chord_length`, `centripetal`, `power`
 tangents             velocities and accelerations estimated from points
+  limited_tangents   velocities that follow their course: monotone, Akima
+  slopes             slopes of chords, which all of them begin with
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
                      `HermiteCurve`, `QuinticHermiteCurve`, `CubicSplineCurve`,
@@ -29,12 +50,13 @@ bezier.bernstein     Bernstein form: fast evaluation from control points
                      samples (flatten_samples); polylines: their geometry
   arcs               Bezier arcs that searches halve
 
-calculus             curves differentiated, integrated, solved, and brought to SciPy:
-                     methods of every curve
-  derivative         `Derivative`, a curve; `Antiderivative`, likewise
+calculus.methods     ``derivative``, ``integrate``, ``solve`` ...: methods of every curve
+  derivative         `Derivative`, which is a curve
+  antiderivative     `Antiderivative`, likewise; of_a_curve: both
   integrals          between two parameters
   solutions          where a coordinate has a value
-  scipy_objects      `BPoly` and `PPoly`
+  polynomials        curves as polynomials of a piece, and the way back
+  scipy_objects      SciPy's BPoly and PPoly
 
 drag                 updates while points or parameters move:
   frozen_samples     polylines while points move and parameters stay
@@ -48,6 +70,7 @@ analysis.geometry    curvature, box, inflections, extrema of curvature
   nearest_point      the nearest point of a curve, of all or within a reach
   intersections      where a curve crosses itself; arc_pairs: where it may
   continuity         jumps at the joints, and the class that follows
+  basis_checks       what is wrong with basis functions, measured
   stability          Lebesgue function and constant
   cardinal           effects of points from which derivatives are estimated:
                      `CardinalBasis`

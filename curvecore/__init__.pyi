@@ -1,5 +1,15 @@
 """The public names of curvecore and their modules: read by type checkers, and when one is first used."""
 
+from curvecore.analysis.basis_checks import BasisDefects as BasisDefects
+from curvecore.analysis.basis_checks import CardinalDefect as CardinalDefect
+from curvecore.analysis.basis_checks import Miss as Miss
+from curvecore.analysis.basis_checks import SlopeDefect as SlopeDefect
+from curvecore.analysis.basis_checks import SumDefect as SumDefect
+from curvecore.analysis.basis_checks import basis_defects as basis_defects
+from curvecore.analysis.basis_checks import cardinal_defect as cardinal_defect
+from curvecore.analysis.basis_checks import slope_defect as slope_defect
+from curvecore.analysis.basis_checks import sum_defect as sum_defect
+from curvecore.analysis.basis_checks import worst_miss as worst_miss
 from curvecore.analysis.cardinal import CardinalBasis as CardinalBasis
 from curvecore.analysis.cardinal import cardinal_basis as cardinal_basis
 from curvecore.analysis.cardinal import estimation_matrix as estimation_matrix
@@ -75,8 +85,13 @@ from curvecore.families.spline_system import SplineEnds as SplineEnds
 from curvecore.fitting.fit import Fit as Fit
 from curvecore.fitting.fit import fit as fit
 from curvecore.fitting.least_squares import least_squares_curve as least_squares_curve
+from curvecore.limited_tangents import akima_changes as akima_changes
+from curvecore.limited_tangents import akima_velocities as akima_velocities
+from curvecore.limited_tangents import monotone_changes as monotone_changes
+from curvecore.limited_tangents import monotone_velocities as monotone_velocities
 from curvecore.parametrization import centripetal as centripetal
 from curvecore.parametrization import chebyshev as chebyshev
+from curvecore.parametrization import chebyshev_roots as chebyshev_roots
 from curvecore.parametrization import chord_length as chord_length
 from curvecore.parametrization import power as power
 from curvecore.parametrization import uniform as uniform
@@ -92,6 +107,7 @@ from curvecore.rounding.operations import operation_counts as operation_counts
 from curvecore.rounding.rounded_data import round_data as round_data
 from curvecore.rounding.rounded_data import round_significant as round_significant
 from curvecore.tangents import bessel_velocities as bessel_velocities
+from curvecore.tangents import catmull_rom_changes as catmull_rom_changes
 from curvecore.tangents import catmull_rom_velocities as catmull_rom_velocities
 from curvecore.tangents import finite_difference_velocities as finite_difference_velocities
 from curvecore.tangents import natural_spline_accelerations as natural_spline_accelerations

@@ -74,6 +74,26 @@ def reciprocal(a: DoubleDouble) -> DoubleDouble:
     return divide(DoubleDouble(np.ones_like(a.high), np.zeros_like(a.high)), a)
 
 
+def put_product_error(
+    a: FloatArray, b: FloatArray, product: FloatArray, out: FloatArray, room: FloatArray
+) -> None:
+    """Write a b minus its rounded value `product` into `out`, exactly; `room` holds four such arrays."""
+    a_high, a_low, b_high, b_low = room
+    for number, high, low in ((a, a_high, a_low), (b, b_high, b_low)):
+        np.multiply(number, _SPLITTER, out=high)
+        np.subtract(high, number, out=low)
+        np.subtract(high, low, out=high)
+        np.subtract(number, high, out=low)
+    np.multiply(a_high, b_high, out=out)
+    out -= product
+    a_high *= b_low
+    out += a_high
+    b_high *= a_low
+    out += b_high
+    a_low *= b_low
+    out += a_low
+
+
 def times(a: DoubleDouble, factor: float) -> DoubleDouble:
     """Return a times a small integer."""
     if abs(factor) in (1.0, 2.0, 4.0, 8.0):

@@ -24,6 +24,21 @@ class CurveError(ValueError):
     ----------
     indices : tuple of int
         As given.
+
+    See Also
+    --------
+    ParametricCurve : What is checked.
+
+    Examples
+    --------
+    >>> from curvecore import CurveError, LagrangeCurve
+    >>> try:
+    ...     LagrangeCurve([[0, 0], [1, 2]], [1, 0])
+    ... except CurveError as error:
+    ...     print(error)
+    ...     print(error.indices)
+    parameters must be strictly increasing, but parameters[1] = 0.0 does not exceed parameters[0] = 1.0
+    (0, 1)
     """
 
     def __init__(self, message: str, indices: Iterable[int] = ()) -> None:

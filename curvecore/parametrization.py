@@ -9,6 +9,8 @@ References
    Computer-Aided Design 21 (1989) 363-370: the power family.
 .. [2] L. N. Trefethen, "Approximation Theory and Approximation Practice",
    SIAM 2013, chapter 2: Chebyshev points of the second kind.
+.. [3] L. Brutman, "On the Lebesgue function for polynomial interpolation",
+   SIAM J. Numer. Anal. 15 (1978) 694-704: the extended points of the first.
 """
 
 from __future__ import annotations
@@ -34,6 +36,17 @@ def uniform(n: int) -> FloatArray:
     -------
     ndarray, shape (n,)
         i / (n - 1), each correctly rounded.
+
+    See Also
+    --------
+    chebyshev : Spacing that many points need.
+    chord_length : Spacing by distance.
+
+    Examples
+    --------
+    >>> from curvecore import uniform
+    >>> uniform(5).tolist()
+    [0.0, 0.25, 0.5, 0.75, 1.0]
     """
     count = integer(n, "n", 2)
     return np.arange(count, dtype=np.float64) / (count - 1)
@@ -52,16 +65,57 @@ def chebyshev(n: int) -> FloatArray:
     -------
     ndarray, shape (n,)
         (1 - cos(pi i / (n - 1))) / 2, symmetric about 1/2.
+
+    See Also
+    --------
+    uniform : Equal spacing.
+    lebesgue_constant : What the spacing does.
+
+    Examples
+    --------
+    >>> from curvecore import chebyshev
+    >>> chebyshev(5).round(9).tolist()
+    [0.0, 0.146446609, 0.5, 0.853553391, 1.0]
     """
     count = integer(n, "n", 2)
     # sin(x/2)**2 keeps all digits next to 0, where 1 - cos(x) loses them.
     half = np.sin(np.arange((count + 1) // 2) * (math.pi / (2 * (count - 1)))) ** 2
+    return _symmetric(half, count, "n is too large: neighbouring Chebyshev points")
+
+
+def chebyshev_roots(n: int) -> FloatArray:
+    """Return the n Chebyshev points of the first kind, stretched to [0, 1].
+
+    These are the roots of the Chebyshev polynomial T_n. They leave out the ends of the interval that they
+    belong to; here the first and the last one are its ends (extended Chebyshev points). Their Lebesgue
+    constant is within 0.03 of 2/pi (log n + 0.5772 + log(4/pi)), which the least one tends to [3]_.
+
+    Parameters
+    ----------
+    n : int
+        Number of points, at least 2; not above some 10**8, as of `chebyshev`.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        (1 - cos((2 i + 1) a) / cos(a)) / 2 with a = pi / (2 n), symmetric about 1/2.
+    """
+    count = integer(n, "n", 2)
+    step = math.pi / (2 * count)
+    # A product of sines keeps all digits next to 0, where the difference of cosines loses them.
+    index = np.arange((count + 1) // 2)
+    half = np.sin((index + 1) * step) * np.sin(index * step) / math.cos(step)
+    return _symmetric(half, count, "n is too large: neighbouring Chebyshev points")
+
+
+def _symmetric(half: FloatArray, count: int, what: str) -> FloatArray:
+    """Return so many parameters, of which the lower half is given, the middle one with it."""
     parameters = np.empty(count)
     parameters[: half.size] = half
     parameters[count - half.size :] = 1.0 - half[::-1]
     if count % 2:
         parameters[count // 2] = 0.5
-    _check_increasing(parameters, "n is too large: neighbouring Chebyshev points")
+    _check_increasing(parameters, what)
     return parameters
 
 
@@ -82,6 +136,16 @@ def chord_length(points: ArrayLike) -> FloatArray:
     CurveError
         If consecutive points coincide, or lie so close together that their
         parameters would be equal in double precision.
+
+    See Also
+    --------
+    centripetal, power, uniform : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import chord_length
+    >>> chord_length([[0, 0], [1, 0], [1, 3]]).tolist()
+    [0.0, 0.25, 1.0]
     """
     return _power(point_array(points), 1.0, "chord-length")
 
@@ -89,7 +153,30 @@ def chord_length(points: ArrayLike) -> FloatArray:
 def centripetal(points: ArrayLike) -> FloatArray:
     """Return parameters in proportion to the square roots of the distances.
 
-    Parameters, result and errors are those of `chord_length`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        n >= 2; consecutive points must be distinct.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        From 0 to 1, strictly increasing.
+
+    Raises
+    ------
+    CurveError
+        If points are unusable, two neighbours coincide, or parameters would.
+
+    See Also
+    --------
+    chord_length, power, uniform : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import centripetal
+    >>> centripetal([[0, 0], [1, 0], [5, 0]]).round(9).tolist()
+    [0.0, 0.333333333, 1.0]
     """
     return _power(point_array(points), 0.5, "centripetal")
 
@@ -112,6 +199,16 @@ def power(points: ArrayLike, alpha: float) -> FloatArray:
     ------
     CurveError
         As `chord_length`, and for an alpha that is negative or not finite.
+
+    See Also
+    --------
+    uniform, centripetal, chord_length : The same for alpha 0, 1/2 and 1.
+
+    Examples
+    --------
+    >>> from curvecore import power
+    >>> power([[0, 0], [1, 0], [5, 0]], 0.5).round(9).tolist()
+    [0.0, 0.333333333, 1.0]
     """
     return _power(point_array(points), alpha, "power-family")
 

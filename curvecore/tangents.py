@@ -16,67 +16,17 @@ References
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import wraps
-from typing import NamedTuple, ParamSpec
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, parameter_array, point_array
-from curvecore.errors import CurveError
 from curvecore.parametrization import relative_spacing
 from curvecore.scaling import SMALLEST
+from curvecore.slopes import Steps, differences, in_range, steps_of
 from curvecore.tridiagonal import solve_dominant
 
-_Arguments = ParamSpec("_Arguments")
 
-
-def _in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, FloatArray]:
-    """Make a rule refuse to return what no double can hold."""
-
-    @wraps(rule)
-    def checked(*args: _Arguments.args, **kwargs: _Arguments.kwargs) -> FloatArray:
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            estimates = rule(*args, **kwargs)
-        if not np.isfinite(estimates).all():
-            i = int(np.argmin(np.isfinite(estimates).all(axis=1)))
-            raise CurveError(
-                f"points around {i} lie too far apart for parameters so close: "
-                "the derivative there exceeds the largest number",
-                (i,),
-            )
-        return estimates
-
-    return checked
-
-
-class _Steps(NamedTuple):
-    """Differences of checked points and parameters.
-
-    Attributes
-    ----------
-    spacing : ndarray, shape (n - 1, 1)
-        Segment lengths h_i in t.
-    slope : ndarray, shape (n - 1, dim)
-        (p_(i+1) - p_i) / h_i.
-    """
-
-    spacing: FloatArray
-    slope: FloatArray
-
-
-def _steps(points: ArrayLike, parameters: ArrayLike) -> _Steps:
-    places = point_array(points)
-    return _differences(places, np.diff(parameter_array(parameters, len(places))))
-
-
-def _differences(points: FloatArray, spacing: FloatArray) -> _Steps:
-    h = spacing[:, None]
-    return _Steps(h, np.diff(points, axis=0) / h)
-
-
-@_in_range
+@in_range
 def finite_difference_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the mean of the slopes of the two neighbouring chords.
 
@@ -101,25 +51,60 @@ def finite_difference_velocities(points: ArrayLike, parameters: ArrayLike) -> Fl
     ------
     CurveError
         For points or parameters that are no curve's.
+
+    See Also
+    --------
+    bessel_velocities, catmull_rom_velocities, natural_spline_velocities : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import finite_difference_velocities
+    >>> finite_difference_velocities([[0], [1], [9]], [0, 1, 3]).tolist()
+    [[1.0], [2.5], [4.0]]
     """
-    slope = _steps(points, parameters).slope
+    slope = steps_of(points, parameters).slope
     return np.concatenate((slope[:1], 0.5 * slope[:-1] + 0.5 * slope[1:], slope[-1:]))
 
 
-@_in_range
+@in_range
 def bessel_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the velocities of the parabolas through three neighbouring points.
 
     At the ends the parabola of the first or last three points is used.
     Exact for parabolas; see [1]_ of the module, chapter IV, (9).
 
-    Parameters, result and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Velocities per unit of t.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    catmull_rom_velocities, finite_difference_velocities, natural_spline_velocities : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import bessel_velocities
+    >>> bessel_velocities([[0], [1], [9]], [0, 1, 3]).round(9).tolist()
+    [[0.0], [2.0], [6.0]]
     """
-    steps = _steps(points, parameters)
+    steps = steps_of(points, parameters)
     return _with_ends(_parabola_velocities(steps), steps.slope)
 
 
-def _parabola_velocities(steps: _Steps) -> FloatArray:
+def _parabola_velocities(steps: Steps) -> FloatArray:
     """Return the velocities of the parabolas through three points in the middle ones, (n - 2, dim)."""
     h, slope = steps
     # The nearer chord counts more.
@@ -133,7 +118,7 @@ def _with_ends(inner: FloatArray, slope: FloatArray) -> FloatArray:
     return np.concatenate((2.0 * slope[:1] - near[:1], inner, 2.0 * slope[-1:] - near[-1:]))
 
 
-@_in_range
+@in_range
 def catmull_rom_velocities(
     points: ArrayLike, parameters: ArrayLike, alpha: float = 0.5, *, knots_of: ArrayLike | None = None
 ) -> FloatArray:
@@ -168,27 +153,83 @@ def catmull_rom_velocities(
     CurveError
         For points or parameters that are no curve's, coincident consecutive
         points, or a negative alpha.
+
+    See Also
+    --------
+    bessel_velocities, finite_difference_velocities, natural_spline_velocities : Other rules.
+
+    Examples
+    --------
+    >>> from curvecore import catmull_rom_velocities
+    >>> catmull_rom_velocities([[0, 0], [1, 1], [4, 0]], [0, 1, 2], alpha=0).round(9).tolist()
+    [[0.0, 2.0], [2.0, 0.0], [4.0, -2.0]]
     """
     places = point_array(points)
     h = np.diff(parameter_array(parameters, len(places)))
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
     apart = places if knots_of is None else point_array(knots_of)
     knots = np.maximum(relative_spacing(apart, alpha, "Catmull-Rom"), SMALLEST)
-    inner = _parabola_velocities(_differences(places, knots))
+    inner = _parabola_velocities(differences(places, knots))
     inner *= ((knots[:-1] + knots[1:]) / (h[:-1] + h[1:]))[:, None]
-    return _with_ends(inner, _differences(places, h).slope)
+    return _with_ends(inner, differences(places, h).slope)
 
 
-@_in_range
+def catmull_rom_changes(
+    points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, alpha: float = 0.5
+) -> FloatArray:
+    """Return what moves of the points do to `catmull_rom_velocities` while the knots stay, exactly.
+
+    Parameters
+    ----------
+    points, parameters, alpha
+        As for `catmull_rom_velocities`.
+    moves : array_like, shape (n, k)
+        Each column moves a coordinate of every point.
+
+    Returns
+    -------
+    ndarray, shape (n, 1, k)
+        The changes, the same for every coordinate.
+    """
+    return catmull_rom_velocities(moves, parameters, alpha, knots_of=points)[:, None]
+
+
+@in_range
 def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the velocities of the natural cubic spline.
 
     The twice continuously differentiable piecewise cubic through the points
     with c'' = 0 at both ends; O(n).
 
-    Parameters, result and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Velocities per unit of t.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    bessel_velocities, catmull_rom_velocities, finite_difference_velocities : Other rules.
+    natural_spline_accelerations : Its accelerations.
+
+    Examples
+    --------
+    >>> from curvecore import natural_spline_velocities
+    >>> natural_spline_velocities([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
+    [[1.5], [0.0], [-1.5]]
     """
-    h, slope = _steps(points, parameters)
+    h, slope = steps_of(points, parameters)
     share, zero, half = h[:-1] / (h[:-1] + h[1:]), np.zeros((1, 1)), np.full((1, 1), 0.5)
     before = np.concatenate((zero, 0.5 * (1.0 - share), half))
     after = np.concatenate((half, 0.5 * share, zero))
@@ -196,13 +237,39 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
     return solve_dominant(before, after, np.concatenate((1.5 * slope[:1], inner, 1.5 * slope[-1:])))
 
 
-@_in_range
+@in_range
 def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the second derivatives of the natural cubic spline at the joints.
 
-    Per unit of t squared; 0 at both ends. Parameters and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Accelerations per unit of t squared; 0 at both ends.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    natural_spline_velocities : Its velocities.
+    zero_accelerations : The other rule.
+
+    Examples
+    --------
+    >>> from curvecore import natural_spline_accelerations
+    >>> natural_spline_accelerations([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
+    [[0.0], [-3.0], [0.0]]
     """
-    h, slope = _steps(points, parameters)
+    h, slope = steps_of(points, parameters)
     length, zero = h[:-1] + h[1:], np.zeros((1, 1))
     before = np.concatenate((zero, 0.5 * (h[:-1] / length), zero))
     after = np.concatenate((zero, 0.5 * (h[1:] / length), zero))
@@ -212,5 +279,26 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
 
 
 def zero_accelerations(points: ArrayLike) -> FloatArray:
-    """Return zeros of the shape of the points, (n, dim)."""
+    """Return accelerations of 0.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Zeros.
+
+    See Also
+    --------
+    natural_spline_accelerations : The other rule.
+
+    Examples
+    --------
+    >>> from curvecore import zero_accelerations
+    >>> zero_accelerations([[0, 0], [1, 2]]).tolist()
+    [[0.0, 0.0], [0.0, 0.0]]
+    """
     return np.zeros_like(point_array(points))

@@ -13,7 +13,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-_MOST = 1 << 17  # numbers that are kept, for each thread: 1 MB
+_MOST = 1 << 19  # numbers that are kept, for each thread: 4 MB
 
 
 class _Kept(threading.local):

@@ -10,7 +10,7 @@ from scipy.interpolate import BSpline
 from app.families import FAMILIES
 
 FILES = sorted((Path(__file__).parent / "data" / "families").glob("*.py"))
-OWN = ("tests_averaging", "tests_cosine_steps", "tests_gaussian")
+OWN = ("tests_averaging", "tests_cosine_steps", "tests_gaussian", "tests_multiquadric")
 """Those of which nothing but functions of t is known, and which are no polynomials."""
 EVERY = (*(family.name for family in FAMILIES), *OWN, "tests_natural_spline")
 """The names of all families that are tried; those of files are there only while a test has them."""
@@ -21,6 +21,14 @@ def gaussian(t, parameters):
     width = 1.5 * (parameters[-1] - parameters[0]) / len(parameters)
     inverse = np.linalg.inv(np.exp(-(((parameters[:, None] - parameters[None]) / width) ** 2)))
     return np.array([np.exp(-(((each - parameters) / width) ** 2)) @ inverse for each in t])
+
+
+def multiquadric(t, parameters):
+    """The functions of ``multiquadric.py`` by another way: one system for each t, by least squares."""
+    width = (parameters[-1] - parameters[0]) / len(parameters)
+    system = np.hypot(1.0, (parameters[:, None] - parameters[None]) / width)
+    wanted = np.hypot(1.0, (parameters[:, None] - np.asarray(t)[None]) / width)
+    return np.linalg.lstsq(system, wanted, rcond=None)[0].T
 
 
 def cosine_steps(t, parameters):
@@ -61,4 +69,5 @@ TRUE_BASIS = {
     "tests_averaging": averaging,
     "tests_cosine_steps": cosine_steps,
     "tests_gaussian": gaussian,
+    "tests_multiquadric": multiquadric,
 }

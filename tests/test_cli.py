@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -236,6 +237,22 @@ def test_convert_writes_every_format_and_says_how_exactly(ending, tmp_path, caps
     assert said.out.startswith(f"{out}: largest deviation from the true curves ")
     assert float(said.out.split()[-1]) < 0.5
     assert out.stat().st_size > 100
+
+
+def test_convert_takes_settings_of_the_family_and_info_tells_them(tmp_path, capsys):
+    table, curve = tmp_path / "bell.csv", tmp_path / "bell.curve.json"
+    table.write_text("x,y\n" + "\n".join(f"{x},{1 / (1 + x * x)}" for x in range(-5, 6)))
+    family = ["--family", "floater_hormann"]
+    assert main(["convert", str(table), str(curve), *family, "--setting", "degree=5"]) == 0
+    capsys.readouterr()
+    assert main(["info", "--json", str(curve)]) == 0
+    assert json.loads(capsys.readouterr().out)["curves"][0]["settings"] == {"degree": 5}
+    assert main(["info", str(curve)]) == 0
+    assert re.search(r"^  blended degree +5$", capsys.readouterr().out, re.MULTILINE)
+    assert main(["convert", str(table), str(curve), *family, "--setting", "degree=50"]) == 1
+    assert "--setting must be of floater_hormann with degree= and a whole number" in capsys.readouterr().err
+    assert main(["convert", str(table), str(curve), "--setting", "degree=5"]) == 1
+    assert "hermite alone, which has no settings" in capsys.readouterr().err
 
 
 def test_convert_there_and_back(tmp_path, capsys):

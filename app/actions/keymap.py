@@ -80,6 +80,12 @@ class Keymap(QObject):
         self._bindings[binding.action.objectName()] = binding
         _bind(binding.action, binding.defaults)
 
+    def remove(self, name: str) -> None:
+        """Forget an action; its keys are free."""
+        binding = self._bindings.pop(name)
+        self._came_with = {key: each for key, each in self._came_with.items() if each is not binding}
+        _bind(binding.action, [])
+
     @property
     def bindings(self) -> Mapping[str, Binding]:
         """Every action that may have keys, by name."""

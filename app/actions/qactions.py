@@ -2,27 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache, partial
 
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
-from .declaration import Action, all_declared
+from .declaration import Action, Declared, all_declared
 from .keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
 from .sections import Menu, Section
 from .situation import Situation
 from .strips import Strip
 
+_Run = Callable[[Action, Callable[[], object], bool], object]
 
-class Actions:
-    """The QActions of one window, by name."""
 
-    def __init__(self, window: QWidget, command_sets: Iterable[type], now: Situation) -> None:
+class Actions(QObject):
+    """The QActions of one window, by name.
+
+    Signals
+    -------
+    redeclared
+        There are other actions than before, or they are called otherwise.
+    """
+
+    redeclared = Signal()
+
+    def __init__(self, window: QWidget, command_sets: Sequence[type], now: Situation) -> None:
+        super().__init__()
         self.keymap = Keymap(window)
         self._window, self._now = window, now
+        self._command_sets = command_sets
+        self._bound: dict[type, tuple[object, _Run]] = {}
+        self._theme: Theme | None = None
         self._groups: dict[str, QActionGroup] = {}
         self._handlers = all_declared(command_sets)
         self._declared = {each.action.name: each.action for each in self._handlers}
@@ -46,12 +61,55 @@ class Actions:
         self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key)))
         return action
 
-    def bind(self, commands: object, run: Callable[[Action, Callable[[], object], bool], object]) -> None:
+    def bind(self, commands: object, run: _Run) -> None:
         """Let the actions that a command set declares be carried out by it, each through `run`."""
+        self._bound[type(commands)] = commands, run
         for each in self._handlers:
             if each.commands is type(commands):
-                act = partial(run, each.action, each.bound_to(commands))
-                self._actions[each.action.name].triggered.connect(act)
+                self._connect(each)
+
+    def _connect(self, each: Declared) -> None:
+        commands, run = self._bound[each.commands]
+        act = partial(run, each.action, each.bound_to(commands))
+        self._actions[each.action.name].triggered.connect(act)
+
+    def declare_again(self) -> None:
+        """Take in actions of records that have come, give up those of ones that are gone, rename the rest."""
+        self._handlers = all_declared(self._command_sets)
+        before, after = self._declared, {each.action.name: each for each in self._handlers}
+        self._declared = {name: each.action for name, each in after.items()}
+        new = self._declared.keys() - before.keys()
+        for name in before.keys() - self._declared.keys():
+            self._give_up(name)
+        for name in self._declared.keys() & before.keys():
+            self._rename(name, before[name])
+        # In the order of the menus: keys are given out by place.
+        for name in [each for each in self._declared if each in new]:
+            action = self._actions[name] = self._make(self._declared[name])
+            self._connect(after[name])
+            self._window.addAction(action)
+        if self._theme is not None:
+            self.set_theme(self._theme)
+        self.render()
+        self.redeclared.emit()
+
+    def _give_up(self, name: str) -> None:
+        action = self._actions.pop(name)
+        self.keymap.remove(name)
+        # Gone from all menus at once, and found by nobody until it is deleted.
+        action.setVisible(False)
+        action.setObjectName("")
+        self._window.removeAction(action)
+        action.deleteLater()
+
+    def _rename(self, name: str, before: Action) -> None:
+        """Call an action what its record is called now."""
+        action, now = self._actions[name], self._declared[name]
+        if (now.text, now.tip, now.full_name) != (before.text, before.tip, before.full_name):
+            action.setText(now.text)
+            set_full_name(action, now.full_name)
+            action.setStatusTip(now.tip or now.text)
+            action.setToolTip(tool_tip(action))
 
     def attach(self, window: QWidget) -> None:
         """Let the window hear the keys: of actions in menus alone they are dead while the menu bar is hidden.
@@ -122,6 +180,7 @@ class Actions:
 
     def set_theme(self, theme: Theme) -> None:
         """Tint the icons for `theme`."""
+        self._theme = theme
         for name, each in self._declared.items():
             if each.icon:
                 self._actions[name].setIcon(icon(each.icon, theme))

@@ -251,7 +251,12 @@ QToolBar QToolButton:checked { background: $checked; border-color: $accent; colo
 QToolBar QToolButton:focus { border-color: $accent }
 QToolBar QToolButton:disabled { color: $pale }
 QToolBar QToolButton[popupMode="1"] { padding-right: 16px }
+ToolbarWidget QToolButton[popupMode="2"] { padding-right: 16px }
 QToolBar QToolButton::menu-button { border: none; width: 14px }
+ToolbarWidget QToolButton::menu-indicator {
+    image: url("$icons/arrow-$name.svg"); width: 10px; subcontrol-origin: padding;
+    subcontrol-position: center right; right: 4px
+}
 QToolBar QToolBarExtension {
     qproperty-icon: url("$icons/more-$name.svg"); qproperty-iconSize: 12px 12px; padding: 0; border: none
 }

@@ -28,7 +28,7 @@ class ControlPolygonLayer(Layer):
     def render(self, view: CurveView) -> None:
         """Draw the polygon of `view` from the next paint on."""
         self._view = view
-        self.set_visible(not view.source.family.interpolates)
+        self.set_visible(view.source.family.has_control_points)
         self.set_opacity(opacity_of(view))
         if self.is_visible:
             self.update()

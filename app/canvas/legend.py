@@ -97,7 +97,8 @@ class Legend(OverlayFrame):
             choose, hide = self._ghost_buttons(row, row.ghost)
             choose.setFont(font)
             self._grid.addWidget(choose, place, 1)
-            self._grid.addWidget(hide, place, 2)
+            self._grid.addWidget(hide, place, 3)
+            self._add_figure(place, row, font)
             return
         text = Label(row.text)
         text.setFont(font)
@@ -106,7 +107,16 @@ class Legend(OverlayFrame):
             f"color: {(self._style.theme.muted if row.is_muted else self._style.theme.ink).name()}"
         )
         first = 0 if row.style is None else 1
-        self._grid.addWidget(text, place, first, 1, 3 - first)
+        self._grid.addWidget(text, place, first, 1, (2 if row.figure else 4) - first)
+        self._add_figure(place, row, font)
+
+    def _add_figure(self, place: int, row: LegendRow, font: QFont) -> None:
+        if row.figure:
+            figure = Label(row.figure)
+            figure.setFont(font)
+            figure.setToolTip("The Lebesgue constant: how much errors in the points can grow")
+            figure.setStyleSheet(f"color: {self._style.theme.muted.name()}")
+            self._grid.addWidget(figure, place, 2, Qt.AlignmentFlag.AlignRight)
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
         choosing, hiding = row.tip or f"Make this the curve: {row.text}", f"Hide the ghost: {row.text}"

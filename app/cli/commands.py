@@ -23,6 +23,7 @@ from ..exchange.drawing.animation import FILMS, Film, first_round, write_film
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, can_import, endings_of
 from ..exchange.reading import ImportOptions, import_file
+from ..exchange.table.family_word import FamilyWord, read_family_word
 from ..exchange.writing import export
 from ..families import FAMILIES, HERMITE
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
@@ -166,7 +167,17 @@ def _render_film(options: argparse.Namespace) -> int:
     return 0
 
 
+def _family_of(options: argparse.Namespace) -> FamilyWord:
+    try:
+        return read_family_word(" ".join([options.family or HERMITE.name, *options.setting]))
+    except ValueError as problem:
+        raise RefusalError(f"--setting must be of {problem}.") from None
+
+
 def _convert(options: argparse.Namespace) -> int:
+    word = _family_of(options)
+    # What is fitted is near all rows, whatever the family: the curve through them is not that.
+    read = FamilyWord(HERMITE) if _wants_fit(options) else word
 
     with _told_on_terminals() as report:
         source = import_file(
@@ -175,14 +186,15 @@ def _convert(options: argparse.Namespace) -> int:
                 tolerance=options.tolerance,
                 thin=options.thin,
                 corners=options.corners,
-                family=FAMILIES.named(options.family or HERMITE.name),
+                family=read.family,
+                settings=read.settings,
                 columns=columns_to_read(options),
                 missing=options.missing,
                 only=options.only,
             ),
             report=part(report, 0.0, 0.4),
         )
-        document, fits = _fitted(source.document, options, part(report, 0.4, 0.7))
+        document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
         wanted = replace(
             picture_options(options, document), own=own_options(options), report=part(report, 0.7, 1.0)
         )
@@ -195,20 +207,26 @@ def _convert(options: argparse.Namespace) -> int:
     return 0
 
 
-def _fitted(document: Document, options: argparse.Namespace, report: Report) -> tuple[Document, list[Fitted]]:
+def _wants_fit(options: argparse.Namespace) -> bool:
+    return options.fit is not None or options.fit_tolerance is not None
+
+
+def _fitted(
+    document: Document, options: argparse.Namespace, word: FamilyWord, report: Report
+) -> tuple[Document, list[Fitted]]:
     """Return the document with fewer points, where that was asked for, and what came of each curve."""
-    if options.fit is None and options.fit_tolerance is None:
+    if not _wants_fit(options):
         if options.keep_times:
             raise RefusalError("--keep-times goes with --fit or --fit-tolerance.")
         return document, []
     fits = []
     share = 1.0 / len(document.curves)
     for place, curve in enumerate(document.curves):
-        family = FAMILIES.named(options.family) if options.family else curve.family
+        model = replace(curve, family=word.family, settings=word.settings) if options.family else curve
         try:
             fit = fitted_to_curve(
                 view_of(curve),
-                family,
+                model,
                 count=options.fit,
                 tolerance=options.fit_tolerance,
                 keeps_times=options.keep_times,
@@ -218,8 +236,8 @@ def _fitted(document: Document, options: argparse.Namespace, report: Report) -> 
             raise RefusalError(f"“{curve.name}”: {problem}") from None
         if options.fit_tolerance is not None and fit.deviation > options.fit_tolerance:
             raise RefusalError(
-                f"“{curve.name}”: no {family.title} curve within {options.fit_tolerance:g} was found; the "
-                f"nearest has {fit.words} Try another --family, or a larger tolerance."
+                f"“{curve.name}”: no {model.family.title} curve within {options.fit_tolerance:g} was found; "
+                f"the nearest has {fit.words} Try another --family, or a larger tolerance."
             )
         fits.append(fit)
     return replace(document, curves=tuple(fit.curve for fit in fits)), fits
@@ -307,7 +325,7 @@ def _as_text(facts: CurveFacts) -> str:
     rows = [("family", facts.family.full_title)]
     rows += [(setting.title, setting.text_of(value)) for setting, value in facts.settings.items()]
     if facts.degree is not None:
-        where = "" if facts.family.is_one_polynomial else " on every segment"
+        where = "" if facts.pieces == 1 else " on every segment"
         rows.append(("degree", f"{facts.degree}{where}"))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:

@@ -195,6 +195,15 @@ def own_options(options: argparse.Namespace) -> dict[str, Any]:
     return values
 
 
+def _settings_text() -> str:
+    """Return what can be set of each family."""
+    return "; ".join(
+        f"{family} {setting.name}, {setting.requirement} (default: {setting.default})"
+        for family in FAMILIES
+        for setting in family.settings
+    )
+
+
 def _add_table_options(convert: argparse.ArgumentParser) -> None:
     add = convert.add_argument
     add(
@@ -213,6 +222,13 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         choices=[family.name for family in FAMILIES],
         help=f"of a curve through the rows of a table (default: {HERMITE.name}), or of those that --fit and "
         "--fit-tolerance make (default: that of each curve)",
+    )
+    add(
+        "--setting",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help=f"of that family: {_settings_text()}",
     )
     add(
         "--columns",

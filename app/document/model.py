@@ -20,46 +20,136 @@ MAX_MAGNITUDE = 1e12
 class ParametrizationKind(NamedEnum):
     """The rule that gives the parameters t_i, in the order in which the window lists them.
 
+    Each but the manual one is named as the function of ``curvecore.parametrization`` that computes it.
+
     Attributes
     ----------
+    takes
+        The arguments of that function: ``count`` of the points, ``points``, ``alpha``.
+    spaced
+        How the parameters lie, within a sentence.
     alpha
         The exponent of the power rule that it is; None for rules that are none.
     """
 
-    def __init__(self, value: str, label: str = "", alpha: float | None = None) -> None:
+    def __init__(
+        self,
+        value: str,
+        label: str = "",
+        takes: tuple[str, ...] = (),
+        spaced: str = "",
+        alpha: float | None = None,
+    ) -> None:
         super().__init__(value, label)
-        self.alpha = alpha
+        self.takes, self.spaced, self.alpha = takes, spaced, alpha
 
-    UNIFORM = "uniform", "Uniform", 0.0
-    CHORD_LENGTH = "chord_length", "Chord length", 1.0
-    CENTRIPETAL = "centripetal", "Centripetal", 0.5
-    POWER = "power", "Power α"
-    CHEBYSHEV = "chebyshev", "Chebyshev"
+    UNIFORM = "uniform", "Uniform", ("count",), "evenly spaced", 0.0
+    CHORD_LENGTH = "chord_length", "Chord length", ("points",), "spaced as the points are", 1.0
+    CENTRIPETAL = (
+        "centripetal", "Centripetal", ("points",), "spaced by the square roots of the distances", 0.5
+    )  # fmt: skip
+    POWER = "power", "Power α", ("points", "alpha"), "spaced by the distances to the power of α"
+    CHEBYSHEV = (
+        "chebyshev", "Chebyshev (2nd kind)", ("count",), "at the extrema of a Chebyshev polynomial"
+    )  # fmt: skip
+    CHEBYSHEV_ROOTS = (
+        "chebyshev_roots",
+        "Chebyshev (1st kind)",
+        ("count",),
+        "at the roots of a Chebyshev polynomial, stretched to the ends",
+    )
     MANUAL = "manual", "Manual"
 
+    @property
+    def phrase(self) -> str:
+        """The label within a sentence: chord length."""
+        name, dot, rest = self.label.partition(" (")
+        return f"{name if rest else name.lower()}{dot}{rest}"
 
-class _EstimateRule(NamedEnum):
-    """A rule that estimates derivatives; `estimate` says so of one of them."""
+    @property
+    def asks_where_points_are(self) -> bool:
+        """Whether the parameters change when points move."""
+        return "points" in self.takes
 
-    def __init__(self, value: str, label: str = "", estimate: str = "") -> None:
+
+_SMALL_MOVES = "of small moves, the mean of x and y"
+
+
+class EstimateRule(NamedEnum):
+    """A rule that estimates derivatives.
+
+    Attributes
+    ----------
+    estimate
+        What is said of an estimate.
+    function
+        The function of ``curvecore`` that computes the estimates.
+    takes
+        Its arguments: ``points``, ``parameters``, ``alpha``.
+    changes
+        The function of ``curvecore`` for what moves of the points do to them, where these are not linear in
+        the points: it takes ``moves``, (n, k), too. Empty of a linear rule, whose estimates do as the points.
+    linearised
+        What the effects of points are that it gives, to follow "those".
+    """
+
+    def __init__(
+        self,
+        value: str,
+        label: str = "",
+        estimate: str = "",
+        function: str = "",
+        takes: tuple[str, ...] = ("points", "parameters"),
+        changes: str = "",
+        linearised: str = "",
+    ) -> None:
         super().__init__(value, label)
-        self.estimate = estimate
+        self.estimate, self.function, self.takes = estimate, function, takes
+        self.changes, self.linearised = changes, linearised
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether estimates are linear in the points, at given parameters."""
+        return not self.changes
 
 
-class VelocityRule(_EstimateRule):
+class VelocityRule(EstimateRule):
     """The rule that estimates the velocity of a point that has none of its own."""
 
-    NATURAL_SPLINE = "natural_spline", "Natural C² spline", "estimated by the natural spline rule"
-    BESSEL = "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule"
-    FINITE_DIFFERENCE = "finite_difference", "Finite difference", "estimated by the finite difference rule"
-    CATMULL_ROM = "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule"
+    NATURAL_SPLINE = (
+        "natural_spline", "Natural C² spline", "estimated by the natural spline rule",
+        "natural_spline_velocities",
+    )  # fmt: skip
+    BESSEL = (
+        "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule", "bessel_velocities"
+    )  # fmt: skip
+    FINITE_DIFFERENCE = (
+        "finite_difference", "Finite difference", "estimated by the finite difference rule",
+        "finite_difference_velocities",
+    )  # fmt: skip
+    CATMULL_ROM = (
+        "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule",
+        "catmull_rom_velocities", ("points", "parameters", "alpha"),
+        "catmull_rom_changes", "of points whose knots stay",
+    )  # fmt: skip
+    MONOTONE = (
+        "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
+        "monotone_velocities", ("points", "parameters"), "monotone_changes", _SMALL_MOVES,
+    )  # fmt: skip
+    AKIMA = (
+        "akima", "Akima", "estimated by Akima's rule",
+        "akima_velocities", ("points", "parameters"), "akima_changes", _SMALL_MOVES,
+    )  # fmt: skip
 
 
-class AccelerationRule(_EstimateRule):
+class AccelerationRule(EstimateRule):
     """The rule that estimates the acceleration of a point that has none of its own."""
 
-    NATURAL_SPLINE = "natural_spline", "From the C² spline", "estimated by the natural spline rule"
-    ZERO = "zero", "Zero", "estimated as zero"
+    NATURAL_SPLINE = (
+        "natural_spline", "From the C² spline", "estimated by the natural spline rule",
+        "natural_spline_accelerations",
+    )  # fmt: skip
+    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", ("points",)
 
 
 class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):

@@ -67,6 +67,8 @@ class CurveFacts:
         How many points it may turn sharply at.
     degree
         Of the polynomial, or of each piece.
+    pieces
+        How many pieces it has; 0 without a curve.
     domain
         First and last parameter.
     length
@@ -85,6 +87,7 @@ class CurveFacts:
     parametrization: Parametrization
     points: int
     degree: int | None = None
+    pieces: int = 0
     domain: tuple[float, float] | None = None
     length: Length | None = None
     lebesgue_constant: Growth | None = None
@@ -172,6 +175,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
     return replace(
         _facts_of_points(curve),
         degree=core.degree,
+        pieces=len(core.breaks) - 1,
         domain=core.domain,
         length=length if length is not None and length.value < np.finfo(float).max else None,
         lebesgue_constant=growth,

@@ -18,7 +18,6 @@ from curvecore import (
     LagrangeCurve,
     QuinticHermiteCurve,
     bezier_segments,
-    bezier_stretch,
     cubic_path,
 )
 from curvecore.arrays import FloatArray
@@ -81,6 +80,14 @@ class Source:
                 return Polynomials(exact, worst)
         paths = [cubics_of(piece, tolerance) for piece in self.core.pieces]
         return Polynomials(tuple(map(_spline_of, paths)), max(path.deviation for path in paths))
+
+    @cached_property
+    def formulas(self) -> Polynomials:
+        """The curve as formulas write it: over control points of its own, where it has such, by these."""
+        pieces = self.core.pieces
+        if any(piece.interpolates or _controls_of(piece) is None for piece in pieces):
+            return self.polynomials
+        return Polynomials(pieces, 0.0)
 
     @property
     def name(self) -> str:
@@ -203,8 +210,7 @@ def measured(piece: ParametricCurve, copy: Callable[[FloatArray], FloatArray]) -
 def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
     """Return the Bézier pieces of a curve: of its own degree, or cubics within a tolerance.
 
-    Cubic and quintic Hermite curves, and Lagrange curves up to degree `HIGHEST_DEGREE`, are written
-    exactly but for rounding.
+    Polynomials up to degree `HIGHEST_DEGREE` are written exactly but for rounding.
 
     Raises
     ------
@@ -213,15 +219,20 @@ def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
     """
     if piece.bezier_pieces() is not None:
         result = Beziers(bezier_segments(piece), piece.breaks, 0.0)
-    elif piece.is_one_polynomial and len(piece.points) <= HIGHEST_DEGREE + 1:
-        controls = bezier_stretch(piece, *piece.domain)[None]
-        ends = np.array(piece.domain)
+    elif (controls := _controls_of(piece)) is not None:
+        ends = piece.breaks
         result = Beziers(controls, ends, measured(piece, lambda t: bezier_values(controls, ends, t)))
     else:
         result = cubics_of(piece, tolerance)
     if not (np.abs(result.control_points) < LARGEST).all():
         raise ExchangeError("The curve swings beyond all numbers between its points.")
     return result
+
+
+def _controls_of(piece: ParametricCurve) -> FloatArray | None:
+    """Return the Bézier control points of polynomial pieces up to `HIGHEST_DEGREE`, None of others."""
+    is_low = piece.degree is not None and piece.degree <= HIGHEST_DEGREE
+    return piece.exact_pieces() if is_low else None
 
 
 def _known_curves(pieces: tuple[ParametricCurve, ...]) -> tuple[ParametricCurve, ...]:

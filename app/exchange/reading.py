@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import exchange
-from ..families import HERMITE, Family
+from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ..storage.files import document_in, read
 from ..storage.format import FormatError
 from ..tasks.progress import Report, silent
@@ -35,6 +35,8 @@ class ImportOptions:
         Of tables: thin them out to the corners of a polyline, not to a smooth curve.
     family
         Of tables: the curve's family, unless a column says it.
+    settings
+        Of tables: those of that family that are not its defaults.
     columns
         Of tables: which column is what, as "t=time,x=pos_x,y=3", by title or number from 1; by default what
         their titles say.
@@ -48,6 +50,7 @@ class ImportOptions:
     thin: float | None = None
     corners: bool = False
     family: Family = HERMITE
+    settings: ChosenSettings = NO_SETTINGS
     columns: str = ""
     missing: str = "refuse"
     only: Sequence[str] = ()

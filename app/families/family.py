@@ -27,7 +27,8 @@ class Family:
     """A curve family as the program knows it; compares and hashes by its name.
 
     Everything but the name is what the curve class says of itself. A family that is not there, because the
-    package or file that brings it is not, has no class: its curves keep their points and cannot be drawn.
+    package or file that brings it is not, has no class: its curves keep their points and cannot be drawn. The
+    registry has one object for each name, which documents share: the class may come, be another one, and go.
 
     Parameters
     ----------
@@ -35,17 +36,29 @@ class Family:
         The name that documents store.
     curve_class
         Makes its curves; None for a family that is not there.
+    misses_points
+        Whether its curves were found to miss the points that the class says they run through.
     """
 
-    __slots__ = ("_curve_class", "_name")
+    __slots__ = ("_curve_class", "_misses_points", "_name")
 
-    def __init__(self, name: str, curve_class: type[ParametricCurve] | None) -> None:
-        self._name, self._curve_class = name, curve_class
+    def __init__(
+        self, name: str, curve_class: type[ParametricCurve] | None, *, misses_points: bool = False
+    ) -> None:
+        self._name, self._curve_class, self._misses_points = name, curve_class, misses_points
 
     @classmethod
-    def of(cls, curve_class: type[ParametricCurve]) -> Self:
+    def of(cls, curve_class: type[ParametricCurve], *, misses_points: bool = False) -> Self:
         """Return the family of a curve class."""
-        return cls(str(curve_class.name), curve_class)
+        return cls(str(curve_class.name), curve_class, misses_points=misses_points)
+
+    def become(self, other: Family) -> None:
+        """Take over what another one of this name is; documents that name this one have that from now on."""
+        self._curve_class, self._misses_points = other._curve_class, other._misses_points
+
+    def makes(self, curve: ParametricCurve) -> bool:
+        """Whether a curve is one of this family, as it is now; of a chain, its pieces."""
+        return type(curve.pieces[0]) is self._curve_class
 
     @staticmethod
     def may_be_called(name: object) -> bool:
@@ -110,7 +123,12 @@ class Family:
     @property
     def point(self) -> str:
         """The word for its points within a sentence: those beside their curves are control points."""
-        return "point" if self.interpolates else "control point"
+        return "control point" if self.has_control_points else "point"
+
+    @property
+    def has_control_points(self) -> bool:
+        """Whether its curves are meant to pass their points by; one that misses them by mistake has none."""
+        return self._curve_class is not None and not self._curve_class.interpolates
 
     @property
     def tip(self) -> str:
@@ -151,8 +169,13 @@ class Family:
 
     @property
     def interpolates(self) -> bool:
-        """Whether its curves run through their points."""
-        return self._curve_class is None or self._curve_class.interpolates
+        """Whether its curves run through their points: the class says so, and nothing else was found."""
+        return self._curve_class is None or (self._curve_class.interpolates and not self._misses_points)
+
+    @property
+    def is_calm(self) -> bool:
+        """Whether it is offered as a cure for a curve that swings out between its points."""
+        return self._curve_class is not None and self._curve_class.is_calm
 
     @property
     def is_local(self) -> bool:
@@ -174,6 +197,27 @@ class Family:
             return ChosenSettings(chosen)
         defaults = {setting.name: setting.default for setting in self.settings}
         return ChosenSettings((name, value) for name, value in chosen.items() if value != defaults.get(name))
+
+    @property
+    def takes_shapes(self) -> bool:
+        """Whether curves of other families can be written as its own."""
+        if self._curve_class is None:
+            return False
+        own, base = self._curve_class.same_shape_as, ParametricCurve.same_shape_as
+        # Of methods of a class: the functions that they are.
+        return getattr(own, "__func__", own) is not getattr(base, "__func__", base)
+
+    def same_shape_as(self, curve: ParametricCurve) -> ParametricCurve:
+        """Return `curve` as one of this family.
+
+        Raises
+        ------
+        CurveError
+            If it is none, or no way to it is known.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        return self._curve_class.same_shape_as(curve)
 
     def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
         """Return the settings of a curve, open or closed, of which these were chosen."""

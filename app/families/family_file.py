@@ -7,10 +7,11 @@ The least that such a file says::
     def basis(t, parameters):          # t (m,), parameters (n,) ascending -> (m, n)
         ...
 
-`B_i(t_j)` is 1 for i = j and 0 else; that is checked. It may say more: ``title``, what people read;
-``basis(t, parameters, order)`` for derivatives, which else are differences; ``breaks(parameters)``, where
-they jump; ``interpolates = False`` where the curve passes its points by, ``can_close = True`` where a curve
-whose last point is its first goes on smoothly there; a docstring: its first line says what its curves are.
+Where `B_i(t_j)` is not 1 for i = j and 0 else, the curve misses its points; that is measured and told, unless
+the file says so itself. It may say more: ``title``, what people read; ``basis(t, parameters, order)`` for
+derivatives, which else are differences; ``breaks(parameters)``, where they jump; ``interpolates = False``
+where the curve is meant to pass its points by, ``can_close = True`` where a curve whose last point is its
+first goes on smoothly there; a docstring: its first line says what its curves are.
 Classes derived from `curvecore.ParametricCurve` with a name are families, too.
 """
 
@@ -28,14 +29,19 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from curvecore import BasisCurve, CurveError, ParametricCurve, Scheme, chebyshev, uniform
+from curvecore import BasisCurve, CurveError, ParametricCurve, Scheme, cardinal_defect, chebyshev, uniform
 from curvecore.arrays import FloatArray
 
 from .family import Family, families_of_module
 from .registry import Families
+from .time_limit import OverdueError, stopped_after
 
 _MODULE = "curvebench_families_of_a_file"
 _COUNTS = (2, 3, 4, 7)
+
+RUN_SECONDS, CALL_SECONDS = 8.0, 5.0
+"""Seconds that a file may run, and that its functions may take at a time."""
+
 _FACTS = {"title": str, "interpolates": bool, "can_close": bool}
 """The names that a file may define beside its functions, and their types."""
 
@@ -55,19 +61,49 @@ def families_of_files(families: Families, paths: Sequence[str]) -> Iterator[None
     FamilyFileError
         If a file cannot be read or run, or what it says makes no curve.
     """
-    added: list[Family] = []
+    used = [Path(path) for path in paths]
     try:
-        for path in paths:
-            for family in families_in(Path(path)):
-                try:
-                    families.add(family)
-                except ValueError as problem:
-                    raise FamilyFileError(f"“{path}”: {problem}.") from None
-                added.append(family)
+        for path in used:
+            use_file(families, path)
         yield
     finally:
-        for family in added:
+        for path in used:
+            forget_file(families, path)
+
+
+def use_file(families: Families, path: Path) -> frozenset[Family]:
+    """Run a file, have its families in place of those that it had before, and return all of both.
+
+    Curves of a family that it has no longer go on with the functions that there were.
+
+    Raises
+    ------
+    FamilyFileError
+        If it cannot be read or run, or what it says makes no curve; everything is as it was then.
+    """
+    found, before = families_in(path), families.files.get(path.absolute(), ())
+    taken = [each for each in found if (each in families and each not in before) or found.count(each) > 1]
+    if taken:
+        raise FamilyFileError(f"“{path}”: there is a family “{taken[0].name}” already.")
+    for family in before:
+        if family in families:
             families.remove(family)
+    for family in found:
+        families.add(family)
+    mine = dict.fromkeys((*before, *found))
+    families.files[path.absolute()] = tuple(families.named(each.name) for each in mine)
+    return frozenset(mine)
+
+
+def forget_file(families: Families, path: Path) -> frozenset[Family]:
+    """Forget the families of a file, and return them."""
+    gone = families.files.pop(path.absolute(), ())
+    for family in gone:
+        if family in families:
+            families.remove(family)
+        # Documents that name it have it no longer, either.
+        family.become(Family(family.name, None))
+    return frozenset(gone)
 
 
 def families_in(path: Path) -> list[Family]:
@@ -81,9 +117,7 @@ def families_in(path: Path) -> list[Family]:
         raise FamilyFileError(
             f"“{path}” defines no family: it needs a name and a function basis(t, parameters)."
         )
-    for curve_class, basis in found.items():
-        _try_out(curve_class, path, _first_line(basis))
-    return [Family.of(each) for each in found]
+    return [_tried(curve_class, path, _first_line(basis)) for curve_class, basis in found.items()]
 
 
 def _run(path: Path) -> ModuleType:
@@ -93,12 +127,14 @@ def _run(path: Path) -> ModuleType:
     # Where dataclasses and the like look for the module of a class.
     sys.modules[_MODULE] = module
     try:
-        exec(compile(path.read_bytes(), str(path), "exec"), vars(module))
+        code = compile(path.read_bytes(), str(path), "exec")
+        with stopped_after(RUN_SECONDS):
+            exec(code, vars(module))
     except OSError as problem:
         raise FamilyFileError(f"“{path}” cannot be read: {problem.strerror}.") from None
     except SyntaxError as problem:
         raise FamilyFileError(f"“{path}”, line {problem.lineno or 1}: {problem.msg}.") from None
-    except Exception as problem:
+    except BaseException as problem:  # sys.exit, too, is a mistake there
         raise FamilyFileError(f"“{path}”{_line(problem, path)}: {_words(problem)}.") from None
     finally:
         del sys.modules[_MODULE]
@@ -127,18 +163,27 @@ def _class_of(said: dict[str, Any], path: Path) -> type[ParametricCurve]:
 
 def _told(function: _Function, path: Path) -> _Function:
     """Return a function of the file whose errors are refusals that name their line."""
+    overdue: list[CurveError] = []
 
     def told(*arguments: object) -> npt.ArrayLike:
+        if overdue:
+            # Once is enough to wait for: it is asked again for every frame.
+            raise overdue[0]
         try:
-            return function(*arguments)
-        except Exception as problem:
-            raise CurveError(f"“{path.name}”{_line(problem, path)}: {_words(problem)}") from problem
+            with stopped_after(CALL_SECONDS):
+                return function(*arguments)
+        except BaseException as problem:  # sys.exit, too, is a mistake there
+            refusal = CurveError(f"“{path.name}”{_line(problem, path)}: {_words(problem)}")
+            if isinstance(problem, OverdueError):
+                overdue.append(refusal)
+            raise refusal from problem
 
     return told
 
 
-def _try_out(curve_class: type[ParametricCurve], path: Path, line: str) -> None:
-    """Raise FamilyFileError unless the family makes curves that are linear in their points and finite."""
+def _tried(curve_class: type[ParametricCurve], path: Path, line: str) -> Family:
+    """Return the family of a class; raise FamilyFileError where it makes a curve that is not finite."""
+    misses_points = False
     for parameters in _trials():
         jets = np.zeros((len(parameters), curve_class.derivatives + 1, 2))
         jets[:, 0] = np.stack([np.cos(3.0 * parameters), parameters], axis=1)
@@ -146,7 +191,7 @@ def _try_out(curve_class: type[ParametricCurve], path: Path, line: str) -> None:
         try:
             curve = curve_class.from_jets(jets, parameters)
             found = [curve.evaluate(places, order) for order in (0, 1, 2)]
-        except Exception as problem:
+        except BaseException as problem:
             own = problem.__cause__ or problem
             at = ", ".join(f"{t:g}" for t in parameters)
             raise FamilyFileError(
@@ -154,6 +199,8 @@ def _try_out(curve_class: type[ParametricCurve], path: Path, line: str) -> None:
             ) from None
         if not all(np.isfinite(each).all() for each in found):
             raise FamilyFileError(f"“{path}”{line}: {curve_class.name} makes a curve that is not finite.")
+        misses_points |= cardinal_defect(curve) is not None
+    return Family.of(curve_class, misses_points=misses_points)
 
 
 def _trials() -> Iterator[FloatArray]:
@@ -177,6 +224,6 @@ def _line(problem: BaseException, path: Path) -> str:
 
 def _words(problem: BaseException) -> str:
     text = str(problem).rstrip(".")
-    if isinstance(problem, CurveError):
+    if isinstance(problem, (CurveError, OverdueError)):
         return text
     return f"{type(problem).__name__}: {text}" if text else type(problem).__name__

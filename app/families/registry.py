@@ -26,12 +26,16 @@ class Families(Sequence[Family]):
     ----------
     problems
         A sentence on each family of an installed package that is left out.
+    files
+        The families that each file has brought since it is in use, those among them that it has no longer.
     """
 
     def __init__(self, built_in: Sequence[Family]) -> None:
         self._families = list(built_in)
+        self._known = {family.name: family for family in built_in}
         self._has_installed = False
         self.problems: list[str] = []
+        self.files: dict[Path, tuple[Family, ...]] = {}
 
     @overload
     def __getitem__(self, index: int) -> Family: ...
@@ -45,7 +49,8 @@ class Families(Sequence[Family]):
 
     def named(self, name: str) -> Family:
         """Return the family of that name; one that is missing where there is none."""
-        return next((family for family in self if family.name == name), Family(name, None))
+        self._look_for_installed()
+        return self._known.setdefault(name, Family(name, None))
 
     def add(self, family: Family) -> None:
         """Append a family.
@@ -59,14 +64,20 @@ class Families(Sequence[Family]):
             raise ValueError(f"“{family.name}” is no name of a family; one is like quintic_hermite")
         if family in self:
             raise ValueError(f"there is a family “{family.name}” already")
-        self._families.append(family)
+        known = self._known.setdefault(family.name, family)
+        known.become(family)
+        self._families.append(known)
 
     def remove(self, family: Family) -> None:
-        """Forget a family."""
+        """Offer a family no longer; curves of it go on."""
         self._families.remove(family)
 
     @property
     def _all(self) -> list[Family]:
+        self._look_for_installed()
+        return self._families
+
+    def _look_for_installed(self) -> None:
         if not self._has_installed:
             # Not before somebody asks: a package's curves are written with what imports this.
             self._has_installed = True
@@ -75,7 +86,6 @@ class Families(Sequence[Family]):
                     self.add(family)
                 except ValueError as problem:
                     self.problems.append(f"A family of an installed package is left out: {problem}.")
-        return self._families
 
     def _installed(self) -> Iterator[Family]:
         if not _any_package_brings_families():

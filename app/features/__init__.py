@@ -17,6 +17,7 @@ FEATURES = (
     "curves",
     "tangents",
     "rules",
+    "own_families",
     "points",
     "transform",
     "fitting",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
 import msgspec
@@ -13,6 +13,7 @@ from PySide6.QtGui import QUndoStack
 from ..document.edits import EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
+from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve_view import CurveView
@@ -339,6 +340,12 @@ class Session(QObject):
         selected.keep_scrub()
         if has_moved:
             self.selected_curves_changed.emit(selected.curves)
+
+    def renew(self, families: Collection[Family]) -> None:
+        """Show curves of these families anew: what the families are has changed, not the document."""
+        self.interrupt()
+        self._views.renew(families)
+        self.document_changed.emit(self._shown)
 
     # Messages
 

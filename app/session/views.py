@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from ..document.model import Curve
+from ..families import Family
 from ..view_model.curve_view import CurveView, view_of
 
 
@@ -27,6 +28,12 @@ class Views:
             ]
             self._curves = curves
         return self._views
+
+    def renew(self, families: Collection[Family]) -> None:
+        """Make the views of curves of these families anew: their functions are other ones."""
+        self._views = [
+            view_of(view.source, view) if view.source.family in families else view for view in self._views
+        ]
 
     def take(self, views: Sequence[CurveView] = ()) -> None:
         """Go on with `views`, as far as they are of the curves that are asked for, and with no others."""

@@ -19,13 +19,13 @@ from ..families import FAMILIES, Family
 from ..features.basis.panel import BasisPanel
 from ..features.curve_list.commands import CurveListCommands
 from ..features.curve_list.view import Spot, spot_rect
-from ..features.file_on_disk.bar import FileBar
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..view_model.handles import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow
-from .input_driver import InputDriver, spin
+from ..workbench.notice_bar import NoticeBar
+from .input_driver import InputDriver, spin, type_keys
 from .reach import require_enabled, require_reachable, require_under_mouse
 
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -137,14 +137,14 @@ class Editor(InputDriver):
     @property
     def file_message(self) -> str:
         """The sentence about the document's file; empty when there is none."""
-        bar = self.window.findChild(FileBar)
+        bar = self.window.findChild(NoticeBar, "fileBar")
         return bar.text if bar is not None else ""
 
     # What a person does
 
     def answer_file_message(self, action: str) -> None:
         """Click the button that the sentence about the file offers for the action of this name."""
-        bar = self.window.findChild(FileBar)
+        bar = self.window.findChild(NoticeBar, "fileBar")
         if bar is None or action not in bar.offered:
             raise LookupError(f"{action!r} is not offered; {bar.offered if bar else 'there is no line'}.")
         require_reachable(bar.button(action))
@@ -259,7 +259,7 @@ class Editor(InputDriver):
         self.send(panel, QEvent.Type.MouseButtonRelease, place, held=False)
         line = panel.tick_edit.line
         line.selectAll()
-        QTest.keyClicks(line, text)
+        type_keys(line, text)
         QTest.keyClick(line, Qt.Key.Key_Return)
         self.settle()
 
@@ -270,7 +270,7 @@ class Editor(InputDriver):
             self.trigger("commandPalette")
         palette = self._palette()
         palette.search.clear()
-        QTest.keyClicks(palette.search, text)
+        type_keys(palette.search, text)
         self.settle()
         return palette.found
 
@@ -313,7 +313,7 @@ class Editor(InputDriver):
     def type_text(self, widget: QWidget, text: str) -> None:
         """Type into a widget."""
         require_reachable(widget)
-        QTest.keyClicks(widget, text)
+        type_keys(widget, text)
 
     def wait_for_work(self, seconds: float = 30.0) -> None:
         """Wait until nothing is read or written beside the window."""

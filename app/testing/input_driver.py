@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from PySide6.QtCore import QEvent, QEventLoop, QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
@@ -43,6 +43,17 @@ def wait_for_rest(widget: QWidget, seconds: float = 10.0, *, up_to_ms: int = _SH
         if time.monotonic() > deadline:
             raise TimeoutError(f"The window does not come to rest within {seconds:g} s.")
         spin(5)
+
+
+def type_keys(widget: QWidget, text: str) -> None:
+    """Press and release a key for each letter; QTest's own function ends the process at an é."""
+    for letter in text:
+        if letter.isascii():
+            QTest.keyClicks(widget, letter)
+        else:
+            for kind in (QEvent.Type.KeyPress, QEvent.Type.KeyRelease):
+                event = QKeyEvent(kind, 0, Qt.KeyboardModifier.NoModifier, letter)
+                QApplication.sendEvent(widget, event)
 
 
 def spin(milliseconds: int) -> None:

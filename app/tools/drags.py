@@ -242,7 +242,11 @@ class BendCurve(CurveDrag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return where it is held, and what changes."""
-        return f"Bend at t = {words.number(self.hit.t)}: {self._using(pointer).value}"
+        using = self._using(pointer)
+        # Which data change most is decided by weights; the grabbed point follows exactly.
+        weights = f", by weights {self.view.linearised}" if self.view.linearised else ""
+        is_by_points = using is BendWith.POINTS
+        return f"Bend at t = {words.number(self.hit.t)}: {using.value}{weights if is_by_points else ''}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Let the grabbed point keep its distance to the pointer."""

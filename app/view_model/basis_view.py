@@ -97,6 +97,12 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         ahead = self.values[here:end, 0, kind]
         return self.t[start:end], np.concatenate([behind, ahead])
 
+    def inside_support(self, index: int) -> slice:
+        """Return which samples of a curve that is not piecewise may show more of knot `index` than zeros."""
+        low, high = self.curve.support(index)
+        first, end = np.searchsorted(self.t, low), np.searchsorted(self.t, high, side="right")
+        return slice(int(first), int(end))
+
     @property
     def is_coarse(self) -> bool:
         """Whether the samples are too few to show one function by itself."""

@@ -22,7 +22,7 @@ from ..document.kept_handles import with_handles_kept
 from ..document.model import Curve, Vector
 from .basis_view import weights_at
 from .bend_together import QuadraticCost, broyden, divided, slope_at_rest
-from .curve_view import BY_COUNT, CurveView, view_of
+from .curve_view import CurveView, view_of
 from .hold import BendWith, required_hold
 from .plane import size_of
 from .sampling import segment_at
@@ -73,7 +73,7 @@ class Bend:
         pull = np.array(target) - self._start
         source = self._view.source
         moves_points = self._hold.changes[0].value.order == 0
-        moves_parameters = moves_points and source.parametrization.kind not in BY_COUNT
+        moves_parameters = moves_points and source.parametrization.kind.asks_where_points_are
         follow = moves_points and source.family.derivatives
         if not (moves_parameters or follow):
             return self._curve(pull)  # exact

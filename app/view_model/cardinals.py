@@ -12,8 +12,8 @@ from curvecore import CurveError, ParametricCurve, lebesgue_constant
 from curvecore.analysis.cardinal import REACH, CardinalBasis
 from curvecore.arrays import FloatArray
 
-from ..document.model import Curve, VelocityRule
-from .jets import moved_with_points
+from ..document.model import Curve
+from .jets import moved_with_points, rules_of
 from .point_arrays import PointArrays
 
 _MANY, _SHORT_REACH = 200, 24
@@ -59,7 +59,7 @@ class Cardinals:
         """
         is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
         numbers = [basis_curve.parameters, arrays.corners, is_set]
-        if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
+        if not all(rule.is_linear for rule in rules_of(curve)):
             numbers += [np.array(curve.parametrization.alpha), points]
         rules = (curve.functions_key, curve.velocity_rule, curve.acceleration_rule, curve.is_closed)
         key = (*rules, *(each.tobytes() for each in numbers))

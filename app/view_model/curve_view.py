@@ -2,36 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cached_property, partial
 from itertools import pairwise
 
 import msgspec
 import numpy as np
 
-from curvecore import (
-    CardinalBasis,
-    Chain,
-    CurveError,
-    ParametricCurve,
-    centripetal,
-    chebyshev,
-    chord_length,
-    power,
-    uniform,
-)
+from curvecore import CardinalBasis, Chain, CurveError, ParametricCurve, parametrization
 from curvecore.arrays import FloatArray, parameter_array
 
 from ..document.model import Curve, ParametrizationKind, Vector
 from .cardinals import Cardinal, Cardinals
 from .flattener import Box, Flattener, FlatteningKey, Polyline
-from .jets import Sides, corner_knots, sides_of
+from .jets import Sides, corner_knots, rules_of, sides_of
 from .plane import at_knots, size_of
 from .point_arrays import PointArrays, arrays_of
 from .refusals import refusal_of
 
 __all__ = [
-    "BY_COUNT",
     "TOO_FEW",
     "Box",
     "CurveView",
@@ -43,18 +31,6 @@ __all__ = [
 ]
 
 TOO_FEW = "A curve needs at least two points."
-
-_PARAMETERS: dict[ParametrizationKind, Callable[[FloatArray, float], FloatArray]] = {
-    ParametrizationKind.UNIFORM: lambda points, _: uniform(len(points)),
-    ParametrizationKind.CHORD_LENGTH: lambda points, _: chord_length(points),
-    ParametrizationKind.CENTRIPETAL: lambda points, _: centripetal(points),
-    ParametrizationKind.POWER: power,
-    ParametrizationKind.CHEBYSHEV: lambda points, _: chebyshev(len(points)),
-}
-
-
-BY_COUNT = (ParametrizationKind.MANUAL, ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV)
-"""Rules that do not ask where the points are."""
 
 
 class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
@@ -153,6 +129,11 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays)
 
     @property
+    def linearised(self) -> str:
+        """What is said of the effects of points, where estimates are not linear in them; else empty."""
+        return next((rule.linearised for rule in rules_of(self.source) if rule.linearised), "")
+
+    @property
     def at_knots(self) -> FloatArray:
         """The points' positions, of a closed curve the first one once more at the end, (k, 2)."""
         return at_knots(self.points, closed=self.source.is_closed)
@@ -242,6 +223,13 @@ def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) ->
     points = arrays.positions
     knots = at_knots(points, closed=curve.is_closed)
     parameters = _checked_parameters(curve, knots, arrays)
+    if (
+        previous is not None
+        and previous.curve is not None
+        and not previous.source.family.makes(previous.curve)
+    ):
+        # Its functions were other ones: what was computed of them is of no use.
+        previous = None
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
@@ -314,6 +302,9 @@ def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = N
         if times is None:
             times = np.array([np.nan if point.t is None else point.t for point in curve.points])
         return np.append(times, rule.end) if curve.is_closed else times
-    mapped = rule.start + _PARAMETERS[rule.kind](points, rule.alpha) * (rule.end - rule.start)
+    given = {"count": len(points), "points": points, "alpha": rule.alpha}
+    rule_of_the_core = getattr(parametrization, rule.kind.value)
+    shares: FloatArray = rule_of_the_core(*(given[name] for name in rule.kind.takes))
+    mapped = rule.start + shares * (rule.end - rule.start)
     mapped[-1] = rule.end
     return mapped

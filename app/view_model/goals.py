@@ -11,6 +11,7 @@ import operator
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from curvecore import CurveError, chord_length, joint_report
 
 from ..document.model import Curve
 from ..document.words import number
+from ..families import FAMILIES
 from .curve_view import CurveView
 from .growth import growth_of_points
 from .plane import size_of
@@ -109,14 +111,14 @@ def result_of(goal: Goal, view: CurveView, given: Curve | None = None) -> GoalRe
 
 def _asked(goal: Goal) -> str:
     if goal.measure in _WORDS:
-        return f"{_WORDS[goal.measure][0]} {goal.value.replace('_', ' ')}"
+        return f"{_WORDS[goal.measure].words} {_WORDS[goal.measure].title_of(goal.value)}"
     return f"{MEASURES[goal.measure][0]} {_COMPARISONS[goal.comparison][1]} {goal.value}"
 
 
 def _measured(goal: Goal, view: CurveView) -> tuple[bool, str]:
     """Return whether the value is the one that is asked for, and what it is now, in words."""
     if goal.measure in _WORDS:
-        return _WORDS[goal.measure][1](view) == goal.value, ""
+        return _WORDS[goal.measure].of(view) == goal.value, ""
     value = MEASURES[goal.measure][1](view)
     now = number(value) if np.isfinite(value) else "∞"
     return _COMPARISONS[goal.comparison][0](value, _number(goal)), f"; now {now}"
@@ -207,7 +209,22 @@ MEASURES: dict[str, tuple[str, Callable[[CurveView], float]]] = {
 }
 """The measures by name: the words for each, and its function of a current view."""
 
-_WORDS: dict[str, tuple[str, Callable[[CurveView], str]]] = {
-    "family": ("The family is", lambda view: str(view.source.family)),
-    "parametrization": ("The parameters are", lambda view: str(view.source.parametrization.kind)),
+
+class _Word(NamedTuple):
+    """A property that is a word: what is said of it, the one of a view, and the words for a value."""
+
+    words: str
+    of: Callable[[CurveView], str]
+    title_of: Callable[[str], str]
+
+
+_WORDS = {
+    "family": _Word(
+        "The family is", lambda view: str(view.source.family), lambda name: FAMILIES.named(name).title
+    ),
+    "parametrization": _Word(
+        "The parameters are",
+        lambda view: str(view.source.parametrization.kind),
+        lambda name: name.replace("_", " "),
+    ),
 }

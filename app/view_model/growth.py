@@ -53,6 +53,8 @@ def _lends(basis: BasisView, view: CurveView) -> bool:
     own = view.basis_curve
     if own is None or basis.curve.is_local or basis.curve.functions_key != own.functions_key:
         return False
+    if view.source.is_closed:
+        return False  # two of them belong to the first point
     return bool(np.array_equal(basis.curve.parameters, view.parameters))
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
+from itertools import pairwise
 
 import msgspec
 
@@ -54,6 +55,14 @@ def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handl
         if free or view.spacing(index, ahead=ahead) is not None:
             handles += _handles_on_one_side(view, index, ahead=ahead)
     return handles
+
+
+def control_polygon(view: CurveView) -> list[Handle]:
+    """Return the sides of the polygon of control points as handles; none of a curve through its points."""
+    if view.source.family.interpolates:
+        return []
+    points = [point.position for point in view.source.points]
+    return [Handle(1, True, tip, anchor, explicit=True) for anchor, tip in pairwise(points)]
 
 
 def _lone_handle(view: CurveView) -> list[Handle]:

@@ -12,17 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore import (
-    bessel_velocities,
-    catmull_rom_velocities,
-    finite_difference_velocities,
-    natural_spline_accelerations,
-    natural_spline_velocities,
-    zero_accelerations,
-)
+import curvecore
 from curvecore.arrays import FloatArray, IntArray
 
-from ..document.model import AccelerationRule, Curve, Point, Vector, VelocityRule
+from ..document.model import Curve, EstimateRule, Point, Vector
 from .plane import at_knots
 from .point_arrays import PointArrays
 
@@ -45,7 +38,8 @@ def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: P
     before[:, 0] = points
     after = before.copy()
     corners = corner_knots(arrays, len(points))
-    for order, estimate in enumerate(_estimates(curve), start=1):
+    for order, rule in enumerate(rules_of(curve), start=1):
+        estimate = _estimate_by(rule, curve)
         _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
         for side, jets in enumerate((before, after)):
             rows = _given_rows(arrays, side, order, len(jets))
@@ -58,8 +52,8 @@ def moved_with_points(
 ) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
     """Return what moves of the points, (n, m), do to the derivatives before and after each knot.
 
-    At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points. What the
-    person set stays.
+    At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points; of
+    others it is what small moves do. What the person set stays.
     """
     corners = corner_knots(arrays, len(points))
 
@@ -80,20 +74,23 @@ def moved_with_points(
 def _changes(curve: Curve) -> list[Estimate]:
     """Return for each estimate what it makes of moves of the points: of (k, 2 + m) the columns behind two.
 
-    Of a rule that is not linear this is its Jacobian at the points, times the moves.
+    Of a rule that is not linear this is its Jacobian at the points, times the moves: where it treats each
+    coordinate for itself, the mean of both, which is the mean over the directions of a move.
     """
-    if curve.velocity_rule is VelocityRule.CATMULL_ROM:
-        alpha = curve.parametrization.alpha
-
-        def catmull_rom(both: FloatArray, t: FloatArray) -> FloatArray:
-            return catmull_rom_velocities(both[:, 2:], t, alpha, knots_of=both[:, :2])
-
-        return [catmull_rom, *(_of_moves(estimate) for estimate in _estimates(curve)[1:])]
-    return [_of_moves(estimate) for estimate in _estimates(curve)]
+    return [_of_moves(rule, curve) for rule in rules_of(curve)]
 
 
-def _of_moves(estimate: Estimate) -> Estimate:
-    return lambda both, t: estimate(both[:, 2:], t)
+def _of_moves(rule: EstimateRule, curve: Curve) -> Estimate:
+    if rule.is_linear:
+        return lambda both, t: _estimate_by(rule, curve)(both[:, 2:], t)
+    function = getattr(curvecore, rule.changes)
+
+    def changes(both: FloatArray, t: FloatArray) -> FloatArray:
+        moved = function(both[:, :2], t, both[:, 2:], **_further(rule, curve))
+        mean: FloatArray = moved.mean(axis=1)
+        return mean
+
+    return changes
 
 
 def corner_knots(arrays: PointArrays, count: int) -> list[int]:
@@ -104,20 +101,25 @@ def corner_knots(arrays: PointArrays, count: int) -> list[int]:
     return corners
 
 
-def _estimates(curve: Curve) -> list[Estimate]:
-    alpha = curve.parametrization.alpha
-    velocities: dict[VelocityRule, Estimate] = {
-        VelocityRule.NATURAL_SPLINE: natural_spline_velocities,
-        VelocityRule.BESSEL: bessel_velocities,
-        VelocityRule.FINITE_DIFFERENCE: finite_difference_velocities,
-        VelocityRule.CATMULL_ROM: lambda points, t: catmull_rom_velocities(points, t, alpha),
-    }
-    accelerations: dict[AccelerationRule, Estimate] = {
-        AccelerationRule.NATURAL_SPLINE: natural_spline_accelerations,
-        AccelerationRule.ZERO: lambda points, _: zero_accelerations(points),
-    }
-    chosen = [velocities[curve.velocity_rule], accelerations[curve.acceleration_rule]]
-    return chosen[: curve.family.derivatives]
+def rules_of(curve: Curve) -> list[EstimateRule]:
+    """Return the rules that estimate derivatives of a curve, as many as its family has."""
+    return [curve.velocity_rule, curve.acceleration_rule][: curve.family.derivatives]
+
+
+def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:
+    function = getattr(curvecore, rule.function)
+
+    def estimate(points: FloatArray, t: FloatArray) -> FloatArray:
+        data = (points, t) if "parameters" in rule.takes else (points,)
+        found: FloatArray = function(*data, **_further(rule, curve))
+        return found
+
+    return estimate
+
+
+def _further(rule: EstimateRule, curve: Curve) -> dict[str, float]:
+    """Return the arguments of a rule beside points and parameters."""
+    return {"alpha": curve.parametrization.alpha} if "alpha" in rule.takes else {}
 
 
 def _estimate(

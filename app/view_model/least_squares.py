@@ -16,7 +16,6 @@ from curvecore.arrays import FloatArray
 from ..document.edits import EditError
 from ..document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
 from ..document.words import count_of, number
-from ..families import Family
 from ..tasks.progress import Report, silent
 from .curve_view import CurveView
 
@@ -94,14 +93,14 @@ def data_of(view: CurveView) -> Data:
 
 def fitted_to_curve(
     view: CurveView,
-    family: Family,
+    model: Curve,
     *,
     count: int | None = None,
     tolerance: float | None = None,
     keeps_times: bool = False,
     report: Report = silent,
 ) -> Fitted:
-    """Return a curve of few points near another, in its place: of its name, style and interval.
+    """Return a curve of few points near another, over its interval, of the family and style of `model`.
 
     `keeps_times` leaves every place its t, so that a motion stays the same; else only the shape counts.
 
@@ -111,7 +110,6 @@ def fitted_to_curve(
         If there is no such curve.
     """
     data = data_of(view)
-    model = view.source.with_family(family)
     rule = replace(model.parametrization, start=float(data.times[0]), end=float(data.times[-1]))
     return fitted(
         replace(model, parametrization=rule),

@@ -7,6 +7,8 @@ never assumed: every result carries the largest distance that a point of the cur
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import msgspec
 import numpy as np
 from msgspec.structs import replace
@@ -18,6 +20,7 @@ from ..document.edits import EditError, freeze_parameters, stretched
 from ..document.jet_edits import JetValue, with_jet_values
 from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
 from ..document.words import number
+from ..families import Family
 from .curve_view import CurveView, ParametricCurve, view_of
 from .jets import Sides
 from .measure import dense, is_kept, largest_distance, outcome
@@ -39,12 +42,15 @@ class Reshaped(msgspec.Struct, frozen=True):
         Whether the rule gave the points that were there other parameters, so that the shape is another.
     left_rule
         Whether the parameters had to become manual for the shape to stay.
+    note
+        A further sentence; empty for none.
     """
 
     curve: Curve
     residual: float
     parameters_moved: bool = False
     left_rule: bool = False
+    note: str = ""
 
     @property
     def sentence(self) -> str:
@@ -52,8 +58,8 @@ class Reshaped(msgspec.Struct, frozen=True):
         if self.parameters_moved:
             return f"The parameters moved: largest change {number(self.residual, 2)}."
         words = outcome(self.residual, (self.curve,))
-        manual = " The parameters are manual now." if self.left_rule else ""
-        return words[0].upper() + words[1:] + manual
+        manual = "The parameters are manual now." if self.left_rule else ""
+        return " ".join(each for each in (words[0].upper() + words[1:], manual, self.note) if each)
 
 
 def baked(view: CurveView) -> Curve:
@@ -136,26 +142,38 @@ def inserted_index(view: CurveView, t: float) -> int:
     return int(np.argmin(np.abs(longer.places - t)))
 
 
-def through(view: CurveView, curve: ParametricCurve) -> Curve:
+def through(view: CurveView, curve: ParametricCurve, family: Family | None = None) -> Curve:
     """Return the curve of a view with the points and parameters of `curve`, which has the same shape.
 
     The rule for the parameters stays where it gives this shape; else they become manual. What points carry
-    beside their places stays with those that stay.
+    beside their places stays with those that stay. `curve` is of the same family if none is given.
     """
-    source = view.source
+    source, kept = view.source, {point.position: point for point in view.source.points}
+    family = family or source.family
+    is_closed = source.is_closed and family.can_close
+    count = len(curve.parameters) - is_closed
     places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
-    old = {point.position: point for point in source.points}
-    points = [replace(old.get((x, y), Point(x, y)), x=x, y=y, t=t) for (x, y), t in places]
+    points = [replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=False) for (x, y), t in places]
     start, end = curve.domain
     rule = replace(source.parametrization, start=start, end=end)
-    ruled = replace(source, points=tuple(points), parametrization=rule)
-    if not source.is_manual and (after := view_of(ruled)).is_current:
+    made = replace(
+        source.with_family(family), points=tuple(points[:count]), parametrization=rule, closed=is_closed
+    )
+    made = with_jet_values(made, _given(curve, count))
+    if not source.is_manual and (after := view_of(made)).is_current:
         assert after.curve is not None
         t = dense(curve.parameters)
         away = float(np.abs(after.curve.evaluate(t) - curve.evaluate(t)).max())
-        if is_kept(away, (ruled,)):
-            return replace(ruled, points=tuple(replace(point, t=None) for point in points))
-    return replace(ruled, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
+        if is_kept(away, (made,)):
+            return replace(made, points=tuple(replace(point, t=None) for point in made.points))
+    return replace(made, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
+
+
+def _given(curve: ParametricCurve, count: int) -> Iterator[JetValue]:
+    """Yield the derivatives at the first `count` points, as what the person sets."""
+    for index, jet in enumerate(curve.jets[:count]):
+        for order, derivative in enumerate(jet[1:], start=1):
+            yield JetValue(index, order, True, _vector(derivative))
 
 
 def _place_between(view: CurveView, t: float) -> int:

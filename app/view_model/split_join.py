@@ -210,9 +210,12 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     curve = _part(a, points, points[-1].t or 0.0, a.name)
     residual = _residual_of_join(first, second, view_of(curve), end + wait - start)
     if not is_kept(residual, (first.source, second.source)):
+        other = f"Choose {titles_with_derivatives()} for both."
+        if not a.family.interpolates:
+            other = f"Convert both to {titles_with_derivatives()} first, keeping the shape."
         raise EditError(
             f"Two {a.family.title} curves cannot be joined: they would become another curve, up to "
-            f"{number(residual, 2)} away. Choose {titles_with_derivatives()} for both."
+            f"{number(residual, 2)} away. {other}"
         )
     return Reshaped(curve, residual)
 

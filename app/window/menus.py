@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from pathlib import Path
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QWidget
 
 from ..actions.keymap import set_full_name
 from ..actions.mnemonics import give_mnemonics, with_mnemonics
@@ -30,12 +31,14 @@ class Menus:
         self._actions = actions
         self._window = window
         self._submenus: dict[tuple[Menu, str], QMenu] = {}
+        self._places: dict[Section, QMenu] = {}
         titles = with_mnemonics([menu.title for menu in MENUS])
         for menu, marked in zip(MENUS, titles, strict=True):
             self._fill(window.menuBar().addMenu(marked), menu)
         self.recent, self.examples = self._submenu(FILE_RECENT), self._submenu(FILE_EXAMPLES)
         # A tooltip tells why an entry cannot be used.
         self._submenu(CURVE_TANGENTS).setToolTipsVisible(True)
+        actions.redeclared.connect(self._follow_actions)
 
     def _submenu(self, section: Section) -> QMenu:
         return self._submenus[section.menu, section.submenu]
@@ -43,9 +46,15 @@ class Menus:
     def _fill(self, bar_menu: QMenu, menu: Menu) -> None:
         for section in menu.sections:
             place, actions = self._place_of(section, bar_menu), self._actions.in_section(section)
+            self._places[section] = place
             if actions and section.is_separated and not place.isEmpty():
                 place.addSeparator()
             place.addActions(actions)
+
+    def _follow_actions(self) -> None:
+        """Put in what has come; what is gone has left by itself."""
+        for section, place in self._places.items():
+            put_in(place, self._actions.in_section(section))
 
     def _place_of(self, section: Section, menu: QMenu) -> QMenu:
         """Return the menu of a section; a submenu is made with its first one."""
@@ -101,6 +110,15 @@ class Menus:
         # Only now: nobody waits at the start for files to be read that are perhaps never opened.
         for action, path in zip(self.examples.actions(), example_paths(), strict=True):
             action.setText(menu_text(example_name(path)))
+
+
+def put_in(place: QWidget, actions: Sequence[QAction]) -> None:
+    """Put those of some actions that a menu or a toolbar does not have behind the ones before them."""
+    for before, action in pairwise(actions):
+        there = place.actions()
+        if action not in there:
+            at = there.index(before) + 1
+            place.insertAction(there[at] if at < len(there) else None, action)  # type: ignore[arg-type]
 
 
 def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
-from ..document.model import ParametrizationKind
 from ..state.window_state import WindowState
 from ..tools.canvas.add import ADD
 from ..view_model.curve_view import CurveView
@@ -14,13 +13,6 @@ from ..workbench.context import WindowContext
 _GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
 _EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."
 _EMPTY_ADDING = "Click on the canvas to add points; two of them make a curve."
-
-_BY_DISTANCE = (
-    ParametrizationKind.CHORD_LENGTH,
-    ParametrizationKind.CENTRIPETAL,
-    ParametrizationKind.POWER,
-)
-"""Rules that need distances between points; uniform parameters are the way out where there are none."""
 
 
 class Messages(QObject):
@@ -103,7 +95,9 @@ class Messages(QObject):
         """Return what would help against what is wrong."""
         if text == self._image_problem:
             return self._find_image
-        by_distance = view.source.parametrization.kind in _BY_DISTANCE and not view.source.family.is_missing
+        kind = view.source.parametrization.kind
+        # Uniform parameters are the way out where there are no distances between points.
+        by_distance = kind.asks_where_points_are and not view.source.family.is_missing
         return self._use_uniform if by_distance and text == view.problem else None
 
     def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:

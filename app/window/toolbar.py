@@ -13,6 +13,7 @@ from ..actions.qactions import Actions
 from ..actions.strips import TOOLBAR, Place
 from ..qt.overrides import Guarded
 from ..widgets.toolbar_widget import ToolbarWidget
+from .menus import put_in
 
 _Style = Qt.ToolButtonStyle
 
@@ -47,6 +48,7 @@ class Toolbar(Guarded, QToolBar):
         self._widgets: list[ToolbarWidget] = []
         self._has_style = False
         self._widths: list[int] = []
+        actions.redeclared.connect(self._follow_actions)
 
     def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
         """Add the actions of the strip, and `widgets` at their places."""
@@ -58,12 +60,26 @@ class Toolbar(Guarded, QToolBar):
                 self.addSeparator()
             for action in entries.get(ten, ()):
                 self.addAction(action)
-                if self._actions.words_of(action, short=True):
-                    self._in_words.append(self._button(action))
-                    action.toggled.connect(self._fit)
+                self._follow(action)
             if ten in at:
                 self.addWidget(at[ten])
         self._show_step(_STEPS[0])
+
+    def _follow(self, action: QAction) -> None:
+        if self._actions.words_of(action, short=True):
+            self._in_words.append(self._button(action))
+            action.toggled.connect(self._fit)
+
+    def _follow_actions(self) -> None:
+        """Put in what has come, and leave out what is gone."""
+        self._in_words = [button for button in self._in_words if button.defaultAction().objectName()]
+        for entries in self._actions.in_strip(TOOLBAR).values():
+            new = [action for action in entries if action not in self.actions()]
+            put_in(self, entries)
+            for action in new:
+                self._follow(action)
+        self._widths.clear()
+        self._fit()
 
     def _button(self, action: QAction) -> QToolButton:
         button = self.widgetForAction(action)

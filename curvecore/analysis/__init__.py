@@ -2,5 +2,6 @@
 
 - ``geometry``, ``lengths``, ``quadrature``, ``nearest_point``, ``arc_pairs``, ``intersections``: shape.
 - ``continuity``: jumps at the joints, and the class that follows.
+- ``basis_checks``: what is wrong with basis functions: their sum, their values at the parameters.
 - ``stability``, ``cardinal``, ``sensitivity``, ``ensembles``, ``condition``: how errors of the data grow.
 """

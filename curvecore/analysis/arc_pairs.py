@@ -36,6 +36,7 @@ _ROUNDS = 48
 _ARCS = 1 << 11
 _PAIRS = 1 << 14  # at a time; where a curve runs along itself, no number is enough
 _WORK = 1 << 17  # pairs in all
+_FEW = 64  # pairs, up to which a round takes as long for quarters as for halves
 _AT_ONCE = 1 << 13  # pairs tested together
 _STRAIGHT = 1 / 8  # of the tolerance
 
@@ -105,7 +106,7 @@ def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
         work += len(pairs)
         if len(pairs) > _PAIRS or work > max(_WORK, 64 * len(arcs.start)):
             break
-        pairs = _quartered(pairs, margin)
+        pairs = _divided(pairs, margin)
     return _joined_pairs([*done, pairs.taken(~_adjoining(pairs))]), False
 
 
@@ -134,18 +135,20 @@ def _first_pairs(arcs: Arcs, margin: float) -> tuple[Pairs, bool]:
     return _joined_pairs(found), True
 
 
-def _quartered(pairs: Pairs, margin: float) -> Pairs:
-    """Return the pairs of halves that may meet."""
+def _divided(pairs: Pairs, margin: float) -> Pairs:
+    """Return the pairs of parts that may meet: of halves, and while pairs are few of quarters."""
+    count = 4 if len(pairs) <= _FEW else 2
+    which = np.arange(count)
     parts = []
     for begin in range(0, len(pairs), _AT_ONCE):
         some = pairs.taken(np.arange(begin, min(begin + _AT_ONCE, len(pairs))))
-        left, right = some.first.halved(), some.second.halved()
-        first_half = 2 * np.repeat(np.arange(len(some)), 4)
-        halves = Pairs(
-            left.taken(first_half + np.tile([0, 0, 1, 1], len(some))),
-            right.taken(first_half + np.tile([0, 1, 0, 1], len(some))),
+        left, right = some.first.divided(count), some.second.divided(count)
+        origin = count * np.repeat(np.arange(len(some)), count * count)
+        each = Pairs(
+            left.taken(origin + np.tile(np.repeat(which, count), len(some))),
+            right.taken(origin + np.tile(which, count * len(some))),
         )
-        parts.append(halves.taken(_may_meet(halves, margin)))
+        parts.append(each.taken(_may_meet(each, margin)))
     return _joined_pairs(parts)
 
 

@@ -64,13 +64,48 @@ def estimation_matrix(rule: Rule, parameters: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (n, n)
         ``[j, i]`` is what point i adds to the derivative at joint j.
+
+    See Also
+    --------
+    follow_rules : The same for `CardinalBasis`.
+
+    Examples
+    --------
+    >>> from curvecore import bessel_velocities, estimation_matrix
+    >>> estimation_matrix(bessel_velocities, [0, 1, 2]).tolist()
+    [[-1.5, 2.0, -0.5], [-0.5, 0.0, 0.5], [0.5, -2.0, 1.5]]
     """
     t = parameter_row(parameters)
     return rule(np.eye(len(t)), t)
 
 
 def follow_rules(parameters: ArrayLike, *rules: Rule) -> Follow:
-    """Return the `Follow` of an open curve without corners: one rule for each kind of derivative."""
+    """Return the `Follow` of an open curve without corners.
+
+    Parameters
+    ----------
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+    *rules : callable
+        One for each kind of derivative: ``rule(points, parameters)``, linear in the points.
+
+    Returns
+    -------
+    callable
+        What `CardinalBasis` takes.
+
+    See Also
+    --------
+    CardinalBasis : What takes it.
+    estimation_matrix : What a rule does.
+
+    Examples
+    --------
+    >>> from curvecore import CardinalBasis, HermiteCurve, bessel_velocities, follow_rules
+    >>> curve = HermiteCurve([[0], [1], [9]], [[0], [0], [0]], [0, 1, 2])
+    >>> CardinalBasis(curve, follow_rules(curve.parameters, bessel_velocities)).follows
+    True
+    """
     t = parameter_row(parameters)
 
     def follow(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -90,7 +125,7 @@ def cardinal_basis(
     curve : ParametricCurve
         Of any family; only its parameters matter.
     t : float or array_like of any shape
-        As for `ParametricCurve.basis`.
+        Finite, inside the domain or not.
     order : int, optional
         Order of the derivative, at least 0.
     rules : tuple of callable, optional
@@ -101,6 +136,18 @@ def cardinal_basis(
     ndarray, shape (*shape of t, n)
         ``cardinal_basis(curve, t, rules=rules) @ points`` is the curve through any points with these
         parameters. Rows of order 0 add up to 1.
+
+    See Also
+    --------
+    CardinalBasis : The functions of closed curves, too.
+    estimation_matrix : What a rule does.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, bessel_velocities, cardinal_basis
+    >>> curve = HermiteCurve([[0], [1], [9]], [[0], [0], [0]], [0, 1, 2])
+    >>> cardinal_basis(curve, 0.5, rules=(bessel_velocities,)).round(9).tolist()
+    [0.375, 0.75, -0.125]
     """
     follow = follow_rules(curve.parameters, *rules) if rules else None
     return CardinalBasis(curve, follow).basis(t, order)
@@ -168,6 +215,24 @@ class CardinalBasis:
     ------
     CurveError
         If what `follow` returns does not have the shape of the curve's derivatives.
+
+    See Also
+    --------
+    cardinal_basis : Its values for an open curve.
+    follow_rules : How derivatives follow the points.
+    lebesgue_constant : The worst that errors of the points can do.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import CardinalBasis, HermiteCurve, bessel_velocities, follow_rules, uniform
+    >>> points = np.array([[0.0, 0.0], [1.0, 2.0], [4.0, 0.0], [5.0, 1.0]])
+    >>> curve = HermiteCurve(points, bessel_velocities(points, uniform(4)), uniform(4))
+    >>> cardinal = CardinalBasis(curve, follow_rules(uniform(4), bessel_velocities))
+    >>> cardinal.basis(0.5).round(9).tolist()
+    [-0.0625, 0.5625, 0.5625, -0.0625]
+    >>> np.allclose(cardinal.basis(0.5) @ points, curve(0.5))
+    True
     """
 
     __slots__ = ("_estimates", "closed", "count", "curve", "parameters")
@@ -269,9 +334,14 @@ class CardinalBasis:
         Parameters
         ----------
         t : float or array_like, shape (m,)
-            As for `ParametricCurve.evaluate`; a scalar counts as m = 1.
+            Finite, inside the domain or not; a scalar counts as m = 1.
         order : int, optional
             Order of the derivative, at least 0.
+
+        Returns
+        -------
+        LocalCardinals
+            Of which points, and their values.
         """
         at = parameter_row(t)
         if self._estimates is None:
@@ -312,7 +382,7 @@ class CardinalBasis:
         Parameters
         ----------
         t : float or array_like of any shape
-            As for `ParametricCurve.basis`.
+            Finite, inside the domain or not.
         order : int, optional
             Order of the derivative, at least 0.
 

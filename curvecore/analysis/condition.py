@@ -60,6 +60,17 @@ def vandermonde_condition(parameters: ArrayLike, norm: float = 2, derivatives: i
     CurveError
         If the parameters are unusable, the norm is another one, or the matrix
         has more than 128 rows.
+
+    See Also
+    --------
+    segment_conditions : Of pieces.
+    monomial_condition : Of a curve.
+
+    Examples
+    --------
+    >>> from curvecore import uniform, vandermonde_condition
+    >>> [f"{vandermonde_condition(uniform(n)):.3g}" for n in (5, 10, 20)]
+    ['686', '1.52e+07', '1.14e+16']
     """
     t = parameter_array(parameters, max(np.size(parameters), 2))
     width = integer(derivatives, "derivatives", 0) + 1
@@ -90,6 +101,17 @@ def segment_conditions(parameters: ArrayLike, derivatives: int, norm: float = 2)
     ndarray, shape (n - 1,)
         Of the confluent matrix in powers of t (not of the local s) of each
         segment: moving the t axis away from 0 changes them.
+
+    See Also
+    --------
+    vandermonde_condition : Of one polynomial.
+    monomial_condition : Of a curve.
+
+    Examples
+    --------
+    >>> from curvecore import segment_conditions
+    >>> segment_conditions([0, 1, 3], 1).round(3).tolist()
+    [23.782, 257.675]
     """
     t = parameter_array(parameters, max(np.size(parameters), 2)).tolist()
     return np.array([vandermonde_condition(pair, norm, derivatives) for pair in pairwise(t)])
@@ -101,9 +123,30 @@ def monomial_condition(curve: ParametricCurve, norm: float = 2) -> float:
     Parameters
     ----------
     curve : ParametricCurve
-        The largest `vandermonde_condition` of any of its polynomial pieces.
+        Of polynomials whose data are known.
     norm : {1, 2, inf}, optional
         Which norm.
+
+    Returns
+    -------
+    float
+        The largest `vandermonde_condition` of any of its polynomial pieces.
+
+    Raises
+    ------
+    CurveError
+        If the curve is of another kind, or has a piece with more than 128 data.
+
+    See Also
+    --------
+    vandermonde_condition, segment_conditions : Of parameters alone.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, monomial_condition, uniform
+    >>> curve = LagrangeCurve([[k, 0] for k in range(9)], uniform(9))
+    >>> f"{monomial_condition(curve):.3g}"
+    '2.01e+06'
     """
     interpolants = curve.interpolants()
     if interpolants is None:

@@ -48,6 +48,17 @@ class Joint(NamedTuple):
         The same for a suitable change of t: 1 is a common tangent direction,
         2 a common curvature too. At least 0 unless there is a break; at a
         point at rest never more.
+
+    See Also
+    --------
+    joint_report : The function that returns them.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, joint_report
+    >>> (joint,) = joint_report(HermiteCurve([[0, 0], [1, 0], [1, 1]], [[1, 0], [0, 1], [0, 1]], [0, 1, 2]))
+    >>> joint.label, joint.parameter, joint.acceleration_jump.round(9).tolist()
+    ('C1', 1.0, [4.0, -4.0])
     """
 
     joint: int
@@ -103,6 +114,17 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     ------
     CurveError
         If the tolerance is not a positive number.
+
+    See Also
+    --------
+    Joint : What it returns.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, joint_report
+    >>> curve = HermiteCurve([[0, 0], [1, 0], [1, 1]], [[1, 0], [0, 1], [0, 1]], [0, 1, 2])
+    >>> [(joint.parameter, joint.label) for joint in joint_report(curve)]
+    [(1.0, 'C1')]
     """
     limit = tolerance_value(tolerance)
     t = curve.parameters

@@ -33,6 +33,17 @@ class Ensemble(NamedTuple):
         Their data.
     parameters : ndarray, shape (count, n)
         Their parameters.
+
+    See Also
+    --------
+    ensemble : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, ensemble
+    >>> disturbed = ensemble(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), point_error=0.01, count=3)
+    >>> disturbed.evaluate([0.5, 1]).shape
+    (3, 2, 2)
     """
 
     curves: tuple[ParametricCurve, ...]
@@ -40,7 +51,18 @@ class Ensemble(NamedTuple):
     parameters: FloatArray
 
     def evaluate(self, t: ArrayLike) -> FloatArray:
-        """Return all curves at t, shape (count, m, dim); a single t counts as m = 1."""
+        """Return all curves at t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            A scalar counts as m = 1.
+
+        Returns
+        -------
+        ndarray, shape (count, m, dim)
+            Curve by curve.
+        """
         at = parameter_row(t)
         if (self.parameters == self.parameters[0]).all():
             basis = self.curves[0].basis(at)
@@ -92,6 +114,19 @@ def ensemble(
     CurveError
         If errors are negative, of another shape, or so large that parameters
         might change places.
+
+    See Also
+    --------
+    Ensemble : What it returns.
+    worst_case_band : What such errors can do at most.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, ensemble
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> disturbed = ensemble(curve, point_error=0.01, count=3, seed=7)
+    >>> len(disturbed.curves), bool(abs(disturbed.evaluate(1) - curve(1)).max() <= 0.01)
+    (3, True)
     """
     number = integer(count, "count", 1)
     random = np.random.default_rng(integer(seed, "seed", 0))

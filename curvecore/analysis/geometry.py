@@ -50,6 +50,17 @@ class Box(NamedTuple):
     error : float
         How far the curve may leave the box: a few roundings for the Hermite
         families; measured, relative 1e-14 or so, for `LagrangeCurve`.
+
+    See Also
+    --------
+    bounding_box : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, bounding_box
+    >>> box = bounding_box(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]))
+    >>> box.minimum.round(9).tolist(), box.maximum.round(9).tolist()
+    ([0.0, 0.0], [4.0, 2.0])
     """
 
     minimum: FloatArray
@@ -68,6 +79,17 @@ class CurvatureExtrema(NamedTuple):
         Signed.
     is_maximum : ndarray of bool, shape (k,)
         Whether the signed curvature is largest there, not smallest.
+
+    See Also
+    --------
+    curvature_extrema : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, curvature_extrema
+    >>> extrema = curvature_extrema(LagrangeCurve([[-1, 1], [0, 0], [1, 1]], [0, 1, 2]))
+    >>> extrema.parameters.round(9).tolist(), extrema.curvatures.round(9).tolist()
+    ([1.0], [2.0])
     """
 
     parameters: FloatArray
@@ -82,13 +104,23 @@ def speed(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     ----------
     curve : ParametricCurve
         Of any family and dim.
-    t : float or array_like, shape (m,)
-        As for `ParametricCurve.evaluate`.
+    t : float or array_like of any shape
+        Finite, inside the domain or not.
 
     Returns
     -------
-    ndarray, shape () or (m,)
+    ndarray, of the shape of t
         With the accuracy of `curvature`.
+
+    See Also
+    --------
+    arc_length : Its integral.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, speed
+    >>> float(speed(LagrangeCurve([[0, 0], [3, 4]], [0, 1]), 0.5))
+    5.0
     """
     at = parameter_values(t)
     (velocity,) = curve.derivatives_at(at.values, (1,))
@@ -103,12 +135,12 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     ----------
     curve : ParametricCurve
         Of dim 2 or more.
-    t : float or array_like, shape (m,)
-        As for `ParametricCurve.evaluate`; at a joint the segment to the right counts.
+    t : float or array_like of any shape
+        Finite, inside the domain or not; at a joint the segment to the right counts.
 
     Returns
     -------
-    ndarray, shape () or (m,)
+    ndarray, of the shape of t
         In the plane signed, positive where the curve turns from x to y; in
         space not negative. NaN where c'(t) = 0: there is none at a point at
         rest. Limited to the largest finite number.
@@ -118,6 +150,11 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     CurveError
         If the curve has dim 1, or t is unusable.
 
+    See Also
+    --------
+    curvature_of : From derivatives that are there already.
+    curvature_extrema, inflections : Where it is special.
+
     Notes
     -----
     |c' x c''| / |c'|**3. Its relative error is about
@@ -126,6 +163,15 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     parameters of one `LagrangeCurve` take a short cut: derivatives at the t_i
     and interpolation of these, with errors up to the Lebesgue function
     times larger, and only where that is below 1e5.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, curvature
+    >>> curve = LagrangeCurve([[-1, 1], [0, 0], [1, 1]], [-1, 0, 1])
+    >>> round(float(curvature(curve, 0)), 9)
+    2.0
+    >>> curvature(curve, [-1, 1]).round(6).tolist()
+    [0.178885, 0.178885]
     """
     at = parameter_values(t)
     velocity, acceleration = curve.derivatives_at(at.values, (1, 2))
@@ -145,6 +191,17 @@ def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArra
     -------
     ndarray, shape (m,)
         As `curvature`.
+
+    See Also
+    --------
+    curvature : Of a curve at t.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import curvature_of
+    >>> curvature_of(np.array([[1.0, 0.0]]), np.array([[0.0, 2.0]])).tolist()
+    [2.0]
     """
     if velocities.shape[1] < 2:
         raise CurveError("curve must have dim 2 or more to have a curvature")
@@ -176,6 +233,18 @@ def bounding_box(curve: ParametricCurve) -> Box:
     Box
         Not the box of the control points, which is larger: extrema are where
         a coordinate's derivative changes sign.
+
+    See Also
+    --------
+    Box : What it returns.
+    flatten : A polyline.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, bounding_box
+    >>> box = bounding_box(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]))
+    >>> box.minimum.round(9).tolist(), box.maximum.round(9).tolist()
+    ([0.0, 0.0], [4.0, 2.0])
     """
     return bounding_boxes([curve], [pieces_of(curve)])[0]
 
@@ -199,7 +268,7 @@ def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
     for same in alike(parts):
         found = _turning_points([curves[index] for index in same], [parts[index] for index in same])
         for index, reached in zip(same.tolist(), found, strict=True):
-            points = np.concatenate([*map(_joint_points, curves[index].pieces), reached])
+            points = np.concatenate([*(piece.knot_points for piece in curves[index].pieces), reached])
             error = float(scale_by_power(parts[index].error.max(keepdims=True), parts[index].exponent)[0])
             boxes[index] = Box(points.min(axis=0), points.max(axis=0), error)
     return [boxes[index] for index in range(len(curves))]
@@ -208,10 +277,6 @@ def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
 def pieces_of(curve: ParametricCurve) -> BezierPieces:
     """Return pieces that follow a curve as closely as its shape is asked for."""
     return bezier_pieces(curve, _FINE)
-
-
-def _joint_points(curve: ParametricCurve) -> FloatArray:
-    return curve.points if curve.interpolates else curve.evaluate(curve.parameters)
 
 
 def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[FloatArray]:
@@ -262,10 +327,22 @@ def inflections(curve: ParametricCurve) -> FloatArray:
     CurveError
         If the curve is not plane.
 
+    See Also
+    --------
+    curvature : Its values.
+    curvature_extrema : Where it is largest or least.
+
     Notes
     -----
     Roots of c' x c''. Where that is below some 50 roundings of |c'| |c''|
     the curve counts as straight.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, inflections
+    >>> curve = LagrangeCurve([[-2, -8], [-1, -1], [1, 1], [2, 8]], [0, 1, 3, 4])
+    >>> inflections(curve).round(9).tolist()
+    [2.0]
     """
     require_plane(curve.points, "have inflections")
     pieces = pieces_of(curve)
@@ -277,13 +354,40 @@ def curvature_extrema(curve: ParametricCurve) -> CurvatureExtrema:
     """Return where the signed curvature of a plane curve has a local maximum or minimum, inside the domain.
 
     At joints where the curvature jumps there is none, nor on arcs of circles
-    and straight parts. Argument and errors are those of `inflections`.
+    and straight parts.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Plane, of any family.
+
+    Returns
+    -------
+    CurvatureExtrema
+        Ascending in t.
+
+    Raises
+    ------
+    CurveError
+        If the curve is not plane.
+
+    See Also
+    --------
+    curvature : Its values.
+    inflections : Where it changes its sign.
 
     Notes
     -----
     With N = c' x c'' and q = |c'|**2 the curvature is N / q**(3/2), and its
     derivative has the sign of 2 N' q - 3 N q', a polynomial of degree 14 for
     a quintic piece.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, curvature_extrema
+    >>> extrema = curvature_extrema(LagrangeCurve([[-1, 1], [0, 0], [1, 1]], [0, 1, 2]))
+    >>> extrema.parameters.round(9).tolist(), extrema.is_maximum.tolist()
+    ([1.0], [True])
     """
     require_plane(curve.points, "have extrema of curvature")
     pieces = pieces_of(curve)

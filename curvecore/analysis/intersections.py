@@ -45,6 +45,18 @@ class SelfIntersections(NamedTuple):
         Whether these are all: the search ended by itself, and nowhere does
         the curve run along itself, which is a stretch of crossings and not
         one.
+
+    See Also
+    --------
+    self_intersections : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, self_intersections
+    >>> loop = HermiteCurve([[0, 0], [1, 0]], [[9, 9], [9, -9]], [0, 1])
+    >>> found = self_intersections(loop, 1e-9)
+    >>> found.parameters.round(6).tolist(), found.is_complete
+    ([[0.066987, 0.933013]], True)
     """
 
     parameters: FloatArray
@@ -75,10 +87,21 @@ def self_intersections(curve: ParametricCurve, tolerance: float) -> SelfIntersec
     CurveError
         If the curve is not plane or the tolerance not positive.
 
+    See Also
+    --------
+    SelfIntersections : What it returns.
+
     Notes
     -----
     The work is bounded: at most 2**14 pairs of arcs at a time, 2**17 in all
     (or 4 and 64 per arc) are looked at, and 2**12 candidates finished.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, self_intersections
+    >>> loop = HermiteCurve([[0, 0], [1, 0]], [[9, 9], [9, -9]], [0, 1])
+    >>> self_intersections(loop, 1e-9).parameters.round(6).tolist()
+    [[0.066987, 0.933013]]
     """
     limit = tolerance_value(tolerance)
     require_plane(curve.points, "cross itself")

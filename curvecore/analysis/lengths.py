@@ -47,6 +47,17 @@ class Length(NamedTuple):
     error : float
         Bound of its error: proved, with roundings, for the Hermite families;
         for `LagrangeCurve` it holds a measured part, see `arc_length`.
+
+    See Also
+    --------
+    arc_length : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, arc_length
+    >>> length = arc_length(LagrangeCurve([[0, 0], [3, 4]], [0, 1]), 1e-9)
+    >>> round(length.value, 9), length.error <= 1e-9
+    (5.0, True)
     """
 
     value: float
@@ -75,6 +86,22 @@ class ArcLength(Immutable):
     ------
     CurveError
         If the tolerance is not a positive number.
+
+    See Also
+    --------
+    arc_length : The length alone.
+    equal_arc_length_parameters : Parts of equal length.
+
+    Examples
+    --------
+    >>> from curvecore import ArcLength, LagrangeCurve
+    >>> length = ArcLength(LagrangeCurve([[0, 0], [3, 4], [6, 8]], [0, 1, 2]), 1e-9)
+    >>> round(length.total.value, 9)
+    10.0
+    >>> length.length_at([0.5, 1]).round(9).tolist()
+    [2.5, 5.0]
+    >>> round(float(length.parameter_at(5)), 9)
+    1.0
     """
 
     __slots__ = ("_arcs", "_at", "_scale", "total")
@@ -159,6 +186,11 @@ def arc_length(
     CurveError
         If the tolerance is not positive, or start exceeds end.
 
+    See Also
+    --------
+    ArcLength : Many lengths of one curve.
+    speed : What is integrated.
+
     Notes
     -----
     The bound is proved for the Hermite families, cusps included. A
@@ -167,6 +199,7 @@ def arc_length(
 
     Examples
     --------
+    >>> from curvecore import HermiteCurve, arc_length
     >>> curve = HermiteCurve([[0, 0], [3, 4]], [[3, 4], [3, 4]], [0, 1])
     >>> round(arc_length(curve, 1e-9).value, 9)
     5.0
@@ -199,6 +232,18 @@ def parameter_at_length(curve: ParametricCurve, length: ArrayLike, tolerance: fl
     -------
     ndarray, shape () or (m,)
         See `ArcLength.parameter_at`, which is the thing to keep for many calls.
+
+    See Also
+    --------
+    arc_length : The way back.
+    equal_arc_length_parameters : Parts of equal length.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, parameter_at_length
+    >>> curve = LagrangeCurve([[0, 0], [3, 4], [6, 8]], [0, 1, 2])
+    >>> parameter_at_length(curve, [2.5, 10], 1e-9).round(9).tolist()
+    [0.5, 2.0]
     """
     return ArcLength(curve, tolerance).parameter_at(length)
 
@@ -219,6 +264,19 @@ def equal_arc_length_parameters(curve: ParametricCurve, count: int, tolerance: f
     -------
     ndarray, shape (count,)
         Not decreasing; the first and the last are the ends of the domain.
+
+    See Also
+    --------
+    parameter_at_length : Of given lengths.
+    ArcLength : Lengths and parameters, back and forth.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, equal_arc_length_parameters
+    >>> curve = LagrangeCurve([[0, 0], [1, 0], [4, 0]], [0, 1, 2])
+    >>> t = equal_arc_length_parameters(curve, 3, 1e-9)
+    >>> curve(t).round(6).tolist()
+    [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0]]
     """
     number = integer(count, "count", 2)
     table = ArcLength(curve, tolerance)

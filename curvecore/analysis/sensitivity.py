@@ -44,6 +44,17 @@ class Band(NamedTuple):
     across : ndarray, shape (m,)
         Its largest component across the curve, square to c'(t); where the
         curve rests, the distance.
+
+    See Also
+    --------
+    worst_case_band : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, worst_case_band
+    >>> band = worst_case_band(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), [0.5, 1], point_error=0.1)
+    >>> band.distance.round(9).tolist()
+    [0.125, 0.1]
     """
 
     distance: FloatArray
@@ -59,34 +70,91 @@ def point_sensitivity(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
         Of a curve, velocities and accelerations stay as they are; of its cardinal basis, those that are
         estimated follow the points.
     t : float or array_like of any shape
-        As for `ParametricCurve.basis`.
+        Finite, inside the domain or not.
 
     Returns
     -------
     ndarray, shape (*shape of t, n)
         B_i0(t), or C_i(t). A `Chain` has a column for every row of its jets.
+
+    See Also
+    --------
+    velocity_sensitivity, acceleration_sensitivity, parameter_sensitivity : Of other data.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, point_sensitivity
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> point_sensitivity(curve, 0.5).tolist()
+    [0.375, 0.75, -0.125]
     """
     return curve.basis(t) if isinstance(curve, CardinalBasis) else curve.basis(t)[..., 0]
 
 
 def velocity_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
-    """Return dc(t)/dv_i = B_i1(t), in units of t, shape (*shape of t, n); see `point_sensitivity`.
+    """Return dc(t)/dv_i = B_i1(t), in units of t.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of a family with velocities.
+    t : float or array_like of any shape
+        Finite, inside the domain or not.
+
+    Returns
+    -------
+    ndarray, shape (*shape of t, n)
+        A `Chain` has a column for every row of its jets.
 
     Raises
     ------
     CurveError
         If the family has no velocities.
+
+    See Also
+    --------
+    point_sensitivity, acceleration_sensitivity, parameter_sensitivity : Of other data.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, velocity_sensitivity
+    >>> curve = HermiteCurve([[0], [1]], [[0], [0]], [0, 1])
+    >>> velocity_sensitivity(curve, 0.5).tolist()
+    [0.125, -0.125]
     """
     return _column(curve, t, 1, "velocities")
 
 
 def acceleration_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
-    """Return dc(t)/da_i = B_i2(t), in units of t squared; see `point_sensitivity`.
+    """Return dc(t)/da_i = B_i2(t), in units of t squared.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of a family with accelerations.
+    t : float or array_like of any shape
+        Finite, inside the domain or not.
+
+    Returns
+    -------
+    ndarray, shape (*shape of t, n)
+        A `Chain` has a column for every row of its jets.
 
     Raises
     ------
     CurveError
         If the family has no accelerations.
+
+    See Also
+    --------
+    point_sensitivity, velocity_sensitivity, parameter_sensitivity : Of other data.
+
+    Examples
+    --------
+    >>> from curvecore import QuinticHermiteCurve, acceleration_sensitivity
+    >>> curve = QuinticHermiteCurve([[0], [1]], [[0], [0]], [[0], [0]], [0, 1])
+    >>> acceleration_sensitivity(curve, 0.5).tolist()
+    [0.015625, 0.015625]
     """
     return _column(curve, t, 2, "accelerations")
 
@@ -112,6 +180,17 @@ def parameter_sensitivity(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     ndarray, shape (m, n, dim)
         Per unit of t; n counts ``curve.parameters``, so a joint of a chain
         moves the ends of both its pieces.
+
+    See Also
+    --------
+    point_sensitivity, velocity_sensitivity, acceleration_sensitivity : Of other data.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, parameter_sensitivity
+    >>> line = LagrangeCurve([[0, 0], [1, 2]], [0, 1])
+    >>> parameter_sensitivity(line, 0.5).round(9).tolist()
+    [[[-0.5, -1.0], [-0.5, -1.0]]]
     """
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         return curve.parameter_derivatives(t)
@@ -159,6 +238,11 @@ def worst_case_band(
     CurveError
         If an error is negative or of another shape.
 
+    See Also
+    --------
+    Band : What it returns.
+    ensemble : Random errors.
+
     Notes
     -----
     Errors of the points and of derivatives enter exactly: they add up to
@@ -167,6 +251,13 @@ def worst_case_band(
     Lebesgue function. Together they reach a sum of segments, a zonotope,
     whose farthest corner is found exactly in the plane; in space its
     distance is bounded by the sum of the lengths. `across` is exact always.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, worst_case_band
+    >>> band = worst_case_band(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), [0.5, 1], point_error=0.1)
+    >>> band.distance.round(9).tolist()
+    [0.125, 0.1]
     """
     at = parameter_row(t)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):

@@ -56,14 +56,19 @@ def lebesgue_function(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
     ----------
     curve : ParametricCurve or CardinalBasis
         Of any family; only its parameters matter.
-    t : float or array_like, shape (m,)
-        As for `ParametricCurve.evaluate`.
+    t : float or array_like of any shape
+        Finite, inside the domain or not.
 
     Returns
     -------
-    ndarray, shape () or (m,)
+    ndarray, of the shape of t
         At least 1, but for rounding. Relative error about 25 u. Limited to
         the largest finite number.
+
+    See Also
+    --------
+    lebesgue_constant : Its maximum.
+    derivative_sums : The same for velocities and accelerations.
 
     Notes
     -----
@@ -71,6 +76,13 @@ def lebesgue_function(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
     B_(i+1)0 are positive there and add up to 1. What errors of given velocities
     do is in `derivative_sums`; where a rule estimates them, the points move
     them too, and the cardinal functions tell.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, lebesgue_function
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> lebesgue_function(curve, [0.5, 1]).tolist()
+    [1.25, 1.0]
     """
     at = parameter_values(t)
     result = curve.sums(at.values) if isinstance(curve, CardinalBasis) else _sums(curve, at.values)[:, 0]
@@ -84,16 +96,28 @@ def derivative_sums(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     ----------
     curve : ParametricCurve
         Of any family; only its parameters matter.
-    t : float or array_like, shape (m,)
-        As for `ParametricCurve.evaluate`.
+    t : float or array_like of any shape
+        Finite, inside the domain or not.
 
     Returns
     -------
-    ndarray, shape (R - 1,) or (m, R - 1)
+    ndarray, shape (*shape of t, R - 1)
         Column 0 for velocities, in units of t; column 1 for accelerations,
         in units of t squared. A `LagrangeCurve` has none. On a segment of
         length h the largest values are h / 4 for cubics, and 5 h / 16 and
         h**2 / 32 for quintics.
+
+    See Also
+    --------
+    lebesgue_function : The same for the points.
+    worst_case_band : What errors of all data do.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, derivative_sums
+    >>> curve = HermiteCurve([[0], [1]], [[0], [0]], [0, 2])
+    >>> derivative_sums(curve, 1).tolist()
+    [0.5]
     """
     at = parameter_values(t)
     result = _sums(curve, at.values)[:, 1:]
@@ -115,6 +139,10 @@ def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
         the Hermite families where no derivative follows the points. Limited
         to the largest finite number.
 
+    See Also
+    --------
+    lebesgue_function : Of which it is the maximum.
+
     Notes
     -----
     Between neighbouring t_i the function of a `LagrangeCurve` is a polynomial,
@@ -123,6 +151,15 @@ def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
     that may hold the largest are narrowed down around their best sample, to
     0.3 of their length each time, 15 times, or 0.15 and 9 times. Of more than
     500 intervals only the 250 that three samples show to be the highest.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, chebyshev, lebesgue_constant, uniform
+    >>> points = [[k, 0] for k in range(15)]
+    >>> round(lebesgue_constant(LagrangeCurve(points, uniform(15))), 3)
+    283.211
+    >>> round(lebesgue_constant(LagrangeCurve(points, chebyshev(15))), 3)
+    2.639
     """
     if isinstance(curve, CardinalBasis):
         return lebesgue_constants([curve])[0] if curve.follows else lebesgue_constant(curve.curve)

@@ -32,12 +32,13 @@ class Arcs(NamedTuple):
 
     def halved(self) -> Arcs:
         """Return both halves of every arc, one after the other."""
-        middle = 0.5 * self.start + 0.5 * self.end
-        return Arcs(
-            subdivided(self.controls),
-            np.stack((self.start, middle), axis=1).ravel(),
-            np.stack((middle, self.end), axis=1).ravel(),
-        )
+        return self.divided(2)
+
+    def divided(self, count: int) -> Arcs:
+        """Return a power of two of equal parts of every arc, one after the other."""
+        share = np.arange(count + 1) / count
+        cuts = (1.0 - share) * self.start[:, None] + share * self.end[:, None]
+        return Arcs(subdivided(self.controls, count), cuts[:, :-1].ravel(), cuts[:, 1:].ravel())
 
 
 def joined_arcs(parts: Iterable[Arcs]) -> Arcs:

@@ -95,11 +95,19 @@ def product(first: FloatArray, second: FloatArray) -> FloatArray:
 
 def squared_length(vectors: FloatArray) -> FloatArray:
     """Return the coefficients of the squared lengths of vectors, shape (k, d + 1, dim) to (k, 2 d + 1)."""
-    first, *others = vectors.transpose(2, 0, 1)
-    result = product(first, first)
-    for column in others:
-        result += product(column, column)
+    with np.errstate(under="ignore"):
+        products = vectors @ vectors.swapaxes(1, 2)
+        result: FloatArray = products.reshape(len(vectors), -1) @ _product_weights(vectors.shape[1] - 1)
     return result
+
+
+@cache
+def _product_weights(degree: int) -> FloatArray:
+    """Return what the product of coefficients i and j counts in a square, ((d + 1)**2, 2 d + 1)."""
+    result = np.zeros((degree + 1, degree + 1, 2 * degree + 1))
+    for i, j in np.ndindex(degree + 1, degree + 1):
+        result[i, j, i + j] = comb(degree, i) * comb(degree, j) / comb(2 * degree, i + j)
+    return read_only(result.reshape(-1, 2 * degree + 1))
 
 
 def elevated(coefficients: FloatArray, by: int = 1) -> FloatArray:
@@ -128,10 +136,24 @@ def halves(coefficients: FloatArray) -> tuple[FloatArray, FloatArray]:
     return left.reshape(coefficients.shape), right.reshape(coefficients.shape)
 
 
-def subdivided(coefficients: FloatArray) -> FloatArray:
-    """Return both halves of every polynomial, one after the other, shape (2 k, d + 1, ...)."""
-    both = np.stack(halves(coefficients), axis=1)
-    return both.reshape(-1, *coefficients.shape[1:])
+@cache
+def _parts(degree: int, count: int) -> FloatArray:
+    """Return the matrix of the coefficients on `count` equal parts, (count (d + 1), d + 1)."""
+    if count == 1:
+        return np.eye(degree + 1)
+    half, left = _parts(degree, count // 2), _left_half(degree)
+    return read_only(np.concatenate([half @ left, half @ left[::-1, ::-1]]))
+
+
+def subdivided(coefficients: FloatArray, count: int = 2) -> FloatArray:
+    """Return a power of two of equal parts of every polynomial, in order, shape (count k, d + 1, ...)."""
+    k, size = coefficients.shape[:2]
+    with np.errstate(under="ignore"):
+        flat = _parts(size - 1, count) @ coefficients.reshape(k, size, -1)
+    parts = flat.reshape(k, count, size, *coefficients.shape[2:])
+    # Neighbours share an end to the last digit, in whatever order products are summed.
+    parts[:, 1:, 0] = parts[:, :-1, -1]
+    return parts.reshape(-1, *coefficients.shape[1:])
 
 
 def sign_changes(coefficients: FloatArray, noise: FloatArray) -> PieceRoots:

@@ -46,6 +46,17 @@ class CubicPath(NamedTuple):
         parameters: 0 for cubic pieces; proved for other polynomial pieces;
         else measured at 11 parameters a piece and enlarged by a
         quarter. Larger than the tolerance where `MAX_PIECES` did not suffice.
+
+    See Also
+    --------
+    cubic_path : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, cubic_path
+    >>> path = cubic_path(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), 1e-6)
+    >>> path.control_points.shape, path.parameters.tolist(), path.deviation < 1e-6
+    ((4, 4, 2), [0.0, 0.5, 1.0, 1.5, 2.0], True)
     """
 
     control_points: FloatArray
@@ -70,6 +81,18 @@ def bezier_segments(curve: ParametricCurve) -> FloatArray:
     ------
     CurveError
         For a curve of another family.
+
+    See Also
+    --------
+    bezier_stretch : Exact ones, of any stretch of any polynomial.
+    cubic_path : Cubic pieces of any curve.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, bezier_segments
+    >>> curve = HermiteCurve([[0, 0], [1, 0]], [[0, 3], [0, -3]], [0, 1])
+    >>> bezier_segments(curve).tolist()
+    [[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]]]
     """
     controls = drawable_pieces(curve)
     if controls is None:
@@ -112,6 +135,19 @@ def cubic_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
     ------
     CurveError
         If the tolerance is not a positive number.
+
+    See Also
+    --------
+    CubicPath : What it returns.
+    bezier_segments : Exact pieces, where there are some.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, chebyshev, cubic_path
+    >>> curve = LagrangeCurve([[0, 0], [1, 3], [2, -1], [3, 2], [4, 0], [5, 1]], chebyshev(6))
+    >>> path = cubic_path(curve, 1e-3)
+    >>> path.deviation <= 1e-3, path.control_points[0, 0].tolist()
+    (True, [0.0, 0.0])
     """
     limit = tolerance_value(tolerance)
     if len(curve.pieces) > 1:

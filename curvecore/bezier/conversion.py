@@ -48,6 +48,17 @@ class LagrangeBezier(NamedTuple):
         the largest row sum of the conversion matrix, max_k sum_i |A_ki|. It is
         the condition number in the maximum norm, since the inverse matrix,
         b_k(t_i), has row sums 1.
+
+    See Also
+    --------
+    lagrange_to_bezier : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, lagrange_to_bezier
+    >>> form = lagrange_to_bezier(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]))
+    >>> form.control_points.tolist(), round(form.condition, 9)
+    ([[0.0, 0.0], [0.0, 4.0], [4.0, 0.0]], 3.0)
     """
 
     control_points: FloatArray
@@ -73,6 +84,16 @@ def elevate_degree(control_points: ArrayLike, by: int = 1) -> FloatArray:
     ------
     CurveError
         If the control points are unusable or `by` is negative.
+
+    See Also
+    --------
+    bezier_segments : Control points of a curve.
+
+    Examples
+    --------
+    >>> from curvecore import elevate_degree
+    >>> elevate_degree([[0, 0], [1, 2], [2, 0]]).round(9).tolist()
+    [[0.0, 0.0], [0.666666667, 1.333333333], [1.333333333, 1.333333333], [2.0, 0.0]]
     """
     controls = data_array(control_points, "control_points")
     with np.errstate(under="ignore"):
@@ -99,6 +120,17 @@ def lagrange_to_bezier(curve: ParametricCurve) -> LagrangeBezier:
     ------
     CurveError
         For another family or too many points.
+
+    See Also
+    --------
+    LagrangeBezier : What it returns.
+    bezier_stretch : Of a part.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, lagrange_to_bezier
+    >>> lagrange_to_bezier(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])).control_points.tolist()
+    [[0.0, 0.0], [0.0, 4.0], [4.0, 0.0]]
     """
     interpolants = curve.interpolants()
     if interpolants is None or len(interpolants) > 1 or curve.jets.shape[1] > 1:
@@ -128,6 +160,18 @@ def bezier_stretch(curve: ParametricCurve, start: float, end: float) -> FloatArr
     ------
     CurveError
         If the stretch is no single polynomial, or leaves the domain.
+
+    See Also
+    --------
+    bezier_segments : All segments at once.
+    power_coefficients : By powers of s.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, bezier_stretch
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> bezier_stretch(curve, 0, 1).tolist()
+    [[0.0, 0.0], [0.0, 2.0], [1.0, 2.0]]
     """
     return _columns([_bernstein(powers) for powers in _powers(curve, start, end, MOST)])
 
@@ -137,8 +181,11 @@ def power_coefficients(curve: ParametricCurve, start: float, end: float) -> Floa
 
     Parameters
     ----------
-    curve, start, end
-        As for `bezier_stretch`, but of any number of points.
+    curve : ParametricCurve
+        Of polynomials whose data are known, of any number of points.
+    start, end : float
+        Parameters inside the domain, start < end, with no joint of a Hermite
+        curve or chain strictly between them.
 
     Returns
     -------
@@ -149,6 +196,16 @@ def power_coefficients(curve: ParametricCurve, start: float, end: float) -> Floa
     ------
     CurveError
         If the stretch is no single polynomial, or leaves the domain.
+
+    See Also
+    --------
+    bezier_stretch : The same polynomial in Bezier form.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, power_coefficients
+    >>> power_coefficients(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), 0, 2).tolist()
+    [[0.0, 0.0], [0.0, 8.0], [4.0, -8.0]]
     """
     return _columns(_powers(curve, start, end))
 

@@ -35,7 +35,24 @@ _ROUNDS = 20
 
 
 class ToleranceWarning(UserWarning):
-    """A polyline misses its tolerance, because it would need more vertices than it may have."""
+    """A polyline misses its tolerance, because it would need more vertices than it may have.
+
+    See Also
+    --------
+    flatten_pieces : Says by how much, and warns of nothing.
+    MAX_VERTICES : How many it may have.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> from curvecore import HermiteCurve, ToleranceWarning, flatten
+    >>> far = HermiteCurve([[0, 0], [1e12, 0]], [[0, 1e13], [0, -1e13]], [0, 1])
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     warnings.simplefilter("always")
+    ...     polyline = flatten(far, 1e-3)
+    >>> told[0].category is ToleranceWarning
+    True
+    """
 
 
 def flatten(curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> FloatArray:
@@ -43,8 +60,12 @@ def flatten(curve: ParametricCurve, tolerance: float, box: ArrayLike | None = No
 
     Parameters
     ----------
-    curve, tolerance, box
-        As for `flatten_parameters`.
+    curve : ParametricCurve
+        Of dim 2.
+    tolerance : float
+        Largest allowed distance from the curve to the polyline, above 0.
+    box : (xmin, ymin, xmax, ymax), optional
+        Where the tolerance matters; see `flatten_parameters`.
 
     Returns
     -------
@@ -60,6 +81,18 @@ def flatten(curve: ParametricCurve, tolerance: float, box: ArrayLike | None = No
     -----
     ToleranceWarning
         As `flatten_parameters`.
+
+    See Also
+    --------
+    flatten_parameters : The parameters of its vertices.
+    flatten_pieces : Both, and what was reached.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, flatten
+    >>> polyline = flatten(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), 0.5)
+    >>> polyline[0].tolist(), polyline[-1].tolist()
+    ([0.0, 0.0], [4.0, 0.0])
     """
     return curve.evaluate(_parameters(curve, tolerance, box))
 
@@ -94,6 +127,11 @@ def flatten_parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike 
     ToleranceWarning
         Where the polyline misses the tolerance by more than roundings.
 
+    See Also
+    --------
+    flatten : The points.
+    flatten_pieces : Both, and what was reached.
+
     Notes
     -----
     At most `MAX_VERTICES` vertices, or 4 per joint; for a polynomial through
@@ -101,6 +139,13 @@ def flatten_parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike 
     (values of 1e12 and no box) gets pieces in proportion to what it needs,
     and then misses the tolerance; `flatten_pieces` says by how much. Proved
     for the Hermite families, measured with a margin of a quarter for others.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, flatten_parameters
+    >>> line = HermiteCurve([[0, 0], [1, 1], [2, 2]], [[1, 1], [1, 1], [1, 1]], [0, 1, 2])
+    >>> flatten_parameters(line, 0.01).tolist()
+    [0.0, 2.0]
     """
     return _parameters(curve, tolerance, box)
 
@@ -128,8 +173,12 @@ def flatten_pieces(curve: ParametricCurve, tolerance: float, box: ArrayLike | No
 
     Parameters
     ----------
-    curve, tolerance, box
-        As for `flatten_parameters`.
+    curve : ParametricCurve
+        Of dim 2.
+    tolerance : float
+        Largest allowed distance from the curve to the polyline, above 0.
+    box : (xmin, ymin, xmax, ymax), optional
+        Where the tolerance matters; see `flatten_parameters`.
 
     Returns
     -------
@@ -142,6 +191,18 @@ def flatten_pieces(curve: ParametricCurve, tolerance: float, box: ArrayLike | No
     ------
     CurveError
         If the curve is not plane, or tolerance or box are unusable.
+
+    See Also
+    --------
+    Pieces : What it returns.
+    flatten : The points alone.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, flatten_pieces
+    >>> pieces = flatten_pieces(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), 0.01)
+    >>> pieces.reached <= 0.01, len(pieces.points) == len(pieces.parameters)
+    (True, True)
     """
     limit = tolerance_value(tolerance)
     require_plane(curve.points, "be flattened")

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.control_points import all_joints, equal_parts, sorted_distinct, spread
 from curvecore.bezier.polylines import MAX_VERTICES, Pieces, may_enter, points_at
 from curvecore.families.curve import ParametricCurve
@@ -16,6 +16,7 @@ _MOST_WORK = 1 << 22  # vertices times points of a polynomial: a curve too wild 
 _ROUNDS = 20
 _FIRST = 8  # pieces between neighbouring points of what is no polynomial
 _SAMPLES = np.array([0.25, 0.5, 0.75])
+_WILD = 1e6  # tolerances: the bend of a piece that needs thousands of vertices
 _MARGIN = 1.25  # on a measured distance, for what lies between the samples
 
 
@@ -25,6 +26,10 @@ def sampled_pieces(curve: ParametricCurve, tolerance: float, box: FloatArray | N
     most = min(MAX_VERTICES, max(4 * n, _MOST_WORK // n))
     t = _first_samples(curve)
     points = points_at(curve, t)
+    bend, enters = _bends(t, points), _enters(points, box)
+    if int(np.count_nonzero(enters & (bend > _WILD * tolerance))) > most - t.size:
+        # There is not one vertex for each: what would be measured between the samples would change none.
+        return Pieces(t, points, np.where(enters, _MARGIN * 0.25 * bend, np.inf))
     deviation = np.zeros(t.size - 1)
     todo = np.arange(t.size - 1)
     for _ in range(_ROUNDS):
@@ -60,6 +65,24 @@ def _first_samples(curve: ParametricCurve) -> FloatArray:
     room = np.diff(np.concatenate(([first], s, [last])))
     s = s[away > 0.05 * np.minimum(room[:-1], room[1:])]
     return sorted_distinct(np.concatenate((joints, s)))
+
+
+def _bends(t: FloatArray, points: FloatArray) -> FloatArray:
+    """Return how far pieces are from going on as their neighbours do, (k,)."""
+    step, h = np.diff(points, axis=0), np.diff(t)
+    quotient = (h[1:] / h[:-1])[:, None]
+    change = np.hypot(*(step[1:] / np.maximum(quotient, 1.0) - step[:-1] * np.minimum(quotient, 1.0)).T)
+    bends: FloatArray = np.maximum(np.append(change, 0.0), np.insert(change, 0, 0.0))
+    return bends
+
+
+def _enters(points: FloatArray, box: FloatArray | None) -> BoolArray:
+    """Tell which pieces have an end in the box, (k,)."""
+    if box is None:
+        return np.ones(len(points) - 1, dtype=np.bool_)
+    x, y = ((points >= box[:2]) & (points <= box[2:])).T
+    inside: BoolArray = x & y
+    return inside[1:] | inside[:-1]
 
 
 class _ChordDistances(NamedTuple):

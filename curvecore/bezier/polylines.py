@@ -26,6 +26,17 @@ class Pieces(NamedTuple):
     deviation : ndarray, shape (k,)
         Bounds of the distance from each to its chord; infinite for pieces
         outside the box, which must not be merged with others.
+
+    See Also
+    --------
+    flatten_pieces : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, flatten_pieces
+    >>> pieces = flatten_pieces(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]), 0.01)
+    >>> pieces.points[0].tolist(), pieces.reached <= 0.01
+    ([0.0, 0.0], True)
     """
 
     parameters: FloatArray

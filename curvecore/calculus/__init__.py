@@ -4,6 +4,7 @@
 - ``derivative``, ``antiderivative``: both are curves, linear in the same data (``of_a_curve``).
 - ``integrals``: Gauss-Legendre quadrature between breaks.
 - ``solutions``: where a coordinate has a value.
+- ``polynomials``: curves as piecewise polynomials, and those as curves.
 - ``scipy_objects``: ``BPoly`` and ``PPoly``; the one module that imports SciPy, in its functions.
 """
 

@@ -7,7 +7,6 @@ import numpy as np
 from curvecore.arrays import FloatArray, integer
 from curvecore.calculus.integrals import Integral, integral_of
 from curvecore.calculus.of_a_curve import OfCurve
-from curvecore.calculus.polynomials import joined_pieces
 from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import made_finite
 
@@ -74,13 +73,10 @@ class Antiderivative(OfCurve):
 
     def _functions(self, t: FloatArray) -> FloatArray:
         """Return the basis functions of the curve as columns, (m, n R)."""
-        return self._curve.basis(t).reshape(len(t), -1)
+        return self._curve.basis(t).reshape(len(t), self._jets[:, :, 0].size)
 
-    def bezier_pieces(self) -> FloatArray | None:
-        """Return the Bezier control points of the pieces: sums of the curve's, times the lengths."""
-        controls = joined_pieces(self._curve)
-        if controls is None:
-            return None
+    def _pieces_from(self, controls: FloatArray) -> FloatArray:
+        """Return sums of the curve's control points, times the lengths."""
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             steps = controls * (np.diff(self.breaks)[:, None, None] / controls.shape[1])
             result = np.zeros((len(steps), steps.shape[1] + 1, steps.shape[2]))

@@ -95,11 +95,8 @@ class Derivative(OfCurve):
         """Return the derivatives of the functions that live on each t's segment, where `is_local`."""
         return self._curve.local_basis(t, order + self._order)
 
-    def bezier_pieces(self) -> FloatArray | None:
-        """Return the Bezier control points of the pieces: differences of the curve's, over the lengths."""
-        controls = self._curve.bezier_pieces()
-        if controls is None:
-            return None
+    def _pieces_from(self, controls: FloatArray) -> FloatArray:
+        """Return differences of the curve's control points, over the lengths."""
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             for _ in range(self._order):
                 controls = bernstein_algebra.derivative(controls) / np.diff(self.breaks)[:, None, None]

@@ -139,7 +139,8 @@ def _on(function: Function, starts: FloatArray, ends: FloatArray, points: int) -
         for first in range(0, max(len(starts), 1), step):
             here = slice(first, first + step)
             t = starts[here, None] + lengths[here, None] * places
-            values = function(t.ravel()).reshape(*t.shape, -1) * weights[:, None]
+            values = function(t.ravel())
+            values = values.reshape(*t.shape, values.shape[1]) * weights[:, None]
             # The length last: it may be as small as the values are large.
             parts.append(values.sum(axis=1) * lengths[here, None])
     return np.concatenate(parts)

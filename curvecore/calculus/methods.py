@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from curvecore.families.curve import ParametricCurve
     from curvecore.families.evaluation import Extrapolate
+    from curvecore.families.setting import SettingValue
 
 
 class Calculus:
@@ -92,7 +93,8 @@ class Calculus:
         a, b : float
             Finite; a may exceed b.
         extrapolate : bool or "periodic", optional
-            As for `evaluate`: where a or b lie outside the domain.
+            Where a or b lie outside the domain: True, the first or the last piece goes on; False, the
+            integral is NaN; "periodic", the curve repeats itself.
 
         Returns
         -------
@@ -249,11 +251,11 @@ class Calculus:
         ImportError
             If SciPy is not installed.
         CurveError
-            If the pieces are no polynomials, or one through more than 64 points.
+            If the pieces are no polynomials, or of a degree above 63.
 
         See Also
         --------
-        to_bpoly : In Bernstein form, which loses fewer digits.
+        to_bpoly : In Bernstein form, which loses fewer digits of high degrees.
 
         Examples
         --------
@@ -265,25 +267,28 @@ class Calculus:
         return calculus.to_ppoly(self._this)
 
     @classmethod
-    def from_bpoly(cls, polynomial: BPoly | PPoly) -> Self:
+    def from_bpoly(cls, polynomial: BPoly | PPoly, **settings: SettingValue) -> Self:
         """Return the curve of this family that a piecewise polynomial of SciPy's is.
 
         Parameters
         ----------
         polynomial : scipy.interpolate.BPoly or PPoly
             With values of shape () or (dim,). A `CubicSpline` and its kin are PPolys.
+        **settings : int or str
+            Values of the family's `settings`, by their names; the defaults where none is given.
 
         Returns
         -------
         ParametricCurve
-            Of the class, through the values at the breaks; where that is one polynomial through its points,
-            through as many Chebyshev points as determine it.
+            Of the class, through the values at the breaks; where it is one polynomial through its points,
+            through as many Chebyshev points as determine it; where it does not pass through its points, with
+            control points.
 
         Raises
         ------
         CurveError
-            If the polynomial is no curve of this family: of a higher degree, less smooth at its breaks, or of
-            another shape.
+            If the polynomial is no curve of this family: of a higher degree, less smooth at its breaks, with
+            other ends, or with values of another shape.
 
         See Also
         --------
@@ -297,7 +302,9 @@ class Calculus:
         >>> HermiteCurve.from_bpoly(spline).points.tolist()
         [[0.0], [2.0], [1.0]]
         """
-        return cast("Self", calculus.curve_of_bpoly(cast("type[ParametricCurve]", cls), polynomial))
+        return cast(
+            "Self", calculus.curve_of_bpoly(cast("type[ParametricCurve]", cls), polynomial, **settings)
+        )
 
     @property
     def _this(self) -> ParametricCurve:

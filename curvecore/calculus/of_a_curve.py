@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Self
 
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray
+from curvecore.calculus.polynomials import exact_pieces
 from curvecore.families.curve import ParametricCurve
 
 
@@ -41,6 +43,20 @@ class OfCurve(ParametricCurve):
     def breaks(self) -> FloatArray:
         """Those of the curve."""
         return self._curve.breaks
+
+    @abstractmethod
+    def _pieces_from(self, controls: FloatArray) -> FloatArray:
+        """Return the Bezier control points of the pieces from those of the curve."""
+
+    def bezier_pieces(self) -> FloatArray | None:
+        """Return the Bezier control points of the pieces, where the curve has some."""
+        controls = self._curve.bezier_pieces()
+        return None if controls is None else self._pieces_from(controls)
+
+    def exact_pieces(self) -> FloatArray | None:
+        """Return the Bezier control points of pieces also of high degree, where the curve has some."""
+        controls = exact_pieces(self._curve)
+        return None if controls is None else self._pieces_from(controls)
 
     def _like(self, curve: ParametricCurve) -> Self:
         """Return what this is of its curve, of another one."""

@@ -1,14 +1,11 @@
-"""Curves as piecewise polynomials, chains too."""
+"""Curves as piecewise polynomials, chains too, and piecewise polynomials as curves."""
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import FloatArray, read_only
 from curvecore.bezier.bernstein_algebra import elevated, weights
-from curvecore.bezier.conversion import bezier_stretch
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 
@@ -17,11 +14,11 @@ _MOST_SAMPLED = (
 )
 
 
-def joined_pieces(curve: ParametricCurve) -> FloatArray | None:
-    """Return `bezier_pieces`; of a chain those of all pieces, raised to one degree, if all have some."""
+def exact_pieces(curve: ParametricCurve) -> FloatArray | None:
+    """Return the Bezier pieces of a curve; of a chain those of all its curves, raised to one degree."""
     if len(curve.pieces) == 1:
-        return curve.bezier_pieces()
-    parts = [part for piece in curve.pieces if (part := joined_pieces(piece)) is not None]
+        return curve.exact_pieces()
+    parts = [part for piece in curve.pieces if (part := exact_pieces(piece)) is not None]
     return _joined(parts) if len(parts) == len(curve.pieces) else None
 
 
@@ -35,20 +32,14 @@ def polynomial_pieces(curve: ParametricCurve) -> FloatArray:
     """
     if len(curve.pieces) > 1:
         return _joined([polynomial_pieces(piece) for piece in curve.pieces])
-    controls = curve.bezier_pieces()
+    controls = curve.exact_pieces()
     if controls is not None:
         return controls
-    if curve.interpolants() is not None:
-        return np.stack([bezier_stretch(curve, *ends) for ends in _stretches(curve)])
     if curve.degree is None or curve.degree > _MOST_SAMPLED:
         raise CurveError(
             "curve must have pieces that are polynomials of a moderate degree; cubic_path approximates others"
         )
     return _sampled(curve, curve.degree)
-
-
-def _stretches(curve: ParametricCurve) -> list[tuple[float, float]]:
-    return list(pairwise(curve.breaks.tolist()))
 
 
 def _sampled(curve: ParametricCurve, degree: int) -> FloatArray:
@@ -62,3 +53,49 @@ def _sampled(curve: ParametricCurve, degree: int) -> FloatArray:
 def _joined(parts: list[FloatArray]) -> FloatArray:
     degree = max(part.shape[1] for part in parts)
     return np.concatenate([elevated(part, degree - part.shape[1]) for part in parts])
+
+
+class PolynomialPieces(ParametricCurve):
+    """A curve of Bezier pieces of any degree that may jump where they meet: all control points are its data.
+
+    Parameters
+    ----------
+    controls : ndarray, shape (k, degree + 1, dim)
+    breaks : ndarray, shape (k + 1,)
+        Strictly increasing.
+    """
+
+    __slots__ = ("_controls",)
+
+    name = "polynomial_pieces"
+    title = "piecewise polynomial"
+    interpolates = False
+
+    def __init__(self, controls: FloatArray, breaks: FloatArray) -> None:
+        self._controls = read_only(controls)
+        self._jets = read_only(controls.reshape(-1, 1, controls.shape[2]))
+        self._parameters = read_only(breaks)
+        self._chosen = ()
+
+    @property
+    def breaks(self) -> FloatArray:
+        """As given."""
+        return self._parameters
+
+    @property
+    def degree(self) -> int:
+        """That of all pieces."""
+        return int(self._controls.shape[1]) - 1
+
+    def bezier_pieces(self) -> FloatArray:
+        """Return the control points."""
+        return self._controls
+
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        if order:
+            raise CurveError("derivatives of these functions are not needed")
+        piece = np.clip(np.searchsorted(self._parameters, t, side="right") - 1, 0, len(self._controls) - 1)
+        places = (t - self._parameters[piece]) / np.diff(self._parameters)[piece]
+        result = np.zeros((len(t), *self._controls.shape[:2]))
+        result[np.arange(len(t)), piece] = weights(places, self.degree)
+        return result.reshape(len(t), -1, 1)

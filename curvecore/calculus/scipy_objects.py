@@ -5,20 +5,24 @@ It does so in its functions: the core itself needs NumPy alone.
 
 from __future__ import annotations
 
+from math import factorial
 from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, number_array, parameter_array
-from curvecore.bezier import bernstein_algebra
-from curvecore.calculus.polynomials import polynomial_pieces
+from curvecore.arrays import number_array, parameter_array
+from curvecore.calculus.polynomials import PolynomialPieces, polynomial_pieces
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.setting import SettingValue
 from curvecore.parametrization import chebyshev
 
 if TYPE_CHECKING:
     from scipy.interpolate import BPoly, PPoly
+
+MOST_POWERS = 63
+"""Degree up to which powers of t are of any use: the numbers in front of them grow with its factorial."""
 
 _AS_GOOD_AS_EQUAL = 2.0**-36
 """Of the largest coefficient: what a polynomial and a curve may differ and count as the same."""
@@ -32,25 +36,39 @@ def to_bpoly(curve: ParametricCurve) -> BPoly:
 
 def to_ppoly(curve: ParametricCurve) -> PPoly:
     """Return a curve as a ``PPoly``; see `ParametricCurve.to_ppoly`."""
-    return _scipy_interpolate().PPoly.from_bernstein_basis(to_bpoly(curve))
+    interpolate = _scipy_interpolate()
+    if curve.degree is None or curve.degree > MOST_POWERS:
+        raise CurveError(
+            f"curve must have pieces that are polynomials of degree {MOST_POWERS} at most; "
+            "cubic_path approximates others"
+        )
+    # From the derivatives, which do not depend on how far away the origin is, as Bezier control points do.
+    powers = [curve.evaluate(curve.breaks[:-1], k) / factorial(k) for k in range(curve.degree + 1)]
+    return interpolate.PPoly(np.stack(powers[::-1]), curve.breaks)
 
 
-def curve_of_bpoly(family: type[ParametricCurve], polynomial: BPoly | PPoly) -> ParametricCurve:
+def curve_of_bpoly(
+    family: type[ParametricCurve], polynomial: BPoly | PPoly, **settings: SettingValue
+) -> ParametricCurve:
     """Return the curve of a family that a ``BPoly`` or ``PPoly`` is; see `ParametricCurve.from_bpoly`."""
     interpolate = _scipy_interpolate()
-    if isinstance(polynomial, interpolate.PPoly):
-        polynomial = interpolate.BPoly.from_power_basis(polynomial)
-    if not isinstance(polynomial, interpolate.BPoly):
+    if not isinstance(polynomial, (interpolate.BPoly, interpolate.PPoly)):
         raise CurveError(f"polynomial must be a BPoly or PPoly of SciPy's, not {type(polynomial).__name__}")
-    coefficients = number_array(polynomial.c, "the coefficients of polynomial")
+    is_power = isinstance(polynomial, interpolate.PPoly)
+    bernstein = interpolate.BPoly.from_power_basis(polynomial) if is_power else polynomial
+    coefficients = number_array(bernstein.c, "the coefficients of polynomial")
     if coefficients.ndim > 3:
         raise CurveError(
             f"values of polynomial must have the shape () or (dim,), not {coefficients.shape[2:]}"
         )
     controls = coefficients.reshape(*coefficients.shape[:2], -1).swapaxes(0, 1)
     breaks = parameter_array(polynomial.x, len(controls) + 1)
-    curve = _through(family, controls, breaks)
-    _check_equal(curve, controls, breaks)
+    given = PolynomialPieces(controls.copy(), breaks)
+    if family.interpolates:
+        curve = _through(family, polynomial, given, settings)
+    else:
+        curve = family.same_shape_as(given)
+    _check_equal(curve, given)
     return curve
 
 
@@ -65,35 +83,29 @@ def _scipy_interpolate() -> ModuleType:
     return module
 
 
-def _through(family: type[ParametricCurve], controls: FloatArray, breaks: FloatArray) -> ParametricCurve:
+def _through(
+    family: type[ParametricCurve],
+    polynomial: BPoly | PPoly,
+    given: PolynomialPieces,
+    settings: dict[str, SettingValue],
+) -> ParametricCurve:
     """Return the curve of a family with the values that it needs of a piecewise polynomial."""
+    at = given.breaks
     if family.is_one_polynomial:
-        count = max(controls.shape[1], 2)
-        at = breaks[0] + chebyshev(count) * (breaks[-1] - breaks[0])
-        at[-1] = breaks[-1]
-        return family.from_jets(_values(controls, breaks, at)[:, None], at)
-    jets = []
-    for _ in range(family.derivatives + 1):
-        jets.append(np.concatenate((controls[:, 0], controls[-1:, -1])))
-        controls = bernstein_algebra.derivative(controls) / np.diff(breaks)[:, None, None]
-    return family.from_jets(np.stack(jets, axis=1), breaks)
+        at = at[0] + chebyshev(max(given.degree + 1, 2)) * (at[-1] - at[0])
+        at[-1] = given.breaks[-1]
+    jets = [polynomial(at, order, extrapolate=True) for order in range(family.derivatives + 1)]
+    return family.from_jets(np.stack(jets, axis=1).reshape(len(at), len(jets), -1), at, **settings)
 
 
-def _values(controls: FloatArray, breaks: FloatArray, t: FloatArray) -> FloatArray:
-    """Return a piecewise polynomial inside its domain, (m, dim)."""
-    piece = np.clip(np.searchsorted(breaks, t, side="right") - 1, 0, len(controls) - 1)
-    places = (t - breaks[piece]) / np.diff(breaks)[piece]
-    return bernstein_algebra.values(controls[piece], places)
-
-
-def _check_equal(curve: ParametricCurve, controls: FloatArray, breaks: FloatArray) -> None:
+def _check_equal(curve: ParametricCurve, given: PolynomialPieces) -> None:
     """Compare at more places of each piece than a polynomial of the larger degree can have roots."""
-    count = max(controls.shape[1], (curve.degree or 0) + 1) + 1
+    count = max(given.degree, curve.degree or 0) + 2
     places = np.sin((np.arange(count) + 0.5) * (np.pi / (2 * count))) ** 2
-    t = (breaks[:-1, None] + places * np.diff(breaks)[:, None]).ravel()
-    off = np.abs(curve.evaluate(t) - _values(controls, breaks, t)).max(axis=1)
+    t = (given.breaks[:-1, None] + places * np.diff(given.breaks)[:, None]).ravel()
+    off = np.abs(curve.evaluate(t) - given.evaluate(t)).max(axis=1)
     worst = int(off.argmax())
-    if off[worst] > _AS_GOOD_AS_EQUAL * np.abs(controls).max():
+    if off[worst] > _AS_GOOD_AS_EQUAL * np.abs(given.points).max():
         raise CurveError(
             f"polynomial must be a curve of {curve.name}, which through its values differs from it "
             f"by {off[worst]:.3g} at t = {t[worst]:.6g}"

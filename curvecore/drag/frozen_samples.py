@@ -49,6 +49,20 @@ class FrozenFlattening:
     ------
     CurveError
         If tolerance or box are unusable.
+
+    See Also
+    --------
+    FrozenSegments : The same for curves of Bezier pieces.
+    flatten_pieces : Of one curve.
+
+    Examples
+    --------
+    >>> from curvecore import FrozenFlattening, LagrangeCurve
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> frozen = FrozenFlattening(curve, 0.01)
+    >>> moved = LagrangeCurve([[0, 0], [1, 2.25], [4, 0]], curve.parameters)
+    >>> frozen.follow(moved).reached <= 0.01
+    True
     """
 
     def __init__(self, curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> None:

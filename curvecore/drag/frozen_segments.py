@@ -29,13 +29,28 @@ class FrozenSegments:
     ----------
     curve : ParametricCurve
         Of dim 2, of a family with Bezier pieces.
-    tolerance, box
-        As for `FrozenFlattening`.
+    tolerance : float
+        Largest allowed distance from a curve to its polyline, above 0.
+    box : (xmin, ymin, xmax, ymax), optional
+        Where the tolerance matters; see `flatten_parameters`.
 
     Raises
     ------
     CurveError
         If tolerance or box are unusable.
+
+    See Also
+    --------
+    FrozenFlattening : The same for curves of other families.
+    flatten_pieces : Of one curve.
+
+    Examples
+    --------
+    >>> from curvecore import FrozenSegments, HermiteCurve
+    >>> curve = HermiteCurve([[0, 0], [1, 2], [4, 0]], [[1, 0], [1, 0], [1, 0]], [0, 1, 2])
+    >>> moved = HermiteCurve([[0, 0], [1, 2.25], [4, 0]], [[1, 0], [1, 0], [1, 0]], [0, 1, 2])
+    >>> FrozenSegments(curve, 0.01).follow(moved).reached <= 0.01
+    True
     """
 
     def __init__(self, curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> None:

@@ -4,7 +4,7 @@
 - ``evaluation``: its `evaluate` and `basis`: t of any shape, inside the domain or not.
 - ``lagrange``, ``hermite``, ``quintic_hermite``, ``cubic_spline``: the built-in families.
 - ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
-  for any parameters.
+  for any parameters.  ``rational_series``: their derivatives.
 - ``bezier_curve``, ``b_spline``: curves over control points, which they do not pass.
 - ``same_shape``: the data that write a curve of one family as one of another.
 - ``basis_curve``: a curve of which nothing is known but its basis functions.
@@ -14,7 +14,8 @@
 - ``taylor_pieces``, ``vanishing_places``: Hermite segments expanded about the places where one of their
   functions vanishes: fast and accurate derivatives, and values of cubics.
 - ``product_form``, ``product_series``: the Lagrange basis as products, accurate for any parameters; its
-  derivatives, as products of power series.  ``differentiation_matrix``: the same by a short cut.
+  derivatives, as products of power series.  ``product_kernels``: values and first derivatives, faster.
+  ``differentiation_matrix``: derivatives by a short cut.
 - ``spline_system``: the derivatives of cubic splines at their joints, under conditions at the ends.
 - ``parameter_differences``: derivatives by the parameters, where a family has no formula.
 - ``setting``: what may be chosen about the functions of a family beside the parameters.

@@ -35,6 +35,11 @@ class BSplineCurve(ParametricCurve):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    BezierCurve : One polynomial that all control points pull.
+    CubicSplineCurve : The same pieces through the points.
+
     Notes
     -----
     The functions are those of de Boor and Cox [1]_. With u = 2**-53, values and derivatives up to the
@@ -48,14 +53,17 @@ class BSplineCurve(ParametricCurve):
 
     Examples
     --------
-    >>> BSplineCurve([[0, 0], [0, 3], [3, 3], [3, 0], [6, 0]], [0, 1, 2, 3, 4]).evaluate(2)
-    array([2.25, 2.25])
+    >>> from curvecore import BSplineCurve
+    >>> curve = BSplineCurve([[0, 0], [0, 3], [3, 3], [3, 0], [6, 0]], [0, 1, 2, 3, 4])
+    >>> curve.evaluate(2).round(9).tolist()
+    [2.25, 2.25]
     """
 
     __slots__ = ()
 
     name = "b_spline"
     title = "B-spline"
+    place = 80
     functions = "B-spline functions"
     interpolates = False
     most_points = None

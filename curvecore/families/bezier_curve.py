@@ -14,13 +14,22 @@ from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
 from curvecore.errors import CurveError
-from curvecore.families.curve import ParametricCurve
+from curvecore.families.curve import Interpolant, ParametricCurve
 from curvecore.families.same_shape import pieces_of
-from curvecore.parametrization import uniform, with_one_more
-from curvecore.scaling import ExponentArray, Scaled, scale_by_power
+from curvecore.parametrization import chebyshev, uniform, with_one_more
+from curvecore.scaling import ExponentArray, Scaled, made_finite, scale_by_power
 
 _DRAWN = 8
 """Degree up to which the one piece is drawn and searched as it is, as `pieces` has it of all curves."""
+
+_INTERPOLATED = 64
+"""Control points up to which values at so many places stand for them."""
+
+_MULTIPLIED = 128
+"""Powers up to this one are products one after the other, as quick as ten multiplications are to one `power`.
+
+Their roundings, half a unit each and of either sign, come to some sqrt(128) / 3 units.
+"""
 
 _FACTORED = 3
 """Order up to which derivatives of the functions are products; above, differences of such."""
@@ -47,6 +56,11 @@ class BezierCurve(ParametricCurve):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    BSplineCurve : Cubic pieces, each of which four control points pull.
+    LagrangeCurve : The polynomial through its points.
+
     Notes
     -----
     With u = 2**-53, values and derivatives up to the third differ from the exact ones by at most
@@ -60,14 +74,16 @@ class BezierCurve(ParametricCurve):
 
     Examples
     --------
-    >>> BezierCurve([[0, 0], [0, 4], [4, 4], [4, 0]], [0, 1, 2, 3]).evaluate(1.5)
-    array([2., 3.])
+    >>> from curvecore import BezierCurve
+    >>> BezierCurve([[0, 0], [0, 4], [4, 4], [4, 0]], [0, 1, 2, 3]).evaluate(1.5).round(9).tolist()
+    [2.0, 3.0]
     """
 
     __slots__ = ()
 
     name = "bezier"
     title = "Bézier"
+    place = 70
     functions = "Bernstein functions"
     interpolates = False
 
@@ -96,14 +112,14 @@ class BezierCurve(ParametricCurve):
             for part, functions in self._functions(t, order):
                 common = functions.exponent.max(axis=1)
                 values = scale_by_power(functions.mantissa, functions.exponent - common[:, None])
-                curve[part] = scale_by_power(values @ points, exponent + common[:, None])
+                curve[part] = scale_by_power(made_finite(values @ points), exponent + common[:, None])
         return curve
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.empty((t.size, len(self._parameters)))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             for part, functions in self._functions(t, order):
-                result[part] = scale_by_power(functions.mantissa, functions.exponent)
+                result[part] = scale_by_power(made_finite(functions.mantissa), functions.exponent)
         return result[:, :, None]
 
     def bezier_pieces(self) -> FloatArray | None:
@@ -116,6 +132,16 @@ class BezierCurve(ParametricCurve):
     def exact_pieces(self) -> FloatArray:
         """Return the control points, shape (1, n, dim), of any degree."""
         return self.points[None]
+
+    def interpolants(self) -> list[Interpolant] | None:
+        """Return the one polynomial by its values at Chebyshev points, each rounded; None of more than 64."""
+        n = len(self._parameters)
+        if n > _INTERPOLATED:
+            return None
+        first, last = self.domain
+        t = first + chebyshev(n) * (last - first)
+        t[-1] = last
+        return [Interpolant(t, self.evaluate(t)[:, None])]
 
     @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> Self:
@@ -222,8 +248,8 @@ def _factored(at: _Coordinates, degree: int, order: int) -> Scaled:
     in_x, in_y = _power(at.x, np.maximum(i - order, 0)), _power(at.y, np.maximum(degree - i - order, 0))
     counts = _binomials(degree)
     rest = _rest(at, i, degree, order) if order else 1.0
-    mantissa, carried = np.frexp(in_x.mantissa * in_y.mantissa * counts.mantissa)
-    exponent = in_x.exponent + in_y.exponent + counts.exponent + carried - order * at.exponent
+    mantissa = in_x.mantissa * in_y.mantissa * counts.mantissa
+    exponent = in_x.exponent + in_y.exponent + counts.exponent - order * at.exponent
     return Scaled(mantissa * rest / at.length**order, exponent)
 
 
@@ -266,10 +292,18 @@ def _power(base: DoubleDouble, exponent: np.ndarray) -> Scaled:
     mantissa, shift = np.frexp(base.high)
     low = np.abs(mantissa) < np.sqrt(0.5)
     mantissa, shift = np.where(low, 2.0 * mantissa, mantissa), shift - low
-    correction = np.where(base.high == 0.0, 0.0, base.low / np.where(base.high == 0.0, 1.0, base.high))
-    powers = np.power(mantissa, exponent.astype(np.float64)) * (1.0 + exponent * correction)
-    values, carried = np.frexp(np.where(np.isfinite(powers), powers, 0.0))
-    return Scaled(values, carried + shift.astype(np.int64) * exponent)
+    with np.errstate(divide="ignore"):
+        correction = np.where(base.high == 0.0, 0.0, base.low / base.high)
+    most = int(exponent.max(initial=0))
+    if most <= _MULTIPLIED:
+        table = np.ones((len(mantissa), most + 1))
+        table[:, 1:] = mantissa
+        powers = np.multiply.accumulate(table, axis=1)[:, exponent]
+    else:
+        powers, carried = np.frexp(np.power(mantissa, exponent.astype(np.float64)))
+        shift = shift[:, 0, None] * exponent + carried
+        return Scaled(powers * (1.0 + exponent * correction), shift.astype(np.int64))
+    return Scaled(powers * (1.0 + exponent * correction), shift.astype(np.int64) * exponent)
 
 
 class _Binomials(NamedTuple):

@@ -42,6 +42,23 @@ class Chain(ParametricCurve):
     ----------
     pieces : tuple of ParametricCurve
         The pieces.
+
+    See Also
+    --------
+    HermiteCurve : What a chain is mostly made of.
+
+    Examples
+    --------
+    >>> from curvecore import Chain, HermiteCurve
+    >>> before = HermiteCurve([[0, 0], [1, 0]], [[1, 0], [1, 0]], [0, 1])
+    >>> after = HermiteCurve([[1, 0], [1, 1]], [[0, 1], [0, 1]], [1, 2])
+    >>> corner = Chain([before, after])
+    >>> corner
+    Chain(pieces=2, n=3, dim=2, domain=(0, 2))
+    >>> corner([0.5, 1.5]).tolist()
+    [[0.5, 0.0], [1.0, 0.5]]
+    >>> corner.jets.shape
+    (4, 2, 2)
     """
 
     __slots__ = ("_pieces",)
@@ -63,6 +80,11 @@ class Chain(ParametricCurve):
     def name(self) -> str:  # type: ignore[override]
         """That of the pieces."""
         return self._pieces[0].name
+
+    @property
+    def functions_key(self) -> tuple[object, ...]:
+        """That of the pieces."""
+        return self._pieces[0].functions_key
 
     @property
     def pieces(self) -> tuple[ParametricCurve, ...]:
@@ -94,6 +116,11 @@ class Chain(ParametricCurve):
     def interpolates(self) -> bool:  # type: ignore[override]
         """Whether all pieces run through their points."""
         return all(piece.interpolates for piece in self._pieces)
+
+    @property
+    def passes_points(self) -> bool:
+        """Whether all pieces do."""
+        return all(piece.passes_points for piece in self._pieces)
 
     @property
     def is_positive(self) -> bool:

@@ -38,14 +38,19 @@ class CubicSplineCurve(ParametricCurve):
         p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
-    ends : str, optional
-        The conditions at both ends, of `SplineEnds`: ``"natural"``, ``"clamped"``, ``"not_a_knot"`` or
-        ``"periodic"``. By keyword.
+    **settings : str, optional
+        ``ends``: the conditions at both ends, of `SplineEnds`: ``"natural"``, ``"clamped"``,
+        ``"not_a_knot"`` or ``"periodic"``.
 
     Raises
     ------
     CurveError
         If an argument does not have the shape or values above, or the derivatives exceed the largest number.
+
+    See Also
+    --------
+    HermiteCurve : With velocities of one's own.
+    natural_spline_velocities : Its velocities, with natural ends.
 
     Notes
     -----
@@ -57,6 +62,17 @@ class CubicSplineCurve(ParametricCurve):
     References
     ----------
     .. [1] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001, chapter IV.
+
+    Examples
+    --------
+    >>> from curvecore import CubicSplineCurve
+    >>> spline = CubicSplineCurve([[0], [1], [0]], [0, 1, 2])
+    >>> spline([0.5, 1]).tolist()
+    [[0.6875], [1.0]]
+    >>> spline.evaluate([0, 2], order=2).tolist()
+    [[0.0], [0.0]]
+    >>> CubicSplineCurve([[0], [1], [0]], [0, 1, 2], ends="clamped").evaluate(0, order=1).tolist()
+    [0.0]
     """
 
     __slots__ = ("_bends", "_hermite", "_units")

@@ -35,6 +35,18 @@ class LocalBasis(NamedTuple):
         Index i of the segment from joint i to joint i + 1 that holds t.
     values : ndarray, shape (m, 2, R)
         ``[k, 0, r]`` is B_ir(t_k) and ``[k, 1, r]`` is B_(i+1)r(t_k).
+
+    See Also
+    --------
+    ParametricCurve.local_basis : The method that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve
+    >>> curve = HermiteCurve([[0], [1], [0]], [[0], [0], [0]], [0, 1, 2])
+    >>> local = curve.local_basis([0.5, 1.5])
+    >>> local.segment.tolist(), local.values[:, :, 0].tolist()
+    ([0, 1], [[0.5, 0.5], [0.5, 0.5]])
     """
 
     segment: IntArray
@@ -50,6 +62,19 @@ class Interpolant(NamedTuple):
         The piece lies between the first and the last.
     jets : ndarray, shape (k, R, dim)
         Its value and R - 1 derivatives there.
+
+    See Also
+    --------
+    ParametricCurve.interpolants : The method that returns them.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve
+    >>> curve = HermiteCurve([[0], [1], [0]], [[0], [1], [2]], [0, 1, 3])
+    >>> [each.parameters.tolist() for each in curve.interpolants()]
+    [[0.0, 1.0], [1.0, 3.0]]
+    >>> curve.interpolants()[1].jets.tolist()
+    [[[1.0], [1.0]], [[0.0], [2.0]]]
     """
 
     parameters: FloatArray
@@ -135,9 +160,36 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
     is_one_polynomial : bool
         Whether it is the polynomial of degree n - 1 through its n points.
+    is_calm : bool
+        Whether it is offered as a cure for a curve that swings out between its points: through points alone
+        it stays near them, whatever their parameters.
     most_points : int or None
         How many points a curve can have: what is derived from `_basis` takes m * n numbers. None, any
         number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
+
+    See Also
+    --------
+    LagrangeCurve, HermiteCurve, QuinticHermiteCurve : Families.
+    BasisCurve : A curve of any functions.
+    Chain : Curves end to end.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import ParametricCurve
+    >>> class Ellipse(ParametricCurve):
+    ...     name = title = "ellipse"
+    ...     interpolates = False
+    ...     def _basis(self, t, order):
+    ...         angle = t + order * np.pi / 2
+    ...         return np.stack([np.cos(angle), np.sin(angle)], axis=1)[:, :, None]
+    >>> ellipse = Ellipse([[2, 0], [0, 1]], [0, 2 * np.pi])
+    >>> ellipse
+    Ellipse(n=2, dim=2, domain=(0, 6.28319))
+    >>> ellipse.integrate(0, np.pi / 2).round(9).tolist()
+    [2.0, 1.0]
+    >>> ellipse.solve(1.0, axis=0).round(9).tolist()
+    [1.047197551, 5.235987756]
     """
 
     __slots__ = ("_chosen", "_jets", "_parameters")
@@ -153,6 +205,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
+    is_calm: ClassVar[bool] = False
     most_points: ClassVar[int | None] = 2000
 
     _chosen: tuple[tuple[str, SettingValue], ...]
@@ -189,7 +242,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             data = self.jets.reshape(-1, self.jets.shape[2])
             curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
-        if order == 0 and self.interpolates:
+        if order == 0 and self.passes_points:
             self._put_points(curve, t)
         return curve
 
@@ -221,6 +274,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return float(self._parameters[0]), float(self._parameters[-1])
 
     @property
+    def passes_points(self) -> bool:
+        """Whether c(t_i) is p_i: what the family says by `interpolates`, measured where that may be wrong."""
+        return self.interpolates
+
+    @property
     def degree(self) -> int | None:
         """The degree of the polynomial, or of each polynomial piece; None where they are none."""
         return None
@@ -232,8 +290,8 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
 
     @property
     def functions_key(self) -> tuple[object, ...]:
-        """The name and the settings: curves of one key and the same parameters have the same functions."""
-        return (self.name, *self._chosen)
+        """The class and the settings: curves of one key and the same parameters have the same functions."""
+        return (type(self), *self._chosen)
 
     @property
     def pieces(self) -> tuple[ParametricCurve, ...]:
@@ -253,6 +311,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         **settings : int or str
             Values of the family's `settings`, by their names; the defaults where none is given.
 
+        Returns
+        -------
+        ParametricCurve
+            Of this class.
+
         Raises
         ------
         CurveError
@@ -269,11 +332,35 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
             raise CurveError(f"a curve of {name} can have {cls.most_points} points, not {count}")
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve of the same family and settings with other data and parameters."""
+        """Return a curve of the same family and settings with other data and parameters.
+
+        Parameters
+        ----------
+        jets : array_like, shape (n, R, dim)
+            Finite numbers, of any n that the family may have.
+        parameters : array_like, shape (n,)
+            Finite and strictly increasing.
+
+        Returns
+        -------
+        ParametricCurve
+            Of the same class.
+        """
         return self.from_jets(jets, parameters, **self.chosen)
 
     def with_jets(self, jets: ArrayLike) -> Self:
-        """Return the curve with other data, (n, R, dim); its parameters are shared and not checked again."""
+        """Return the curve with other data; its parameters are shared and not checked again.
+
+        Parameters
+        ----------
+        jets : array_like, shape (n, R, dim)
+            Finite numbers of any dim; n and R as they are.
+
+        Returns
+        -------
+        ParametricCurve
+            Of the same class.
+        """
         curve = object.__new__(type(self))
         curve.__setstate__({**self.__getstate__(), "_jets": jet_array(jets, self._jets.shape[:2])})
         return curve
@@ -306,6 +393,18 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
         """Return the basis functions that live on each t's segment, where `is_local`.
 
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            Finite; a scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        LocalBasis
+            The two functions of each kind that are not 0 there, and which they are.
+
         Raises
         ------
         CurveError
@@ -314,7 +413,18 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         raise CurveError("curve must be of a family whose functions are local")
 
     def support(self, index: int) -> tuple[float, float]:
-        """Return the interval outside of which all B_ir of point `index` are 0, as far as that is known."""
+        """Return the interval outside of which all functions of a point are 0, as far as that is known.
+
+        Parameters
+        ----------
+        index : int
+            Of the point, from 0 to n - 1.
+
+        Returns
+        -------
+        tuple of float
+            Its ends; the whole domain where it is not known.
+        """
         if not self.is_local:
             return self.domain
         t = self._parameters
@@ -328,6 +438,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     # What the points and parameters of a curve that passes its points by do
 
     @property
+    def knot_points(self) -> FloatArray:
+        """The points c(t_i), shape (n, dim): p_i, or beside these."""
+        return self.points if self.passes_points else self.evaluate(self._parameters)
+
+    @property
     def places(self) -> FloatArray:
         """The parameters near which the points act most, shape (n,): t_i, of control points others."""
         return self._parameters
@@ -338,39 +453,71 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return np.zeros(len(self._parameters), dtype=bool)
 
     def refined(self, t: float) -> Self | None:
-        """Return the same curve with one more control point, for more detail near t inside the domain.
+        """Return the same curve with one more control point, for more detail near t.
 
-        None where that is done by one more point on the curve, or cannot be done.
+        Parameters
+        ----------
+        t : float
+            Inside the domain.
+
+        Returns
+        -------
+        ParametricCurve or None
+            None where that is done by one more point on the curve, or cannot be done.
         """
         return None
 
     def restricted(self, start: float, end: float) -> Self | None:
-        """Return the same curve on a stretch of its domain, start < end, as one of its own family.
+        """Return the same curve on a stretch of its domain, as one of its own family.
 
-        None where that takes the data at both ends of the stretch alone, or cannot be done.
+        Parameters
+        ----------
+        start, end : float
+            Inside the domain, start < end.
+
+        Returns
+        -------
+        ParametricCurve or None
+            None where that takes the data at both ends of the stretch alone, or cannot be done.
         """
         return None
 
     # Polynomial pieces
 
     def bezier_pieces(self) -> FloatArray | None:
-        """Return the Bezier control points of the pieces between `breaks`, shape (k - 1, degree + 1, dim).
+        """Return the Bezier control points of the pieces between `breaks`.
 
-        None where the pieces are no polynomials, or one of a degree as high as the number of points: its
-        control points are of no use to draw it (see `lagrange_to_bezier`).
+        Returns
+        -------
+        ndarray, shape (k - 1, degree + 1, dim), or None
+            None where the pieces are no polynomials, or one of a degree as high as the number of points: its
+            control points are of no use to draw it (see `lagrange_to_bezier`).
         """
         return None
 
     def exact_pieces(self) -> FloatArray | None:
-        """Return the Bezier control points of the pieces between `breaks` also of high degree, or None.
+        """Return the Bezier control points of the pieces between `breaks`, also of high degree.
 
-        They are for a change of basis; None where the curve is no polynomial, or one through too many points.
+        Returns
+        -------
+        ndarray, shape (k - 1, degree + 1, dim), or None
+            For a change of basis; None where the curve is no polynomial, or one through too many points.
         """
         return self.bezier_pieces()
 
     @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> Self:
-        """Return a curve of this family that is `curve`, written with other data; exact but for rounding.
+        """Return a curve of this family that is another one, written with other data.
+
+        Parameters
+        ----------
+        curve : ParametricCurve
+            Of another family.
+
+        Returns
+        -------
+        ParametricCurve
+            The same curve but for rounding.
 
         Raises
         ------
@@ -380,24 +527,46 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         raise CurveError(f"no curve is known to be a {cls.title} curve as well")
 
     def bezier_slopes(self, exponent: int) -> Slopes | None:
-        """Return the control points of the derivatives of `bezier_pieces` times 2**-exponent, from the data.
+        """Return the control points of the derivatives of `bezier_pieces`, from the data.
 
-        They do not depend on how far away the origin is. None where they are not known better than as
-        differences of the control points.
+        Parameters
+        ----------
+        exponent : int
+            They are divided by 2**exponent.
+
+        Returns
+        -------
+        Slopes or None
+            They do not depend on how far away the origin is. None where they are not known better than as
+            differences of the control points.
         """
         return None
 
     def interpolants(self) -> list[Interpolant] | None:
         """Return what each polynomial piece between `breaks` interpolates.
 
-        It is what exact arithmetic needs to know of a curve. None where that is not known.
+        Returns
+        -------
+        list of Interpolant, or None
+            What exact arithmetic needs to know of a curve; None where that is not known.
         """
         return None
 
     # Sides of joints, and changes of the parameters
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments: before t_1, ..., or after t_0, ..., t_(n-2)."""
+        """Return c, c', c'' at the ends of all segments.
+
+        Parameters
+        ----------
+        before : bool
+            Whether before t_1, ..., t_(n-1), or after t_0, ..., t_(n-2).
+
+        Returns
+        -------
+        JointDerivatives
+            Of n - 1 ends.
+        """
         t = self._parameters[1:] if before else self._parameters[:-1]
         if before:
             t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
@@ -430,11 +599,37 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return np.stack(moves, axis=1)
 
     def parameter_derivative(self, index: int, t: ArrayLike) -> FloatArray:
-        """Return dc(t)/dt_index, shape (m, dim); see `parameter_derivatives`."""
+        """Return dc(t)/dt_i of one i.
+
+        Parameters
+        ----------
+        index : int
+            i, from 0 to n - 1.
+        t : float or array_like, shape (m,)
+            A scalar counts as m = 1.
+
+        Returns
+        -------
+        ndarray, shape (m, dim)
+            As from `parameter_derivatives`.
+        """
         return self.parameter_derivatives(t)[:, index]
 
     def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim), where `is_local`."""
+        """Return the segments of t, and dc(t)/dt_i of their two ends, where `is_local`.
+
+        Parameters
+        ----------
+        t : ndarray, shape (m,)
+            Finite.
+
+        Returns
+        -------
+        segment : ndarray of int, shape (m,)
+            Between which joints each t lies.
+        moves : ndarray, shape (m, 2, dim)
+            Of the two joints.
+        """
         segment = self.local_basis(t).segment
         moves = self.parameter_derivatives(t)
         return segment, np.take_along_axis(moves, (segment[:, None] + np.arange(2))[:, :, None], axis=1)

@@ -77,7 +77,7 @@ class Evaluation(ABC):
         Parameters
         ----------
         t : float or array_like of any shape
-            As for `basis`.
+            Finite, inside the domain or not.
         order : int, optional
             Order of the derivative, at least 0.
         extrapolate : bool or "periodic", optional

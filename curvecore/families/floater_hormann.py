@@ -8,7 +8,9 @@ from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.rational_form import RationalForm
 from curvecore.families.setting import FamilySetting
-from curvecore.scaling import normalise, scale_by_power
+from curvecore.scaling import Scaled, ScaledRows, normalise, scale_by_power
+
+_NO_EXPONENT = np.zeros(1, dtype=np.int64)
 
 
 class FloaterHormannCurve(ParametricCurve):
@@ -28,6 +30,11 @@ class FloaterHormannCurve(ParametricCurve):
     ------
     CurveError
         If an argument does not have the shape or values above.
+
+    See Also
+    --------
+    LagrangeCurve : The polynomial through the points.
+    CubicSplineCurve : Cubic pieces through them.
 
     Notes
     -----
@@ -52,10 +59,14 @@ class FloaterHormannCurve(ParametricCurve):
 
     Examples
     --------
-    >>> t = np.linspace(-1, 1, 21)
-    >>> curve = FloaterHormannCurve(np.stack([t, 1 / (1 + 25 * t**2)], axis=1), t)
-    >>> bool(np.abs(curve.evaluate(0.97) - [0.97, 1 / (1 + 25 * 0.97**2)]).max() < 1e-3)
-    True
+    >>> import numpy as np
+    >>> from curvecore import FloaterHormannCurve, LagrangeCurve
+    >>> t, x = np.linspace(-1, 1, 21), np.linspace(-1, 1, 201)
+    >>> points = np.stack([t, 1 / (1 + 25 * t**2)], axis=1)
+    >>> for family in (LagrangeCurve, FloaterHormannCurve):
+    ...     print(round(float(np.abs(family(points, t)(x)[:, 1] - 1 / (1 + 25 * x**2)).max()), 3))
+    58.585
+    0.003
     """
 
     __slots__ = ("_form",)
@@ -63,6 +74,8 @@ class FloaterHormannCurve(ParametricCurve):
 
     name = "floater_hormann"
     title = "barycentric rational"
+    place = 60
+    is_calm = True
     settings = (
         FamilySetting(
             "degree",
@@ -81,11 +94,23 @@ class FloaterHormannCurve(ParametricCurve):
             self._form = RationalForm.of(self._parameters, int(self.chosen["degree"]))
         return self._form
 
+    def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
+        """Return derivatives of several orders at many places, all of them in one pass.
+
+        Where the Lebesgue function stays below 1e3 by sums in double precision: the errors are then up to
+        1e4 times larger than those of `evaluate`.
+        """
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            found = self._rational_form.quick_derivatives(self.points, t, max(orders)) if len(t) else None
+        if found is None or not all(np.isfinite(each).all() for each in found):
+            return super().derivatives_at(t, orders)
+        return [found[order] for order in orders]
+
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.empty((len(self._parameters), t.size))
         with np.errstate(over="ignore", under="ignore"):
-            for where, values in self._rational_form.parts(t, order):
-                result[:, where] = scale_by_power(*values)
+            for where, values, exponent in self._rational_form.parts(t, order):
+                result[:, where] = values if exponent is None else scale_by_power(values, exponent)
         return result.T[:, :, None]
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
@@ -94,8 +119,8 @@ class FloaterHormannCurve(ParametricCurve):
         result = np.empty((self.points.shape[1], t.size))
         with np.errstate(over="ignore", under="ignore"):
             points = np.ldexp(self.points, -exponent)
-            for where, values in self._rational_form.parts(t, order):
-                rows = normalise(values)
+            for where, values, own in self._rational_form.parts(t, order):
+                rows = normalise(Scaled(values, own)) if own is not None else ScaledRows(values, _NO_EXPONENT)
                 result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
         curve = np.ascontiguousarray(result.T)
         if order == 0:

@@ -28,11 +28,27 @@ class HermiteCurve(PiecewiseHermite):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    QuinticHermiteCurve : With accelerations too.
+    bessel_velocities, natural_spline_velocities, catmull_rom_velocities : Rules for the velocities.
+
     Notes
     -----
     Values and derivatives have errors of at most a small multiple of
     u sum |B_ir^(order)(t) d_ir|, u = 2**-53. Results beyond the floating
     point range become the largest finite number.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve
+    >>> curve = HermiteCurve([[0, 0], [1, 0]], [[0, 3], [0, -3]], [0, 1])
+    >>> curve
+    HermiteCurve(n=2, dim=2, domain=(0, 1))
+    >>> curve([0, 0.5, 1]).tolist()
+    [[0.0, 0.0], [0.5, 0.75], [1.0, 0.0]]
+    >>> curve.bezier_pieces().tolist()
+    [[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]]]
     """
 
     __slots__ = ()

@@ -14,7 +14,6 @@ from curvecore.families.differentiation_matrix import derivatives_by_matrix, mat
 from curvecore.families.product_form import ProductForm
 from curvecore.families.same_shape import pieces_of
 from curvecore.parametrization import chebyshev
-from curvecore.scaling import Scaled, normalise, scale_by_power
 
 
 class LagrangeCurve(ParametricCurve):
@@ -35,6 +34,12 @@ class LagrangeCurve(ParametricCurve):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    HermiteCurve : Cubic pieces, which follow many points calmly.
+    chebyshev : Parameters at which many points do no harm.
+    lebesgue_constant : How much harm they may do.
+
     Notes
     -----
     With u = 2**-53, values and derivatives differ from the exact ones by at
@@ -50,6 +55,19 @@ class LagrangeCurve(ParametricCurve):
     The first evaluation takes O(n**2) operations more than the later ones,
     which take O(n) per t; memory beyond the result is bounded. Results beyond the floating point range
     become the largest finite number of their sign.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> curve
+    LagrangeCurve(n=3, dim=2, domain=(0, 2))
+    >>> curve(0.5).tolist()
+    [0.25, 1.5]
+    >>> curve.basis(0.5)[:, 0].tolist()
+    [0.375, 0.75, -0.125]
+    >>> curve.degree
+    2
     """
 
     __slots__ = ("_form",)
@@ -141,30 +159,11 @@ class LagrangeCurve(ParametricCurve):
         return moves
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
-        # Bringing the points near 1 keeps a sum of large terms that cancel in range.
-        _, exponent = np.frexp(np.abs(self.points).max(axis=0))
-        with np.errstate(under="ignore"):
-            points = np.ldexp(self.points, -exponent)
-        result = np.empty((points.shape[1], t.size))
-        with np.errstate(over="ignore", under="ignore"):
-            for part in self._product_form.basis_parts(t, order):
-                values, scale = part.values, exponent[:, None]
-                if part.exponent is not None:
-                    values, common = normalise(Scaled(values, part.exponent))
-                    scale = scale + common
-                result[:, part.where] = scale_by_power(points.T @ values, scale)
-                if order == 0:
-                    result[:, part.where.start + part.hits.columns] = self.points[part.hits.rows].T
-        return np.ascontiguousarray(result.T)
+        return self._product_form.sums(t, order, self.points)
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         """Return all basis functions, or their derivatives; each function lies contiguous in memory."""
-        result = np.empty((len(self._parameters), t.size))
-        with np.errstate(over="ignore", under="ignore"):
-            for part in self._product_form.basis_parts(t, order, result):
-                if part.exponent is not None:
-                    result[:, part.where] = scale_by_power(part.values, part.exponent)
-        return result.T[:, :, None]
+        return self._product_form.functions(t, order).T[:, :, None]
 
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with other points; it shares everything that depends on the parameters."""

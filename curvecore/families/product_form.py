@@ -10,10 +10,11 @@ Three things keep the products in range. The parameters are scaled, by a power o
 two and hence without error, to an interval of length about 4, whose capacity
 is 1, so that n factors have a product near 1 for well spread parameters. Products
 run over blocks of rows that provably cannot leave the range. Between blocks,
-mantissas and exponents are kept apart.
+mantissas and exponents are kept apart, and so they are between blocks of weights.
 
 Derivatives are the business of `product_series`, and are as accurate while
-the distances of parameters differ by at most 1e50.
+the distances of parameters differ by at most 1e50; `product_kernels` is the faster way to
+values and first derivatives at the distances that are usual.
 
 References
 ----------
@@ -31,43 +32,49 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import FloatArray
+from curvecore.families.product_kernels import (
+    Hits,
+    Kernel,
+    WeightBlock,
+    block_of,
+    column_product,
+    lost_in_differences,
+    slope_kernel,
+    value_kernel,
+    weight_blocks,
+)
 from curvecore.families.product_series import leave_one_out
-from curvecore.scaling import ExponentArray, Scaled
+from curvecore.scaling import LARGEST, Scaled, normalise, scale_by_power
 
-_CHUNK = 1 << 18  # entries of one working array: 2 MB, so that a slice is worth its dozen calls
-_BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
+_CHUNK = 1 << 17  # entries of one working array: a megabyte, for slices worth their dozens of calls
+_MOST_BITS = 500.0  # of the least distance, up to which differences need no exponents of their own
+_SLOPE_BITS = 30.0  # the same for first derivatives: what cancels then keeps its digits
 _MANY = 64  # parameters, above which roundings that do not average out are worth half the time again
 _TINY = 2.0**-340  # scaled distances below need exponents of their own
 _FAR = 2.0**60  # so do those above
+_EXPONENT = 2000  # beyond, every number is 0 or infinite
+_SAFE = 300  # up to here, weights and reciprocal distances stay in range
 
 
-class Hits(NamedTuple):
-    """Values of t that are parameters: t[columns] == parameters[rows]."""
-
-    columns: IntArray
-    rows: IntArray
-
-
-class BasisPart(NamedTuple):
-    """Basis functions for a slice of t.
+class _Part(NamedTuple):
+    """Basis functions for a slice of t: without their weights, or else with exponents of their own.
 
     Attributes
     ----------
     where : slice
         Which t.
-    values : ndarray, shape (n, m)
-        L_i, or a derivative of it, in row i.
-    exponent : ndarray of int, shape (n, m), or None
-        Powers of two that the values are to be multiplied by; None is 0.
     hits : Hits
         Columns are counted within the slice.
+    kernel : Kernel or None
+    functions : Scaled, shape (n, m), or None
+        L_i, or a derivative of it, in row i.
     """
 
     where: slice
-    values: FloatArray
-    exponent: ExponentArray | None
     hits: Hits
+    kernel: Kernel | None
+    functions: Scaled | None
 
 
 class ProductForm(NamedTuple):
@@ -86,10 +93,8 @@ class ProductForm(NamedTuple):
         some t is closer to it than ``2**-least_bits``.
     weights : Scaled
         w_i for the scaled parameters.
-    plain_weights : ndarray, shape (n,), or None
-        ``w_i / 2**plain_exponent`` if these fit in 2**+-450.
-    plain_exponent : int
-        See `plain_weights`.
+    blocks : list of WeightBlock
+        The same; empty where distances need exponents of their own.
     """
 
     given: FloatArray
@@ -97,8 +102,7 @@ class ProductForm(NamedTuple):
     shift: int
     least_bits: float
     weights: Scaled
-    plain_weights: FloatArray | None
-    plain_exponent: int
+    blocks: list[WeightBlock]
 
     @classmethod
     def of(cls, parameters: FloatArray) -> ProductForm:
@@ -109,20 +113,16 @@ class ProductForm(NamedTuple):
             scaled = np.ldexp(parameters, shift)
         gap = float(np.diff(parameters).min())
         least_bits = 1.0 - math.log2(gap) - shift
-        if least_bits < _BLOCK_BITS:
+        if least_bits < _MOST_BITS:
             weights = _weights(scaled, least_bits)
         else:
             weights = _weights_far_apart(parameters, shift)
-        low, high = int(weights.exponent.min()), int(weights.exponent.max())
-        middle = (low + high) // 2
-        plain = None
         # Parameters that are all but zero relative to the length are left to the general method.
-        if high - low <= 800 and not _has_tiny(scaled, parameters):
-            plain = np.ldexp(weights.mantissa, (weights.exponent - middle).astype(np.intc))
-        return cls(parameters, scaled, shift, least_bits, weights, plain, middle)
+        is_plain = least_bits < _MOST_BITS and not _has_tiny(scaled, parameters)
+        return cls(parameters, scaled, shift, least_bits, weights, weight_blocks(weights) if is_plain else [])
 
-    def basis_parts(self, t: FloatArray, order: int, out: FloatArray | None = None) -> Iterator[BasisPart]:
-        """Yield all basis functions at t, a slice of t at a time.
+    def sums(self, t: FloatArray, order: int, data: FloatArray) -> FloatArray:
+        """Return the sums of the functions' derivatives times data, limited to the largest number.
 
         Parameters
         ----------
@@ -130,57 +130,114 @@ class ProductForm(NamedTuple):
             Finite.
         order : int
             Order of the derivative with respect to t.
-        out : ndarray, shape (n, m), optional
-            Where plain values may be put; without it, the arrays of one
-            part are overwritten by the next.
+        data : ndarray, shape (n, dim)
 
-        Notes
-        -----
-        Numbers may over- and underflow on the way: the caller sets
-        `numpy.errstate`, which a generator cannot without leaking it.
+        Returns
+        -------
+        ndarray, shape (m, dim)
+            At order 0, where t is a parameter, the data there.
+        """
+        if order == 0:
+            hits = self._hits(t)
+            if hits.columns.size:
+                others = np.ones(t.size, dtype=np.bool_)
+                others[hits.columns] = False
+                result = np.empty((t.size, data.shape[1]))
+                result[hits.columns] = data[hits.rows]
+                result[others] = self.sums(t[others], order, data)
+                return result
+        result = np.empty((t.size, data.shape[1]))
+        # Bringing the data near 1 keeps a sum of large terms that cancel in range.
+        _, size = np.frexp(np.abs(data).max(axis=0))
+        with np.errstate(over="ignore", under="ignore"):
+            near = np.ldexp(data, -size)
+            weighted = [(near[block.rows] * block.weights[:, None]).T for block in self.blocks]
+            for part in self._parts(t, order):
+                if part.kernel is None:
+                    assert part.functions is not None
+                    values, exponent = normalise(part.functions)
+                    sums = Scaled(near.T @ values, np.broadcast_to(exponent, (data.shape[1], exponent.size)))
+                else:
+                    sums = self._kernel_sums(part.kernel, weighted, order)
+                result[part.where] = scale_by_power(sums.mantissa, sums.exponent + size[:, None]).T
+        return result
+
+    def functions(self, t: FloatArray, order: int) -> FloatArray:
+        """Return the functions' derivatives of an order at t, (n, m), limited to the largest number."""
+        result = np.empty((len(self.given), t.size))
+        with np.errstate(over="ignore", under="ignore"):
+            for part in self._parts(t, order):
+                values = result[:, part.where]
+                if part.kernel is None:
+                    assert part.functions is not None
+                    values[:] = scale_by_power(*part.functions)
+                else:
+                    self._put_functions(part.kernel, order, values)
+                if order == 0:
+                    _put_units(values, part.hits)
+        return result
+
+    def _kernel_sums(self, kernel: Kernel, weighted: list[FloatArray], order: int) -> Scaled:
+        """Return the sums of data times functions, given the data times weights, (dim, m)."""
+        others = kernel.common.exponent + order * np.int64(self.shift)
+        products = [
+            data @ kernel.values[block.rows] for block, data in zip(self.blocks, weighted, strict=True)
+        ]
+        if len(products) == 1:
+            return Scaled(products[0] * kernel.common.mantissa, others + self.blocks[0].exponent)
+        mantissa, extra = np.frexp(np.stack(products))
+        exponent = extra + np.array([block.exponent for block in self.blocks])[:, None, None]
+        # A zero has no exponent of its own and must not decide.
+        common = np.where(mantissa != 0.0, exponent, exponent.min()).max(axis=0)
+        total = np.ldexp(mantissa, np.maximum(exponent - common, -_EXPONENT).astype(np.intc)).sum(axis=0)
+        return Scaled(total * kernel.common.mantissa, common + others)
+
+    def _put_functions(self, kernel: Kernel, order: int, out: FloatArray) -> None:
+        """Write the functions, (n, m)."""
+        mantissa, exponent = kernel.common
+        largest = 0
+        for block in self.blocks:
+            values = np.multiply(kernel.values[block.rows], block.weights[:, None], out=out[block.rows])
+            others = np.clip(exponent + (block.exponent + order * self.shift), -_EXPONENT, _EXPONENT)
+            largest = max(largest, int(np.abs(others).max(initial=0)))
+            half = others.astype(np.intc) // 2 if largest > _SAFE else np.intc(0)
+            values *= np.ldexp(mantissa, others.astype(np.intc) - half)
+            if largest > _SAFE:
+                values *= np.ldexp(1.0, half)
+        if largest > _SAFE and not np.isfinite(out).all():
+            np.clip(out, -LARGEST, LARGEST, out=out)
+
+    def _parts(self, t: FloatArray, order: int) -> Iterator[_Part]:
+        """Yield all functions at t, a slice of t at a time; the arrays of one may be overwritten by the next.
+
+        Numbers may over- and underflow on the way: the caller sets `numpy.errstate`, which a generator cannot
+        without leaking it.
         """
         x = np.ldexp(t, self.shift)
         reach = _reach(x, self.scaled) if t.size else 1.0
-        plain = self.plain_weights is not None and reach < _FAR and not _has_tiny(x, t)
+        plain = bool(self.blocks) and reach < _FAR and not _has_tiny(x, t)
+        plain = plain and (order == 0 or (order == 1 and self.least_bits < _SLOPE_BITS))
         n = len(self.given)
         # A series costs a Python loop over the parameters for each slice: not too few columns.
-        size = max(64, _CHUNK // (n * (order + 1))) if order else max(1, _CHUNK // n)
-        buffer = np.empty((n, min(size, t.size))) if out is None and plain and not order else None
+        size = max(1, (_CHUNK >> order) // n) if plain or not order else max(64, _CHUNK // (n * (order + 1)))
+        room = np.empty((n, min(size, t.size))) if plain else None
         for start in range(0, t.size, size):
             where = slice(start, min(start + size, t.size))
             hits = self._hits(t[where])
-            values, exponent = None, None
+            if room is None:
+                functions = self._derivatives(t[where], order) if order else self._general(t[where], hits)
+                yield _Part(where, hits, None, functions)
+                continue
+            bits, out = max(math.log2(reach), self.least_bits), room[:, : where.stop - start]
             if order:
-                values, exponent = self._derivatives(t[where], order)
-            elif plain:
-                into = out[:, where] if out is not None else buffer[:, : where.stop - start]  # type: ignore[index]
-                values = self._plain(x[where], hits, reach, into)
-            if values is None:
-                values, exponent = self._general(t[where], hits)
-            yield BasisPart(where, values, exponent, hits)
+                yield _Part(where, hits, slope_kernel(x[where], self.scaled, bits, out), None)
+            else:
+                yield _Part(where, hits, value_kernel(x[where], self.scaled, hits, bits, out), None)
 
     def _hits(self, t: FloatArray) -> Hits:
         nearest = np.searchsorted(self.given[:-1], t)
         columns = np.flatnonzero(self.given[nearest] == t)
         return Hits(columns, nearest[columns])
-
-    def _plain(self, x: FloatArray, hits: Hits, reach: float, out: FloatArray) -> FloatArray | None:
-        """Order 0 where all quantities of one column fit in one double; None if they do not."""
-        assert self.plain_weights is not None
-        difference = np.subtract(x, self.scaled[:, None], out=out)
-        difference[hits.rows, hits.columns] = 1.0
-        total = _column_product(difference, _block(max(math.log2(reach), self.least_bits)))
-        # sum |L_i| >= 1 bounds this exponent from below by about -900.
-        exponent = total.exponent + self.plain_exponent
-        if exponent.size and int(exponent.max()) > _BLOCK_BITS:
-            return None
-        common = np.ldexp(total.mantissa, exponent.astype(np.intc))
-        if len(self.scaled) > _MANY:
-            common *= 1.0 + _rounding_of_product(x, self.scaled, difference, hits)
-        values = np.divide(self.plain_weights[:, None], difference, out=out)
-        values *= common
-        _put_units(values, hits)
-        return values
 
     def _general(self, t: FloatArray, hits: Hits) -> Scaled:
         """Order 0 with an exponent for every factor."""
@@ -201,47 +258,10 @@ class ProductForm(NamedTuple):
         return Scaled(values, coefficient.exponent + self.weights.exponent[:, None] + order * self.shift)
 
 
-def _rounding_of_product(
-    x: FloatArray, parameters: FloatArray, difference: FloatArray, hits: Hits
-) -> FloatArray:
-    """Return the relative error that rounded differences leave in their product.
-
-    A parameter t_i larger than x has coarser digits, so the difference loses the same
-    last bits of x for all such parameters: these roundings do not average out, and
-    add up to about n u / 4. Parameters smaller than x, whose roundings are as good
-    as independent, may come out as 0 here.
-    """
-    rest = difference + parameters[:, None]
-    np.subtract(x, rest, out=rest)
-    rest[hits.rows, hits.columns] = 0.0
-    rest /= difference
-    error: FloatArray = rest.sum(axis=0)
-    return error
-
-
-def _column_product(factors: FloatArray, block: int) -> Scaled:
-    """Multiply the rows, `block` of them at a time before their exponents are set apart."""
-    whole = len(factors) // block * block
-    products = np.multiply.reduce(factors[:whole].reshape(-1, block, factors.shape[1]), axis=1)
-    if whole < len(factors):
-        products = np.append(products, np.multiply.reduce(factors[whole:], axis=0)[None], axis=0)
-    mantissas, exponents = np.frexp(products)
-    exponent = exponents.sum(axis=0, dtype=np.int64)
-    if len(mantissas) == 1:
-        return Scaled(mantissas[0], exponent)
-    rest = _column_product(mantissas, _block(1.0))
-    return Scaled(rest.mantissa, rest.exponent + exponent)
-
-
-def _block(bits: float) -> int:
-    """Return how many factors of at most 2**+-bits one block may hold."""
-    return max(1, int(_BLOCK_BITS / max(bits, 1.0)))
-
-
 def _weights(scaled: FloatArray, least_bits: float) -> Scaled:
     n = len(scaled)
     size = max(1, _CHUNK // n)
-    block = _block(max(3.0, least_bits))
+    block = block_of(max(3.0, least_bits))
     products = []
     for start in range(0, n, size):
         where = slice(start, min(start + size, n))
@@ -249,9 +269,10 @@ def _weights(scaled: FloatArray, least_bits: float) -> Scaled:
         columns = np.arange(where.stop - start)
         hits = Hits(columns, start + columns)
         difference[hits.rows, hits.columns] = 1.0
-        product = _column_product(difference, block)
+        product = column_product(difference, block)
         if n > _MANY:
-            product.mantissa[:] *= 1.0 + _rounding_of_product(scaled[where], scaled, difference, hits)
+            lost = lost_in_differences(scaled[where], scaled, difference, hits)
+            product.mantissa[:] *= 1.0 + (lost / difference).sum(axis=0)
         products.append(product)
     return _reciprocals(products)
 
@@ -275,7 +296,7 @@ def _differences_and_product(
     difference = _scaled_differences(t, parameters, shift)
     difference.mantissa[hits.rows, hits.columns] = 0.5
     difference.exponent[hits.rows, hits.columns] = 1
-    total = _column_product(difference.mantissa, _block(1.0))
+    total = column_product(difference.mantissa, block_of(1.0))
     return difference, Scaled(total.mantissa, total.exponent + difference.exponent.sum(axis=0))
 
 

@@ -30,9 +30,25 @@ class QuinticHermiteCurve(PiecewiseHermite):
     CurveError
         If an argument does not have the shape or values above.
 
+    See Also
+    --------
+    HermiteCurve : With velocities alone.
+    natural_spline_accelerations, zero_accelerations : Rules for the accelerations.
+
     Notes
     -----
     Accuracy and limits are those of `HermiteCurve`.
+
+    Examples
+    --------
+    >>> from curvecore import QuinticHermiteCurve
+    >>> curve = QuinticHermiteCurve([[0], [1]], [[0], [0]], [[0], [0]], [0, 1])
+    >>> curve
+    QuinticHermiteCurve(n=2, dim=1, domain=(0, 1))
+    >>> curve([0, 0.5, 1]).tolist()
+    [[0.0], [0.5], [1.0]]
+    >>> curve(0.5, order=1).tolist()
+    [1.875]
     """
 
     __slots__ = ()

@@ -19,7 +19,7 @@ class FamilySetting:
     A curve class lists its settings in `ParametricCurve.settings`; its constructor and `from_jets` take
     them as keyword arguments.
 
-    Attributes
+    Parameters
     ----------
     name : str
         A short identifier: of the keyword argument, and as files store it.
@@ -36,6 +36,17 @@ class FamilySetting:
     when_closed : int or str, optional
         The value of closed curves, whatever was chosen: what makes them smooth where they close. None where
         closing asks for nothing.
+
+    See Also
+    --------
+    ParametricCurve : Classes list their settings.
+
+    Examples
+    --------
+    >>> from curvecore import FamilySetting
+    >>> tension = FamilySetting("tension", "tension", 1, limits=(0, 9))
+    >>> tension.allows(9), tension.allows(10), tension.requirement
+    (True, False, 'a whole number from 0 to 9')
     """
 
     name: str
@@ -52,7 +63,17 @@ class FamilySetting:
         return self.title[:1].upper() + self.title[1:]
 
     def allows(self, value: object) -> bool:
-        """Whether `value` is one that the setting can have."""
+        """Tell whether the setting can have a value.
+
+        Parameters
+        ----------
+        value : object
+            Any.
+
+        Returns
+        -------
+        bool
+        """
         if self.limits is None:
             return isinstance(value, str) and value in dict(self.choices)
         return type(value) is int and self.limits[0] <= value <= self.limits[1]
@@ -65,7 +86,17 @@ class FamilySetting:
         return f"a whole number from {self.limits[0]} to {self.limits[1]}"
 
     def text_of(self, value: SettingValue) -> str:
-        """Return a value as people read it."""
+        """Return a value as people read it.
+
+        Parameters
+        ----------
+        value : int or str
+            One that is allowed.
+
+        Returns
+        -------
+        str
+        """
         return dict(self.choices).get(value, "") if isinstance(value, str) else str(value)
 
 

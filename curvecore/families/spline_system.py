@@ -31,6 +31,16 @@ class SplineEnds(StrEnum):
         cubic, and the last two. Through three points the parabola.
     PERIODIC
         c' and c'' are the same at both ends: what makes a closed curve smooth at its seam.
+
+    See Also
+    --------
+    CubicSplineCurve : The spline.
+
+    Examples
+    --------
+    >>> from curvecore import SplineEnds
+    >>> [ends.value for ends in SplineEnds]
+    ['natural', 'clamped', 'not_a_knot', 'periodic']
     """
 
     NATURAL = "natural"

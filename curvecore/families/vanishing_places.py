@@ -51,7 +51,9 @@ class VanishingPlaces(NamedTuple):
 def vanishing_places(width: int, order: int) -> VanishingPlaces:
     """Return the places for the order-th derivatives by s of the functions, R = `width` at each end."""
     functions = range(2 * width)
-    places = sorted({place for k in functions for place in _roots(width, k, order)}) or [Fraction(1, 2)]
+    # About the middle, too: of mirrored data a derivative is 0 there, and a cusp at rest.
+    middle = {Fraction(1, 2)} if order else set()
+    places = sorted(middle.union(*(_roots(width, k, order) for k in functions)))
     coefficients = [
         [[_taylor(width, k, order, j, place) for k in functions] for place in places]
         for j in range(2 * width - order)

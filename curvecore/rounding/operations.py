@@ -23,13 +23,34 @@ class OperationCounts(NamedTuple):
         Once for given data.
     per_point : int
         For every t.
+
+    See Also
+    --------
+    operation_counts : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import OperationCounts
+    >>> OperationCounts(setup=10, per_point=4).total(100)
+    410
     """
 
     setup: int
     per_point: int
 
     def total(self, count: int) -> int:
-        """Return the number for `count` parameters."""
+        """Return the number for many parameters.
+
+        Parameters
+        ----------
+        count : int
+            How many t.
+
+        Returns
+        -------
+        int
+            With what is done once.
+        """
         return self.setup + count * self.per_point
 
 
@@ -60,6 +81,18 @@ def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) ->
     ------
     CurveError
         If the method does not go with the derivatives.
+
+    See Also
+    --------
+    OperationCounts : What it returns.
+    evaluate_rounded : The computation.
+
+    Examples
+    --------
+    >>> from curvecore import operation_counts
+    >>> counts = operation_counts("barycentric", 10)
+    >>> counts.setup, counts.per_point, counts.total(1000)
+    (180, 69, 69180)
     """
     count, space = integer(n, "n", 2), integer(dim, "dim", 1)
     width = integer(derivatives, "derivatives", 0) + 1

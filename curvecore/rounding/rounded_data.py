@@ -48,6 +48,16 @@ def round_data(values: ArrayLike, decimals: int) -> FloatArray:
         taken as the shortest decimals that stand for them, as printed: 0.125
         and 2.675 are ties, though the double 2.675 is a little less.
         (`numpy.round` multiplies by a power of ten and may round twice.)
+
+    See Also
+    --------
+    round_significant : To significant digits.
+
+    Examples
+    --------
+    >>> from curvecore import round_data
+    >>> round_data([2.675, 0.125, -1.5], 2).tolist()
+    [2.68, 0.12, -1.5]
     """
     places = integer(decimals, "decimals", 0)
     array = number_array(values, "values")
@@ -71,6 +81,16 @@ def round_significant(values: ArrayLike, digits: int) -> FloatArray:
     ndarray, same shape
         The doubles nearest to the rounded decimal numbers, the values taken as
         `round_data` takes them.
+
+    See Also
+    --------
+    round_data : To decimals.
+
+    Examples
+    --------
+    >>> from curvecore import round_significant
+    >>> round_significant([123456.0, 0.00123456], 3).tolist()
+    [123000.0, 0.00123]
     """
     context = decimal_context(digits)
     return _each(number_array(values, "values"), context.plus)

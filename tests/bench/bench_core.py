@@ -18,7 +18,11 @@ from curvecore import (
     LagrangeCurve,
     QuinticHermiteCurve,
     chebyshev,
+    chord_length,
+    flatten_pieces,
     natural_spline_velocities,
+    nearest,
+    self_intersections,
     uniform,
 )
 
@@ -90,6 +94,43 @@ def test_hermite_functions_and_curve(compare, request, rng, n):
         return position, velocity, interpolate.CubicHermiteSpline(parameters, points, velocities)(t)
 
     assert targets.at_least(request.node.name, compare(core, peer, 5 if n == 1000 else 31), 1)
+
+
+@pytest.mark.parametrize("rule", [chebyshev, uniform])
+def test_derivative_of_a_thousand_points(compare, rng, rule):
+    """Of 1000 points at 1000 parameters; the peer is the curve itself, which takes some 6 ms."""
+    points, t = rng.standard_normal((1000, 2)), np.sort(rng.random(1000))
+    curve = LagrangeCurve(points, rule(1000))
+    ratio = 1.0 / compare(lambda: curve.evaluate(t, 1), lambda: curve.evaluate(t), 7)
+    what = f"Lagrange n = 1000, {rule.__name__}: derivative over value"
+    assert targets.at_most(what, ratio, 8, "times")
+
+
+def test_weights_beyond_one_range(compare, rng):
+    """At equal parameters from some 800 on the weights need several ranges; at Chebyshev points, one."""
+    points, t = rng.standard_normal((1000, 2)), np.sort(rng.random(1000))
+    wide, narrow = LagrangeCurve(points, uniform(1000)), LagrangeCurve(points, chebyshev(1000))
+    ratio = 1.0 / compare(lambda: wide.evaluate(t), lambda: narrow.evaluate(t), 15)
+    assert targets.at_most("Lagrange n = 1000, uniform over chebyshev", ratio, 1.5, "times")
+
+
+def test_frame_of_a_thousand_points_whose_parameters_move(compare):
+    """The curve, its polyline and its functions under chord length; the peer takes some 5 ms.
+
+    Hardly a sample between two points lies in the box: none is divided, and none measured.
+    """
+    s = np.linspace(0.0, 1.0, 1000)
+    points = np.column_stack([4.0 * s, 1.0 + 0.7 * np.sin(14.0 * s)])
+    parameters, t = chord_length(points), np.linspace(0.0, 1.0, 400)
+    still, places = LagrangeCurve(points, parameters), np.linspace(1e-4, 1.0 - 1e-4, 1000)
+
+    def core():
+        curve = LagrangeCurve(points, parameters)
+        return flatten_pieces(curve, 0.004, [-0.3, -0.1, 4.3, 2.1]), curve.basis(t)
+
+    ratio = 1.0 / compare(core, lambda: still.evaluate(places), 15)
+    what = "Lagrange n = 1000, chord length: a frame over 1000 values"
+    assert targets.at_most(what, ratio, 4, "times")
 
 
 @pytest.mark.parametrize("family", ["lagrange", "hermite", "quintic_hermite"])
@@ -185,3 +226,25 @@ def test_derivatives_of_a_cubic(compare, cubic, count, order):
     ratio = 1.0 / compare(lambda: curve.evaluate(t, order), lambda: peer(t, order), 2_000_000 // count)
     what = f"cubic, derivative {order} at {count:,} ascending t, over SciPy's time"
     assert targets.at_most(what, ratio, 1 if count >= 10_000 else 3, "times")
+
+
+@pytest.fixture
+def loop():
+    """A cubic with a loop on both sides."""
+    bezier = pytest.importorskip("bezier")
+    curve = HermiteCurve([[0.0, 0.0], [1.0, 0.0]], [[9.0, 9.0], [9.0, -9.0]], [0.0, 1.0])
+    return curve, bezier.Curve(np.asfortranarray(curve.bezier_pieces()[0].T), degree=3)
+
+
+def test_self_intersections_of_a_cubic(compare, loop):
+    curve, peer = loop
+    ratio = 1.0 / compare(lambda: self_intersections(curve, 1e-9), peer.self_intersections, 51)
+    assert targets.at_most("self-intersections of a cubic, over bezier's time", ratio, 3, "times")
+
+
+def test_nearest_point_of_a_cubic(compare, loop):
+    """The package has no nearest point; `locate`, compiled code of 4 us, is for points of the curve alone."""
+    curve, peer = loop
+    point = curve.evaluate(0.3)
+    ratio = 1.0 / compare(lambda: nearest(curve, point, 1e-9), peer.self_intersections, 51)
+    assert targets.at_most("nearest point of a cubic, over bezier's self-intersections", ratio, 1, "times")

@@ -10,6 +10,13 @@ from flint import arb, ctx, fmpq, fmpz
 
 UNIT_ROUNDOFF = 2.0**-53
 
+
+def pytest_configure(config):
+    """Marks of SciPy's tests, which `test_scipy_suite` imports."""
+    for name in ("skip_xp_backends", "xfail_xp_backends", "parallel_threads_limit", "thread_unsafe"):
+        config.addinivalue_line("markers", f"{name}: SciPy's")
+
+
 _BITS = 512
 
 

@@ -236,21 +236,32 @@ def test_what_needs_polynomials_says_so(points):
 @pytest.mark.parametrize(
     ("basis", "message"),
     [
-        (
-            lambda t, x: np.ones((len(t), len(x))),
-            "function 1 of wrong must be 0 at parameter 0, t = 0.0, not 1.0",
-        ),
         (lambda t, x: np.zeros((len(t), 1)), r"the basis of wrong must have the shape \(m, n\) = \(3, 3\)"),
         (
             lambda t, x: np.full((len(t), len(x)), np.nan),
             "the basis of wrong is nan at t = 0.0, in function 0",
         ),
+        (
+            # A pole between the parameters.
+            lambda t, x: np.where((t == 0.625)[:, None], np.inf, np.ones((len(t), len(x)))),
+            "the basis of wrong is inf at t = 0.625, in function 0",
+        ),
         (lambda t, x: "no numbers", "the basis of wrong must be a regular array of real numbers"),
     ],
 )
-def test_functions_that_are_no_cardinal_basis(basis, message):
+def test_functions_that_make_no_curve(basis, message):
     with pytest.raises(CurveError, match=message):
         BasisCurve([[0, 0], [1, 1], [2, 0]], [0, 0.5, 1], Scheme("wrong", basis))
+
+
+def test_functions_that_are_no_cardinal_basis_make_a_curve_that_misses_its_points(points):
+    """They were refused: function 1 must be 0 at parameter 0, not 1."""
+    curve = BasisCurve(points, uniform(6), Scheme("sum", lambda t, x: np.ones((len(t), len(x)))))
+    assert curve.interpolates
+    assert not curve.passes_points
+    assert curve.evaluate(curve.parameters) == pytest.approx(np.tile(points.sum(axis=0), (6, 1)))
+    box = bounding_box(curve)
+    assert np.hstack([box.minimum, box.maximum]) == pytest.approx(np.tile(points.sum(axis=0), 2))
 
 
 @pytest.mark.parametrize("breaks", [[0.0, 0.6, 0.4], [[0.0, 1.0]], [0.0, np.inf]])

@@ -10,6 +10,7 @@ import pytest
 from scipy import interpolate
 from scipy.integrate import quad_vec
 
+import curvecore
 from curvecore import (
     Antiderivative,
     BasisCurve,
@@ -18,6 +19,7 @@ from curvecore import (
     Derivative,
     HermiteCurve,
     LagrangeCurve,
+    ParametricCurve,
     QuinticHermiteCurve,
     Scheme,
     bounding_box,
@@ -89,6 +91,15 @@ def test_a_derivative_is_a_curve_of_the_same_data(name, order):
     assert derivative.degree == (None if curve.degree is None else max(curve.degree - order, 0))
     assert np.array_equal(derivative.derivative()(T), curve(T, order + 1))
     assert not derivative.interpolates
+
+
+@every_curve
+@pytest.mark.parametrize("shape", [(), (0,), (2, 3), (2, 0)])
+def test_derivatives_and_antiderivatives_take_t_of_any_shape(name, shape):
+    t = np.linspace(-1.0, 3.0, int(np.prod(shape))).reshape(shape)
+    for made in (CURVES[name].derivative(), CURVES[name].antiderivative()):
+        assert made(t).shape == (*shape, 2)
+        assert made.basis(t).shape[: len(shape)] == shape
 
 
 @every_curve
@@ -451,7 +462,7 @@ def test_polynomials_of_another_kind_are_refused(family, polynomial, message):
 def test_what_is_no_polynomial_has_no_bpoly():
     with pytest.raises(CurveError, match="cubic_path approximates others"):
         CURVES["gaussian"].to_bpoly()
-    with pytest.raises(CurveError, match="at most 64 points"):
+    with pytest.raises(CurveError, match="polynomials of a moderate degree"):
         LagrangeCurve(np.zeros((65, 1)), uniform(65)).to_bpoly()
 
 
@@ -469,3 +480,66 @@ def test_without_scipy_one_sentence_says_what_is_missing(monkeypatch):
         with pytest.raises(ImportError, match="SciPy, which is not installed: pip install scipy"):
             ask()
     assert curve.derivative()(0.0).shape == (2,)
+
+
+# Every family, whichever there are
+
+FAMILIES = [
+    each
+    for each in (getattr(curvecore, name) for name in curvecore.__all__)
+    if isinstance(each, type)
+    and issubclass(each, ParametricCurve)
+    and isinstance(vars(each).get("name"), str)
+]
+
+
+@pytest.fixture(params=FAMILIES, ids=lambda each: each.name)
+def of_any_family(request, rng):
+    jets = rng.standard_normal((7, request.param.derivatives + 1, 2))
+    return request.param.from_jets(jets, np.cumsum(rng.uniform(0.2, 0.6, 7)))
+
+
+def test_a_curve_of_any_family_is_integrated(of_any_family):
+    curve = of_any_family
+    a, b = curve.domain
+    expected, _ = quad_vec(curve, a, b, points=curve.parameters[1:-1], epsabs=1e-12, epsrel=1e-12)
+    assert curve.integrate(a, b) == pytest.approx(expected, rel=1e-10, abs=1e-10)
+    assert curve.antiderivative()(b) == pytest.approx(expected, rel=1e-10, abs=1e-10)
+
+
+@pytest.mark.parametrize("order", [0, 1])
+def test_a_curve_of_any_family_is_solved(of_any_family, order):
+    curve = of_any_family.derivative(order)
+    fine = np.linspace(*curve.domain, 20001)
+    values = curve(fine)
+    for axis in (0, 1):
+        # Between values of samples, so that no sample is a solution.
+        value = 0.3 * values[:, axis].min() + 0.7 * values[:, axis].max() + 1e-9
+        found = curve.solve(value, axis)
+        assert len(found) == np.count_nonzero(np.diff(np.sign(values[:, axis] - value)))
+        # A jump of the derivative at a break crosses the value and does not take it.
+        inside = found[~np.isin(found, curve.breaks)]
+        assert np.abs(curve(inside)[:, axis] - value).max(initial=0.0) <= 1e-10 * np.abs(values).max()
+
+
+def test_a_curve_of_any_family_goes_to_scipy_and_back_where_it_is_of_polynomials(of_any_family):
+    curve = of_any_family
+    t = np.linspace(*curve.domain, 101)
+    if curve.degree is None:
+        with pytest.raises(CurveError, match="cubic_path approximates others"):
+            curve.to_bpoly()
+        return
+    for polynomial in (curve.to_bpoly(), curve.to_ppoly()):
+        assert polynomial(t) == pytest.approx(curve(t), rel=1e-8, abs=1e-8)
+        assert type(curve).from_bpoly(polynomial)(t) == pytest.approx(curve(t), rel=1e-8, abs=1e-8)
+
+
+def test_equal_curves_of_any_family_are_equal(of_any_family):
+    curve = of_any_family
+    curve(0.5)
+    again = type(curve).from_jets(curve.jets, curve.parameters)
+    assert again == curve
+    assert hash(again) == hash(curve)
+    assert pickle.loads(pickle.dumps(curve)) == curve
+    assert curve.with_jets(2.0 * curve.jets) != curve
+    assert repr(curve).startswith(f"{type(curve).__name__}(n=7, dim=2, domain=(")

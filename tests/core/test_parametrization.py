@@ -3,8 +3,19 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from flint import arb, fmpq
 
-from curvecore import CurveError, centripetal, chebyshev, chord_length, power, uniform
+from curvecore import (
+    CurveError,
+    LagrangeCurve,
+    centripetal,
+    chebyshev,
+    chebyshev_roots,
+    chord_length,
+    lebesgue_constant,
+    power,
+    uniform,
+)
 
 POINTS = np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 5.0], [12.0, 5.0]])  # distances 5, 1, 9
 
@@ -20,6 +31,7 @@ def check(parameters, n):
 def test_point_free_rules(n):
     check(uniform(n), n)
     check(chebyshev(n), n)
+    check(chebyshev_roots(n), n)
     assert (uniform(n) == [float(Fraction(i, n - 1)) for i in range(n)]).all()
 
 
@@ -30,6 +42,29 @@ def test_chebyshev_is_symmetric_and_accurate_next_to_both_ends(n):
     expected = [math.sin(math.pi * i / (2 * (n - 1))) ** 2 for i in range(n)]
     assert np.abs(parameters - expected).max() <= 4 * 2.0**-53
     assert parameters[1] == pytest.approx(expected[1], rel=1e-15)
+
+
+@pytest.mark.parametrize("n", [2, 3, 8, 9, 5000])
+def test_chebyshev_roots_are_symmetric_and_accurate_next_to_both_ends(n):
+    parameters = chebyshev_roots(n)
+    assert np.abs(parameters + parameters[::-1] - 1.0).max() <= 2.0**-53
+    # The roots of T_n, by interval arithmetic, mapped so that the outer two are 0 and 1.
+    for i in {1, n // 2, n - 1} - {0}:
+        root, outer = (arb(fmpq(2 * k + 1, 2 * n)).cos_pi() for k in (i, 0))
+        exact = float((1 - root / outer) / 2)
+        assert parameters[i] == pytest.approx(exact, rel=4 * 2.0**-53)
+        assert 1.0 - parameters[n - 1 - i] == pytest.approx(exact, abs=4 * 2.0**-53)
+
+
+@pytest.mark.parametrize("n", [4, 7, 11, 30])
+def test_chebyshev_roots_have_a_smaller_lebesgue_constant(n):
+    """The least one tends to 2/pi (log n + gamma + log(4/pi)) from above."""
+    first, second = (
+        lebesgue_constant(LagrangeCurve(np.zeros((n, 1)), rule(n))) for rule in (chebyshev_roots, chebyshev)
+    )
+    assert first < second
+    least = 2 / math.pi * (math.log(n) + np.euler_gamma + math.log(4 / math.pi))
+    assert least < first < least + 0.03
 
 
 def test_values_of_the_power_family():

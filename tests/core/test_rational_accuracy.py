@@ -130,6 +130,20 @@ def test_the_usual_formula_would_not_do(exact, rng):
     assert worst(exact, curve, t, 0) <= LIMIT
 
 
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(("n", "degree"), [(5, 0), (6, 2), (20, 3), (60, 3)])
+def test_derivatives_to_draw_are_off_by_what_is_said(exact, rng, n, degree, name):
+    parameters = exact.parameter_sets(n, rng)[name]
+    curve = curve_of(rng, parameters, degree)
+    t = np.clip(exact.probes(parameters, rng, 30), *curve.domain)
+    with np.errstate(over="ignore", invalid="ignore"):
+        for order, found in enumerate(curve.derivatives_at(t, (0, 1, 2, 3))):
+            scale = np.abs(curve.basis(t, order)[:, :, 0]) @ np.abs(curve.points)
+            off = np.abs(found - curve.evaluate(t, order)) / np.maximum(scale, 1e-300)
+            assert np.isfinite(found).all()
+            assert np.nanmax(off, initial=0.0) <= 1e4 * LIMIT * 2.0**-53
+
+
 # Against SciPy, and what the papers say
 
 

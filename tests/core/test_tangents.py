@@ -4,11 +4,13 @@ import pytest
 from curvecore import (
     CurveError,
     HermiteCurve,
+    akima_velocities,
     bessel_velocities,
     catmull_rom_velocities,
     centripetal,
     chord_length,
     finite_difference_velocities,
+    monotone_velocities,
     natural_spline_accelerations,
     natural_spline_velocities,
     uniform,
@@ -17,6 +19,8 @@ from curvecore import (
 
 T = np.array([0.0, 0.1, 0.5, 0.6, 2.0, 2.5])
 VELOCITIES = [
+    monotone_velocities,
+    akima_velocities,
     finite_difference_velocities,
     bessel_velocities,
     natural_spline_velocities,
@@ -31,7 +35,7 @@ def test_two_points_give_the_line(rule):
     assert (rule([[0.0, 1.0], [3.0, 5.0]], [1.0, 3.0]) == [[1.5, 2.0], [1.5, 2.0]]).all()
 
 
-@pytest.mark.parametrize("rule", VELOCITIES[:4])
+@pytest.mark.parametrize("rule", VELOCITIES[:6])
 def test_straight_lines_at_constant_velocity(rule):
     """Catmull-Rom with knots other than the parameters keeps the direction only."""
     points = np.outer(T, [3.0, -2.0]) + np.array([1.0, 1.0])

@@ -5,8 +5,10 @@ A test compares the files with what this makes, bit for bit.
 
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
-from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.files import save
 
 FOLDER = Path(__file__).parents[2] / "resources" / "lessons"
@@ -31,6 +33,7 @@ def lessons():
         "08_cost": Document((wave("Twenty points", 20, 0.0), wave("Forty points", 40, 4.0))),
         "09_exercise_rounded_parameters": Document(exercise(SIX_POINTS)),
         "10_exercise_far_point": Document(exercise(FAR_POINT)),
+        "11_runge": Document(bells()),
     }
 
 
@@ -128,6 +131,13 @@ def exercise(points):
     steps = [i / (len(points) - 1) for i in range(len(points))]
     yours = timed("Yours", points, steps, colour=VERMILLION)
     return (lagrange("Equal steps", points, colour=BLUE), yours)
+
+
+def bells():
+    """Runge's function at even steps, twice: one polynomial, and below it a curve that blends some."""
+    bell = [(x / 5, 1.0 / (1.0 + x * x)) for x in range(-5, 6)]
+    below = lagrange("Blend", [(x, y - 1.5) for x, y in bell], colour=BLUE)
+    return (lagrange("Bell", bell), replace(below, family=FAMILIES.named("floater_hormann")))
 
 
 if __name__ == "__main__":

@@ -61,7 +61,7 @@ PASSING = {
 """Names of attributes that may differ, some of one class only."""
 
 RENDERED_ANEW = {
-    *("CommandPalette", "DigitsTable", "FileBar", "JobBar", "Legend", "MotionBar", "MotionDialog"),
+    *("CommandPalette", "DigitsTable", "NoticeBar", "JobBar", "Legend", "MotionBar", "MotionDialog"),
     *("PlotPane", "PreferencesDialog", "RecoveryBar", "ShortcutSheet", "WeightBars"),
 }
 """Widgets that are made when they are first wanted, and filled whenever they are shown."""

@@ -14,12 +14,13 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QToolBar
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QToolBar
 
 from app.appearance.theme import theme_of
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
+from app.families.family_file import families_in
 from app.view_model.nearest import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 
@@ -55,6 +56,11 @@ def drawn(editor):
     return draw
 
 
+def place_of(name):
+    """The place in menus, from 1 on."""
+    return EVERY.index(name) + 1
+
+
 def is_true(editor):
     """Whether the curve that the window has is the sum of the functions that the tests know."""
     view = editor.session.active_view
@@ -86,10 +92,12 @@ def colours_along(editor):
 
 def test_it_is_offered_wherever_families_are(editor):
     toolbar = editor.window.findChild(QToolBar, "mainToolbar")
+    further = toolbar.findChild(QMenu, "familiesMenu")
     for place, name in enumerate(EVERY, start=1):
         family = FAMILIES.named(name)
         action = editor.action(family.action_name)
-        assert toolbar.widgetForAction(action) is not None
+        assert (toolbar.widgetForAction(action) is not None) is (place <= 3)
+        assert (action in further.actions()) is (place > 3)
         assert action.text() == family.label
         assert not action.icon().isNull()
         assert action.shortcut().toString() == (str(place) if place <= 9 else "")
@@ -100,7 +108,14 @@ def test_it_is_offered_wherever_families_are(editor):
 
 def test_its_key_chooses_it_and_undo_takes_it_back(editor, own):
     before = editor.session.document
-    QTest.keyClick(editor.window.canvas, str(EVERY.index(own) + 1))
+    key = editor.action(FAMILIES.named(own).action_name).shortcut().toString()
+    if place_of(own) <= 9:
+        assert key == str(place_of(own))
+        QTest.keyClicks(editor.window.canvas, key)
+    else:
+        # There are no more digits.
+        assert key == ""
+        editor.choose_family(own)
     editor.settle()
     assert editor.curve.family.name == own
     assert editor.action(editor.curve.family.action_name).isChecked()
@@ -223,17 +238,46 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     assert editor.session.document == before
 
 
-def test_a_tick_leads_back_from_parameters_that_the_family_refuses(drawn):
-    """The rail used to be empty there, and to say that the rule gave no parameters."""
+def test_functions_that_lose_their_digits_are_drawn_and_measured(drawn):
+    """The curve was refused: “must be 1 at parameter 2, not 1.000000008”."""
     editor = drawn("tests_gaussian")
-    panel = editor.window.basis_panel
     times = [0.0, 0.2, 0.6 - 1e-7, 0.6, 0.8, 1.0]
     crowded = edits.set_parametrization(editor.session.document, 0, ParametrizationKind.MANUAL, times)
     editor.session.commit(crowded, "Crowd")
     editor.settle()
+    assert editor.session.active_view.is_current
+    said = editor.window.findChild(QLabel, "basisFindings")
+    assert said.isVisible()
+    assert re.search(r"B[₀-₉]+\(t[₀-₉]+\) = \S{1,13} instead of [01]\.", said.text())
+
+
+REFUSING = """import numpy as np
+
+name = "tests_refusing"
+
+
+def basis(t, parameters):
+    if np.diff(parameters).min() < 1e-6:
+        raise ValueError("parameters that are nearly equal")
+    return np.stack([np.interp(t, parameters, each) for each in np.eye(len(parameters))], axis=1)
+"""
+
+
+def test_a_tick_leads_back_from_parameters_that_the_family_refuses(drawn, tmp_path):
+    """The rail used to be empty there, and to say that the rule gave no parameters."""
+    path = tmp_path / "refusing.py"
+    path.write_text(REFUSING)
+    (family,) = families_in(path)
+    editor = drawn("hermite")
+    refusing = edits.set_family(editor.session.document, 0, family)
+    panel = editor.window.basis_panel
+    times = [0.0, 0.2, 0.6 - 1e-7, 0.6, 0.8, 1.0]
+    crowded = edits.set_parametrization(refusing, 0, ParametrizationKind.MANUAL, times)
+    editor.session.commit(crowded, "Crowd")
+    editor.settle()
     view = editor.session.active_view
-    # Ten digits say how far it is off; it had seventeen.
-    assert re.search(r"must be [01] at parameter \d, t = \S+, not \S{1,16}\.$", view.problem)
+    # The line of the file, and its words.
+    assert view.problem == "“refusing.py”, line 8: ValueError: parameters that are nearly equal."
     assert not view.is_current
     assert panel.drawing.basis is None
     assert editor.window.findChild(QLabel, "basisDrawing").text() == (

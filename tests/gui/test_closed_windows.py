@@ -71,6 +71,9 @@ def test_windows_that_were_closed_are_gone_with_all_they_had(qapp, tmp_path):
     assert [each() for each in gone if each() is not None] == []
     # A timer belongs to each of Lifecycle (opens the log), CrashHandler and _Keeper. The last is made with
     # the first task, and is one for the program.
-    kept = Counter(Lifecycle=1, CrashHandler=1, SignalWatch=1, _SystemFollower=1, _Keeper=1, QTimer=3)
+    # FamilyFiles, too, is one for the program.
+    kept = Counter(
+        FamilyFiles=1, Lifecycle=1, CrashHandler=1, SignalWatch=1, _SystemFollower=1, _Keeper=1, QTimer=3
+    )
     assert after - before - kept == Counter(), "of the program's own there are these"
     lifecycle.stop()

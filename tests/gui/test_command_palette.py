@@ -60,7 +60,7 @@ LETTERS = {
     "spa": "Side Panel",
     "frz": "Freeze Parameters",
     "export": "Export…",
-    "param cheb": "Chebyshev Parameters",
+    "param cheb": "Chebyshev (2nd kind) Parameters",
     "examples letter": "Letter S",
     "dark": "Theme: Dark",
     "panels history": "History Panel",

@@ -20,10 +20,8 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButto
 from app.appearance.theme import ThemeMode
 from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
-from app.features.file_on_disk.bar import FileBar
 from app.features.file_on_disk.commands import DiskCommands
 from app.features.file_on_disk.notices import Ownership, about_lock
-from app.features.file_on_disk.watch import DiskWatch
 from app.session import Session
 from app.storage import files
 from app.storage.files import ChangedOnDiskError, StorageError, load, save
@@ -32,6 +30,8 @@ from app.storage.lock import OLD, Owner, lock_place
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import LockedError
 from app.testing import Editor
+from app.workbench.disk_watch import DiskWatch
+from app.workbench.notice_bar import NoticeBar
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
 WAIT_MS = 20_000
@@ -54,7 +54,7 @@ def saved(editor, path):
 @pytest.fixture(autouse=True)
 def look_soon(monkeypatch):
     """Have what watches files look soon after a sign: how long it waits for others is not the question."""
-    monkeypatch.setattr("app.features.file_on_disk.watch._SETTLE_MS", SOON_MS)
+    monkeypatch.setattr("app.workbench.disk_watch._SETTLE_MS", SOON_MS)
     changed = {}
 
     def look_soon():
@@ -123,7 +123,7 @@ def answer_dialog(editor, path):
 
 
 def offered(editor):
-    return editor.window.findChild(FileBar).offered
+    return editor.window.findChild(NoticeBar, "fileBar").offered
 
 
 # Changed by another program
@@ -794,7 +794,7 @@ def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
     edit(editor)
     save(path, THEIRS)
     editor.trigger("saveDocument")
-    bar = editor.window.findChild(FileBar)
+    bar = editor.window.findChild(NoticeBar, "fileBar")
     canvas = editor.window.canvas
     assert canvas.rect().contains(bar.geometry())
     for name in bar.offered:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from app.appearance.theme import theme_of
 from app.document.edits import set_position
-from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
-from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, ChosenSettings
 from app.plotting.dashes import dashed
 from app.plotting.pens import colour_of
 from app.view_model.analysis.ghost import Ghost, all_ghosts
@@ -63,6 +64,55 @@ def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
     editor.trigger("undo")
     editor.trigger("undo")
     assert rows(editor) == ["Lagrange · Chord length", "Quintic Hermite", "Uniform"]
+
+
+RUNGE = [(x, 1 / (1 + 25 * x * x)) for x in np.linspace(-1, 1, 11).tolist()]
+
+
+def test_runges_function_shows_all_families_side_by_side(editor):
+    uniform = Parametrization(ParametrizationKind.UNIFORM)
+    curve = replace(make_curve(RUNGE, name="Runge"), parametrization=uniform)
+    editor.session.commit(Document((curve,)), "Runge")
+    editor.fit()
+    editor.trigger("ghostAllFamilies")
+    others = [family for family in FAMILIES if family != LAGRANGE]
+    assert set(shown(editor)) == {Ghost(family=family) for family in others}
+    assert editor.action("ghostAllFamilies").isChecked()
+    legend = editor.window.canvas.drawing.annotations.legend
+    assert rows(editor) == ["Lagrange · Uniform", *(family.label for family in others)]
+    figures = {row.text: row.figure for row in legend.rows}
+    # Measured, and as in the paper on Lebesgue constants at most 4 (2 + log 10) = 17 for d = 3.
+    assert figures["Lagrange · Uniform"] == "Λ 30"
+    assert figures["Barycentric rational"] == "Λ 3.7"
+    assert all(figure.startswith("Λ ") for figure in figures.values())
+    assert editor.window.canvas.viewport().rect().contains(legend.geometry())
+    assert legend.height() < 0.5 * editor.window.canvas.height()
+    editor.trigger("ghostAllFamilies")
+    assert not shown(editor)
+
+
+def test_of_a_drag_the_legend_has_no_figures(editor):
+    editor.trigger("ghostHermite")
+    row = editor.window.canvas.drawing.annotations.legend.rows
+    assert [each.figure for each in row] != ["Λ …", "Λ …"]
+    x, y = editor.point(3)
+    editor.press((x, y))
+    editor.move((x + 0.5, y))
+    assert [each.figure for each in editor.window.canvas.drawing.annotations.legend.rows] == ["Λ …", "Λ …"]
+    editor.escape()
+    assert editor.window.canvas.drawing.annotations.legend.rows == row
+
+
+def test_a_ghost_of_the_own_family_keeps_its_settings(editor):
+    family = FAMILIES.named("floater_hormann")
+    curve = replace(make_curve(RUNGE, family=family), settings=ChosenSettings({"degree": 1}))
+    editor.session.commit(Document((curve,)), "Runge")
+    editor.trigger("ghostUniform")
+    editor.trigger("ghostFloaterHormann")
+    (uniform,) = shown(editor).values()
+    assert uniform.curve.chosen == {"degree": 1}
+    editor.choose_family(LAGRANGE)
+    assert shown(editor)[Ghost(family=family)].curve.chosen == {"degree": 3}
 
 
 def test_one_legend_explains_ghosts_and_the_laboratory(editor, qtbot):

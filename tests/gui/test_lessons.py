@@ -7,9 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QDockWidget,
     QLabel,
+    QLineEdit,
     QPushButton,
     QSlider,
     QTextBrowser,
@@ -101,6 +103,12 @@ def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
     assert "✓" in goal.text()
 
 
+def test_a_goal_names_a_family_as_people_do(editor, qtbot):
+    """It was asked for “floater hormann”."""
+    open_step(editor, qtbot, "11_runge", 2)
+    assert "The family is barycentric rational" in find(editor, QLabel, "lessonGoal").text()
+
+
 def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbot):
     editor.window.commands[LessonCommands].open("01_basis_functions")
     click(qtbot, find(editor, QPushButton, "lessonNext"))
@@ -153,6 +161,20 @@ def calm_by_hand(editor):
             editor.type_parameter(index, f"{t}")
 
 
+def press_in_legend(editor, name):
+    QTest.mouseClick(find(editor, QToolButton, f"legendChoose_{name}"), Qt.MouseButton.LeftButton)
+    editor.settle()
+
+
+def blend_less(editor):
+    editor.show_dock("curveDock")
+    field = find(editor, QLineEdit, "settingDegree")
+    field.setFocus()
+    field.selectAll()
+    editor.type_text(field, "1")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+
+
 WAYS = {
     ("01_basis_functions", 3): lambda editor: [
         (editor.wheel((2.0, 0.0), -1), editor.add_point(5.5 + k / 2, -1.2)) for k in range(3)
@@ -172,6 +194,8 @@ WAYS = {
     ("10_exercise_far_point", 1): type_chord_lengths,
     ("10_exercise_far_point", 3): lambda editor: editor.choose_parametrization("centripetal"),
     ("10_exercise_far_point", 4): lambda editor: editor.key(Qt.Key.Key_2),
+    ("11_runge", 2): lambda editor: press_in_legend(editor, "floater_hormann"),
+    ("11_runge", 3): blend_less,
 }
 
 

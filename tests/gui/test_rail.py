@@ -13,7 +13,7 @@ from app.document.edits import set_closed, set_parameter
 from app.document.model import ParametrizationKind
 from app.families import FAMILIES, HERMITE
 from app.testing import Editor
-from curvecore import centripetal, chebyshev, chord_length, uniform
+from curvecore import centripetal, chebyshev, chebyshev_roots, chord_length, uniform
 
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 
@@ -208,6 +208,7 @@ def test_the_action_types_at_the_selected_point(editor, panel):
         ("startChordLength", chord_length),
         ("startCentripetal", centripetal),
         ("startChebyshev", lambda points: chebyshev(len(points))),
+        ("startChebyshevRoots", lambda points: chebyshev_roots(len(points))),
     ],
 )
 def test_manual_parameters_start_from_a_rule(editor, name, rule):
@@ -242,6 +243,7 @@ def test_a_right_click_offers_them_and_selects_the_tick(editor, panel):
         "startChordLength",
         "startCentripetal",
         "startChebyshev",
+        "startChebyshevRoots",
         "freezeParameters",
     ]
     menu.close()

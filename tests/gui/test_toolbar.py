@@ -1,9 +1,11 @@
 """The toolbar in windows of different widths, with few families and with many."""
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox, QToolButton, QWidget
 
+from app.document.model import ParametrizationKind
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.testing import Editor
 from curvecore import LagrangeCurve
@@ -43,7 +45,22 @@ def button_of(editor, name):
 
 
 def styles(editor):
-    return [button_of(editor, family.action_name).toolButtonStyle() for family in FAMILIES]
+    """How the families that have a button of their own are shown."""
+    return [button_of(editor, family.action_name).toolButtonStyle() for family in FIRST]
+
+
+def menu_button(editor):
+    return editor.window.findChild(QToolButton, "familiesButton")
+
+
+def all_are_seen(editor):
+    """Whether three families have a button and all others stand in the menu, and both are seen whole."""
+    further = [editor.action(family.action_name) for family in FAMILIES[len(FIRST) :]]
+    button = menu_button(editor)
+    assert button.menu().actions() == further
+    shown = [button_of(editor, family.action_name) for family in FIRST] + [button] * bool(further)
+    assert button.isVisible() is bool(further)
+    return all(each.visibleRegion().boundingRect() == each.rect() for each in shown)
 
 
 @pytest.mark.parametrize(
@@ -52,38 +69,95 @@ def styles(editor):
         (3, 1280, "Quintic Hermite", [BOTH] * 3),
         (3, 1024, "Quintic", [TEXT] * 3),
         (3, 960, "Quintic", [BOTH, ICON, ICON]),
-        (4, 1280, "Quintic", [BOTH] * 4),
-        (4, 1024, "Quintic", [BOTH, ICON, ICON, ICON]),
-        (8, 1280, "Quintic", [BOTH, *[ICON] * 7]),
+        (4, 1440, "Quintic Hermite", [BOTH] * 3),
+        (4, 1280, "Quintic", [BOTH] * 3),
+        (4, 1024, "Quintic", [BOTH, ICON, ICON]),
+        (8, 1440, "Quintic Hermite", [BOTH] * 3),
+        (8, 1280, "Quintic", [BOTH] * 3),
+        (8, 1024, "Quintic", [BOTH, ICON, ICON]),
     ],
 )
 def test_it_says_as_much_as_there_is_room_for(editor_with, count, width, words, style):
-    """With one family more than three, 1057 pixels were the least, and at 1280 no family had its icon."""
+    """However many families there are: those after three stand in a menu."""
     editor = editor_with(count, width)
     toolbar = editor.window.toolbar
     assert toolbar.sizeHint().width() <= toolbar.width() == width
     assert editor.action("familyQuinticHermite").iconText() == words
     assert styles(editor) == style
-    assert all(button_of(editor, family.action_name).isVisible() for family in FAMILIES)
+    assert all_are_seen(editor)
 
 
-@pytest.mark.parametrize(("count", "width"), [(3, 900), (4, 900), (8, 1024)])
+@pytest.mark.parametrize(("count", "width"), [(3, 900), (4, 900), (8, 960)])
 def test_the_families_and_the_rule_are_seen_where_not_all_has_room(editor_with, count, width):
     editor = editor_with(count, width)
     assert editor.window.toolbar.sizeHint().width() > editor.window.toolbar.width() == width
-    assert styles(editor) == [BOTH, *[ICON] * (count - 1)]
-    assert all(button_of(editor, family.action_name).isVisible() for family in FAMILIES)
+    assert styles(editor) == [BOTH, ICON, ICON]
+    assert all_are_seen(editor)
     assert button_of(editor, "fitView").isVisible()
     box = editor.window.findChild(QComboBox, "parametrizationBox")
     assert box.visibleRegion().boundingRect() == box.rect()
 
 
+@pytest.mark.parametrize("width", [1024, 1440])
+@pytest.mark.parametrize("kind", list(ParametrizationKind))
+def test_the_name_of_the_rule_is_read_whole(editor_with, width, kind):
+    editor = editor_with(8, width)
+    editor.choose_parametrization(kind)
+    box = editor.window.findChild(QComboBox, "parametrizationBox")
+    slider = editor.window.findChild(QWidget, "alphaSlider")
+    room = box.style().subControlRect(
+        QStyle.ComplexControl.CC_ComboBox, combo_option(box), QStyle.SubControl.SC_ComboBoxEditField, box
+    )
+    assert box.currentText() == kind.label
+    assert box.fontMetrics().horizontalAdvance(kind.label) <= room.width()
+    assert slider.isVisible() or not slider.isEnabled()
+    assert editor.window.toolbar.sizeHint().width() <= width
+
+
+def combo_option(box):
+    option = QStyleOptionComboBox()
+    box.initStyleOption(option)
+    return option
+
+
 def test_the_words_go_with_the_family_in_use(editor_with):
     editor = editor_with(4, 1024)
     editor.trigger("familyHermite")
-    assert styles(editor) == [ICON, BOTH, ICON, ICON]
+    assert styles(editor) == [ICON, BOTH, ICON]
     editor.trigger("undo")
-    assert styles(editor) == [BOTH, ICON, ICON, ICON]
+    assert styles(editor) == [BOTH, ICON, ICON]
+
+
+@pytest.mark.parametrize("width", [1024, 1440])
+def test_the_button_of_the_menu_shows_the_family_in_use(editor_with, width):
+    editor = editor_with(5, width)
+    button = menu_button(editor)
+    before = button.width()
+    assert (button.isChecked(), button.text(), button.toolTip()) == (
+        False,
+        "Families",
+        "Further families of curves",
+    )
+    family = FAMILIES[4]
+    QTimer.singleShot(0, lambda: choose_in_menu(editor, family))
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.curve.family == family
+    assert (button.isChecked(), button.text()) == (True, "Invented")
+    assert button.toolTip() == "Further families of curves; in use: Invented no. 1"
+    assert button.icon().cacheKey() == editor.action(family.action_name).icon().cacheKey()
+    assert button.width() == before
+    assert all_are_seen(editor)
+    editor.trigger("familyLagrange")
+    assert (button.isChecked(), button.text()) == (False, "Families")
+
+
+def choose_in_menu(editor, family):
+    menu = menu_button(editor).menu()
+    action = editor.action(family.action_name)
+    assert (action.text(), action.isCheckable(), action.isChecked()) == (family.label, True, False)
+    assert not action.icon().isNull()
+    QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
 
 
 def test_a_wider_window_says_more_again(editor_with):

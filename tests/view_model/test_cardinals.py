@@ -33,7 +33,8 @@ from curvecore import ensemble, lebesgue_constant, worst_case_band
 
 UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]
 CHORD, MANUAL = ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL
-LINEAR = [rule for rule in VelocityRule if rule is not VelocityRule.CATMULL_ROM]
+LINEAR = [rule for rule in VelocityRule if rule.is_linear]
+BENT = [rule for rule in VelocityRule if not rule.is_linear and rule is not VelocityRule.CATMULL_ROM]
 
 
 @pytest.fixture
@@ -90,6 +91,32 @@ def test_a_point_that_is_moved_does_what_its_function_says(rule, closed, changes
         away = moved(curve, moves).curve.evaluate(t) - view.curve.evaluate(t)
         assert view.cardinal.basis(t) @ moves == pytest.approx(away, abs=1e-12)
         assert weights_at(view, 0.3) == pytest.approx(view.cardinal.basis(0.3))
+
+
+@pytest.mark.parametrize("changes", [{}, EXPLICIT, CORNERS, FIRST], ids=["plain", "set", "corners", "first"])
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("rule", BENT)
+def test_a_small_move_does_what_its_function_says_where_a_rule_is_not_linear(rule, closed, changes, rng):
+    """The mean of what moves of x do to x, and of y to y: by differences of really moved points."""
+    assert {*BENT} == {VelocityRule.MONOTONE, VelocityRule.AKIMA}
+    for family in (HERMITE, QUINTIC_HERMITE):
+        curve = seven(family=family, closed=closed, velocity_rule=rule)
+        # Not the points of the lesson: the rules have kinks where neighbouring slopes are equal.
+        places = rng.uniform(0.0, 5.0, (7, 2)).tolist()
+        curve = with_points(curve, **{f"p{i}": {"x": x, "y": y} for i, (x, y) in enumerate(places)})
+        curve = with_points(frozen(curve), **changes)
+        view = view_of(curve)
+        assert view.linearised == "of small moves, the mean of x and y"
+        t = np.linspace(*view.curve.domain, 101)
+        moves = np.repeat(rng.uniform(-1.0, 1.0, (7, 1)), 2, axis=1)
+        ahead, back = (moved(curve, step * moves).curve.evaluate(t) for step in (1e-6, -1e-6))
+        change = ((ahead - back) / 2e-6).mean(axis=1)
+        assert view.cardinal.basis(t) @ moves[:, 0] == pytest.approx(change, abs=1e-7)
+        assert view.cardinal.basis(t).sum(axis=1) == pytest.approx(1.0, abs=1e-12)
+        assert weights_at(view, 0.3) == pytest.approx(view.cardinal.basis(0.3))
+        target = view.curve.evaluate(0.3) + np.array([0.1, 0.4])
+        bent = Bend(view, 0.3, BendWith.POINTS).bent(tuple(target.tolist()), 1e-9)
+        assert view_of(bent).curve.evaluate(0.3) == pytest.approx(target, abs=1e-8)
 
 
 @pytest.mark.parametrize("family", FAMILIES)

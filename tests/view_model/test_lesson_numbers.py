@@ -16,7 +16,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import ParametrizationKind
-from app.families import HERMITE
+from app.families import HERMITE, ChosenSettings
 from app.features.lessons.lesson import lesson_names, load_lesson
 from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
@@ -232,6 +232,7 @@ FIVE, ELEVEN = curve(1, "Five points"), curve(1, "Eleven points")
 STEP, OUT, CARELESS = (curve(2, name) for name in ("In step", "Out of step", "Careless"))
 UNEVEN, CHORDS = curve(3), curve(3, rule=KIND.CHORD_LENGTH)
 FAR = curve(10, "Yours")
+BELL, BLEND = curve(11, "Bell"), curve(11, "Blend")
 CHEBYSHEV = curve(1, "Eleven points", KIND.CHEBYSHEV)
 MONOMIAL, BASIS = Calculation.MONOMIAL, Calculation.BASIS
 
@@ -422,7 +423,34 @@ CLAIMS = {
         lambda: constant_with_estimates(curve(10, "Yours", KIND.CHORD_LENGTH, HERMITE)),
         lambda: constant(by_hand(10)),
     ],
+    "11 0": [
+        lambda: points_of(11, "Bell"),
+        lambda: top(drawn(BELL)[2]),
+        lambda: top(view_of(BELL).points),
+        lambda: constant(BELL),
+    ],
+    "11 1": [lambda: constant(BLEND)],
+    "11 2": [lambda: degree_of(BLEND), lambda: degree_of(BLEND) + 1],
+    "11 3": [
+        told(1),
+        lambda: constant(blended(1)),
+        told(10),
+        lambda: points_of(11, "Blend"),
+        lambda: constant(blended(10)),
+    ],
 }
+
+
+def top(points):
+    return points[:, 1].max()
+
+
+def degree_of(which):
+    return view_of(which).curve.chosen["degree"]
+
+
+def blended(degree):
+    return replace(BLEND, settings=ChosenSettings({"degree": degree}))
 
 
 def felt(point, segment):
@@ -544,6 +572,15 @@ def test_lesson_7_says_what_jumps():
     spline = view_of(replace(curve(7, "Cubic"), points=points)).curve
     assert {joint.parametric for joint in joint_report(spline)} == {2}
     assert np.hypot(*spline.evaluate(0.0, 1)) > 0.5  # "no longer stands still"
+
+
+def test_lesson_11_says_what_the_degree_does():
+    """At the highest degree it is the polynomial, which is above all points between the last of them."""
+    _, t, bell, _ = drawn(BELL)
+    assert np.abs(drawn(blended(10))[2] + np.array([0.0, 1.5]) - bell).max() < 1e-12
+    assert {int(10 * each) for each in t[bell[:, 1] > 1.0 + 1e-9]} == {0, 9}
+    # The lower curve is calm as it is given.
+    assert top(drawn(BLEND)[2]) < top(view_of(BLEND).points) + 1e-9
 
 
 def test_lesson_10_says_where_errors_still_grow():

@@ -13,7 +13,7 @@ from ...document.model import Curve, Document
 from ...view_model.basis_view import BasisView, basis_view
 from ...view_model.cardinal_view import cardinal_view
 from ...view_model.curve_view import view_of
-from ...view_model.handles import Handle, handles_of
+from ...view_model.handles import Handle, control_polygon, handles_of
 from ...view_model.palette import point_palette
 from ..errors import ExchangeError
 from ..options import Options
@@ -95,11 +95,12 @@ def _grid(frame: Frame) -> list[Annotation]:
 
 
 def _handles(document: Document) -> list[tuple[str, list[Handle]]]:
-    """Return the handles of the curves that show any, each with the colour of its curve."""
+    """Return the handles and control polygons of the curves that have any, each with the curve's colour."""
     found = []
     for curve in document.curves:
         if curve.visible and len(curve.points) <= MOST_HANDLES and (view := view_of(curve)).is_current:
             handles = [each for index in range(len(curve.points)) for each in handles_of(view, index)]
+            handles += control_polygon(view)
             found += [(curve.colour, handles)] if handles else []
     return found
 

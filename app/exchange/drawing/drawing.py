@@ -68,7 +68,7 @@ class Outline(msgspec.Struct, frozen=True):
     control_points
         (k, 4, 2); a piece begins where the one before it ends.
     points
-        The points that the curve goes through, (n, 2).
+        The points that the curve goes through, or control points beside it, (n, 2).
     deviation
         Largest distance from the true curve; zero where the curve is a chain of cubics itself.
     colour

@@ -54,9 +54,9 @@ def latex_formula(document: Document, options: Options = DEFAULT, digits: int = 
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     deviation = max(
-        _rounded_deviation(piece, digits) + source.polynomials.deviation
+        _rounded_deviation(piece, digits) + source.formulas.deviation
         for source in told(sources, part(options.report, 0.3, 0.6), "Comparing")
-        for piece in source.polynomials.pieces
+        for piece in source.formulas.pieces
     )
     parts = [_formula(each, digits) for each in told(sources, part(options.report, 0.6, 1.0), "Writing")]
     return _file(parts, deviation, remarks, "amsmath")
@@ -117,7 +117,7 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
 def _formula(source: Source, digits: int) -> str:
     blocks = [
         _lagrange(piece, digits) if piece.is_one_polynomial else _segments(piece, digits)
-        for piece in source.polynomials.pieces
+        for piece in source.formulas.pieces
     ]
     return "\n".join([rf"\paragraph{{{_text(source.name)}}}", *blocks])
 
@@ -209,8 +209,9 @@ def _rounded_deviation(piece: ParametricCurve, digits: int) -> float:
         except CurveError as problem:
             raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
         return measured(piece, rounded.evaluate)
-    controls = _rounded(beziers_of(piece, 1.0).control_points, digits)
-    return measured(piece, lambda at: bezier_values(controls, t, at))
+    pieces = beziers_of(piece, 1.0)
+    controls, ends = _rounded(pieces.control_points, digits), _rounded(pieces.parameters, digits)
+    return measured(piece, lambda at: bezier_values(controls, ends, at))
 
 
 # Pictures

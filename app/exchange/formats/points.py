@@ -11,7 +11,7 @@ from ...view_model.curve_view import CurveView, view_of
 from ..options import DEFAULT, Options
 from ..parts import cell_of_name, cell_of_number, distinct_names, sources_of
 from ..table.columns import AFTER, ROLES, WORDS
-from ..table.curves import CLOSED
+from ..table.family_word import family_word
 from . import Format, Written
 
 
@@ -36,7 +36,7 @@ def points_table(document: Document, options: Options = DEFAULT) -> Written:
     named = list(zip(sources, distinct_names(sources), strict=True))
     for source, name in told(named, part(options.report, 0.5, 1.0), "Writing"):
         curve = source.curve
-        words = [cell_of_name(name, separator), (CLOSED if curve.is_closed else "") + curve.family.name]
+        words = [cell_of_name(name, separator), family_word(curve)]
         rows += [(words, row) for row in _rows(view_of(curve))]
     used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
     lines = [separator.join([*WORDS, *(titles[place] for place in used)])]

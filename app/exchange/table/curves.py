@@ -11,13 +11,14 @@ from curvecore.arrays import FloatArray, IntArray
 
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from ...document.words import NamedEnum
-from ...families import FAMILIES, HERMITE, Family
+from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ...storage.format import FormatError, validate
 from ...tasks.progress import Report, part, silent
 from ..cubics_in import Imported
 from ..errors import ExchangeError
 from ..naming import numbered
 from .columns import AFTER, ROLES, ColumnMapping
+from .family_word import FamilyWord, read_family_word
 from .layout import MissingNumber, RowProblem
 from .table import Table
 from .thinning import Thinning, thinned
@@ -27,9 +28,6 @@ MOST_CURVES = 1_000
 _ROWS_AT_ONCE = 5_000
 Group = tuple[str, IntArray]
 """The name of a curve and the places of its rows."""
-
-CLOSED = "closed "
-"""Before the family of a curve whose last row is its first point again."""
 
 
 class Missing(NamedEnum):
@@ -57,6 +55,8 @@ class TableOptions:
     family
         Of the curves, unless a column says it. Velocities or accelerations that the family does not have are
         left out; where a pair of cells is empty, they are estimated.
+    settings
+        Those of that family that are not its defaults.
     name
         Of the curve, unless a column says it.
     thin
@@ -68,6 +68,7 @@ class TableOptions:
     """
 
     family: Family = HERMITE
+    settings: ChosenSettings = NO_SETTINGS
     name: str = "Table"
     thin: float | None = None
     thinning: Thinning = Thinning.CURVE
@@ -101,8 +102,8 @@ def document_of_table(
             own = own.without(found)
         away = part(report, place / len(groups), (place + 1) / len(groups))
         if options.thin is None:
-            family, closed = _family_of(table, mapping, rows, options.family)
-            curves.append(_full_curve(title, own, family, closed, away))
+            word = _word_of(table, mapping, rows, options)
+            curves.append(_full_curve(title, own, word, away))
         else:
             kept = thinned(own.points, own.t, options.thin, options.thinning, report=away)
             curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
@@ -162,17 +163,15 @@ def _numbered(groups: list[Group]) -> list[Group]:
     return [(title, rows) for title, (_, rows) in zip(titles, groups, strict=True)]
 
 
-def _family_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Family) -> tuple[Family, bool]:
-    """Return the family of the curve through some rows, and whether it is closed."""
+def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: TableOptions) -> FamilyWord:
+    """Return what a table says of the family of the curve through some rows."""
     if mapping.family is None or mapping.family not in table.words:
-        return default, False
+        return FamilyWord(default.family, settings=default.settings)
     first = int(rows[0])
-    word = table.words[mapping.family][first].strip().lower()
-    family = FAMILIES.named(word.removeprefix(CLOSED))
-    if family.is_missing:
-        known = ", ".join(map(str, FAMILIES))
-        raise RowProblem(f" must be one of {known}.", table.line_of(first), mapping.family + 1)
-    return family, word.startswith(CLOSED)
+    try:
+        return read_family_word(table.words[mapping.family][first])
+    except ValueError as problem:
+        raise RowProblem(f" must be {problem}.", table.line_of(first), mapping.family + 1) from None
 
 
 def _on_repeats(count: int, first: int, *, are_kept: bool) -> tuple[str, ...]:
@@ -274,10 +273,17 @@ class _Rows:
         return [None if x != x else (x, y) for x, y in values.tolist()]  # noqa: PLR0124 - NaN
 
 
-def _full_curve(name: str, own: _Rows, family: Family, closed: bool, report: Report) -> Curve:
+def _full_curve(name: str, own: _Rows, word: FamilyWord, report: Report) -> Curve:
     times = own.t
-    points = tuple(_points(own, family, report))
-    return Curve(name, family, _rule(times), points[:-1] if closed else points, closed=closed)
+    points = tuple(_points(own, word.family, report))
+    return Curve(
+        name,
+        word.family,
+        _rule(times),
+        points[:-1] if word.closed else points,
+        closed=word.closed,
+        settings=word.settings,
+    )
 
 
 def _points(own: _Rows, family: Family, report: Report) -> Iterator[Point]:

@@ -34,6 +34,7 @@ def read_table(path: Path, ending: str, data: bytes, options: ImportOptions, rep
                 thin=options.thin,
                 thinning=Thinning.POLYLINE if options.corners else Thinning.CURVE,
                 family=options.family,
+                settings=options.settings,
                 missing=missing,
             ),
             report=part(report, 0.5, 1.0),

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
@@ -18,6 +16,7 @@ from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState
 from ...tools.rail import RAIL
 from ...tools.toolbox import Toolbox
+from ...view_model.basis_findings import findings_of
 from ...view_model.curve_view import CurveView, view_of
 from ...view_model.growth import growth_of_points
 from ...workbench.central_pane import Pane
@@ -26,31 +25,19 @@ from ...workbench.strip_menu import strip_menu
 from .pane import BasisPane
 from .panel import BasisPanel
 
-
-class _Start(NamedTuple):
-    """A rule to start from, and what its action says."""
-
-    kind: ParametrizationKind
-    words: str
-    tip: str
+_STARTS = tuple(kind for kind in ParametrizationKind if kind.takes and "alpha" not in kind.takes)
+"""The rules to start from: those that need nothing but the points."""
 
 
-_STARTS = (
-    _Start(ParametrizationKind.UNIFORM, "uniform", "Make the parameters manual, evenly spaced"),
-    _Start(
-        ParametrizationKind.CHORD_LENGTH, "chord length",
-        "Make the parameters manual, spaced as the points are"
-    ),
-    _Start(
-        ParametrizationKind.CENTRIPETAL, "centripetal",
-        "Make the parameters manual, spaced by the square roots of the distances",
-    ),
-    _Start(ParametrizationKind.CHEBYSHEV, "Chebyshev", "Make the parameters manual, at Chebyshev points"),
-)  # fmt: skip
+def _from(kind: ParametrizationKind) -> str:
+    return "from " + " ".join(word[:1].upper() + word[1:] for word in kind.label.split())
 
 
 _MOST_LIVE = 200
 """Points up to which the Lebesgue constant follows a drag."""
+
+_MOST_MEASURED_LIVE = 40
+"""Points up to which the functions are measured during a drag."""
 
 
 class BasisCommands:
@@ -88,11 +75,13 @@ class BasisCommands:
         self._context.central.basis = self._panel.drawing.basis
 
     def render(self, view: CurveView) -> None:
-        """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
+        """Show Λ and what is wrong with the functions; of many points when a drag has ended."""
         is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
         waits = self._session.is_previewing and is_dear
         growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
         self._context.status_line.readouts.show_lebesgue(growth)
+        if not self._session.is_previewing or len(view.points) <= _MOST_MEASURED_LIVE:
+            self._pane.show_findings(findings_of(view))
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:
@@ -128,29 +117,29 @@ class BasisCommands:
 
     @action_for_each(
         _STARTS,
-        lambda each: Action(
-            action_name("start", each.kind),
-            f"Manual, from {each.words.title()}",
+        lambda kind: Action(
+            action_name("start", kind),
+            f"Manual, {_from(kind)}",
             CURVE_STARTS,
-            tip=each.tip,
-            full_name=f"Manual Parameters, from {each.words.title()}",
+            tip=f"Make the parameters manual, {kind.spaced}",
+            full_name=f"Manual Parameters, {_from(kind)}",
             needs=TWO_POINTS,
         ),
     )
     @also(RAIL_MENU(20))
-    def _start_from(self, each: _Start) -> None:
+    def _start_from(self, kind: ParametrizationKind) -> None:
         """Make the parameters manual, starting from those that a rule gives on the present interval."""
         session = self._session
         curve = session.active_curve
         start, end = edits.interval(curve)
-        rule = replace(curve.parametrization, kind=each.kind, start=start, end=end)
+        rule = replace(curve.parametrization, kind=kind, start=start, end=end)
         ruled = session.document.with_curve(session.active_index, replace(curve, parametrization=rule))
         view = view_of(ruled.curves[session.active_index])
         if not view.is_current:
             session.refuse(view.problem)
             return
         session.change(
-            f"Start from {each.words} parameters",
+            f"Start from {kind.phrase} parameters",
             lambda _: edits.freeze_parameters(ruled, session.active_index, view.parameters.tolist()),
         )
 

@@ -124,12 +124,14 @@ class FunctionLines:
         """Return x and y of what one function is drawn of: on each side of its knot, or all at once."""
         basis = self._basis
         if len(self._y) and basis.first is None:
-            return [(self._x, self._y[:, index, kind])]
+            here = basis.inside_support(index)
+            return [(self._x[here], self._y[here, index, kind])]
         if len(self._y):
             sides = [(index - 1, 1), (index, 0)]
             return [self._piece(*side, kind) for side in sides if 0 <= side[0] < basis.count - 1]
         if not basis.is_coarse:
-            return [self._pixels(basis.t, basis.values[:, index, kind])]
+            here = basis.inside_support(index)
+            return [self._pixels(basis.t[here], basis.values[here, index, kind])]
         if index not in self._fine:
             self._fine[index] = self._pixels(*basis.fine_functions(index))
         x, all_kinds = self._fine[index]

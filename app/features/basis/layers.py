@@ -235,17 +235,28 @@ class RailLayer(Layer):
     ) -> IntArray:
         """Draw as many ticks as there is room for, and return the chosen ones, which are drawn after all."""
         least = _LEAST_TICK_GAP * self.scale
-        ticks, gap = spread_out(x, visible, least)
+        is_idle = self._idle[visible]
+        ticks, gap = spread_out(x, visible[~is_idle], least)
         # Stamped anew for every size: in steps, so that a drag does not.
         room = gap // 2 - 1 if math.isfinite(gap) else gap  # a single tick has all the room there is
         size = min(max(room, 0.5 * least), 5.0 * self.scale)
         places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
+        self._paint_idle(painter, x[spread_out(x, visible[is_idle], least)[0]], top + 1 + size, size)
         self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)
         chosen = (
             [*self.selection, self.hovered] if len(self.selection) <= _MOST_EMPHASISED else [self.hovered]
         )
         return np.array([knot for knot in chosen if 0 <= knot < count], dtype=np.intp)
+
+    def _paint_idle(self, painter: QPainter, x: FloatArray, y: float, size: float) -> None:
+        """Draw ticks that do nothing hollow."""
+        painter.setBrush(self.theme.paper)
+        painter.setPen(QPen(self.theme.muted, self.scale))
+        for place in x.tolist():
+            painter.translate(place, y)
+            _tick(painter, size)
+            painter.translate(-place, -y)
 
     def _paint_tick(self, painter: QPainter, x: float, top: float, index: int, colour: QColor) -> None:
         size = (6.5 if index == self.hovered or index in self.selection else 5.0) * self.scale

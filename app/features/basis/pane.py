@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
@@ -51,7 +53,7 @@ class BasisPane(FollowsTheme, CentralPane):
         words = "Show what each point does with its estimates"
         self._estimates = tool_button("withEstimates", words, "", text="With estimates")
         mirror(self._estimates, estimates)
-        self._shows_cardinals = False
+        self._shows_cardinals, self._linearised = False, ""
         self._functions = self._title.text()
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._formulas: tuple[str, ...] = ()
@@ -59,6 +61,9 @@ class BasisPane(FollowsTheme, CentralPane):
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
         self._fit = self._fit_button()
+        self._findings = Label(name="basisFindings", label="What is wrong with the functions", wordWrap=True)
+        self._findings.setContentsMargins(10, 0, 8, 2)
+        self._findings.hide()
         # How many words are left out of the header, from 0 to 2.
         self._brevity = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
@@ -100,7 +105,7 @@ class BasisPane(FollowsTheme, CentralPane):
         for button in switches:
             # Until there is a curve: else the window is built with room for all of them.
             button.hide()
-        column_of(row, (self._panel, 1), margins=0, spacing=0, parent=self)
+        column_of(row, self._findings, (self._panel, 1), margins=0, spacing=0, parent=self)
 
     @property
     def stop(self) -> QWidget:
@@ -116,14 +121,21 @@ class BasisPane(FollowsTheme, CentralPane):
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-        drawing = _note(basis, view)
+        drawing = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
         # Laying the header out costs more than drawing the curve: only when it says something else.
         functions = view.source.family.functions
         if (formulas, drawing, functions) != (self._formulas, self._drawing.text(), self._functions):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
-            self._functions = functions
+            self._functions, self._linearised = functions, view.linearised
             self._drawing.setText(drawing)
             self._write_header()
+
+    def show_findings(self, findings: Sequence[str]) -> None:
+        """Show what is wrong with the functions, below the header; nothing where all is well."""
+        text = f"⚠ {' '.join(findings)}" if findings else ""
+        if text != self._findings.text():
+            self._findings.setText(text)
+            self._findings.setVisible(bool(text))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -131,7 +143,8 @@ class BasisPane(FollowsTheme, CentralPane):
 
     def _write_header(self) -> None:
         """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
-        self._title.setToolTip(_CARDINAL_TIP if self._shows_cardinals else "")
+        linearised = f"; shown are those {self._linearised}" if self._linearised else ""
+        self._title.setToolTip(f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
         for brief in range(3):
             self._brevity = brief
             self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else self._functions)
@@ -158,7 +171,8 @@ class BasisPane(FollowsTheme, CentralPane):
             button.setIcon(QIcon(sign_pixmap(LineStyle("ink", width=1.5, dashes=dashes), theme, 2.0)))
         self._estimates.setStyleSheet(choice_style(theme))
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
-        self._extent.setStyleSheet(f"color: {theme.warning.name()}")
+        for label in (self._extent, self._findings):
+            label.setStyleSheet(f"color: {theme.warning.name()}")
 
     def fit(self, *, whole: bool) -> None:
         drawing = self._panel.drawing

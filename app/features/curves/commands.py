@@ -208,7 +208,8 @@ class CurveCommands:
         session, selected = self._session, self._session.selected.point
         view = session.active_view
         if selected is not None and (view.source.is_closed or 0 < selected < len(view.source.points) - 1):
-            self.split_at(float(view.parameters[selected]))
+            places = view.curve.places if view.curve is not None else view.parameters
+            self.split_at(float(places[selected]))
         else:
             self._at_scrub(self.split_at)
 

@@ -16,9 +16,9 @@ from ...storage.format import FormatError
 from ...storage.open_file import FileChange, OpenFile
 from ...view_model.curve_view import view_of
 from ...workbench.context import WindowContext
-from .bar import FileBar
+from ...workbench.disk_watch import DiskWatch
+from ...workbench.notice_bar import NoticeBar
 from .notices import Notice, Ownership, about_content, about_lock, about_refusal
-from .watch import DiskWatch
 
 _RECHECK_MS = 100
 _MOST_CHECKS = 5
@@ -37,7 +37,7 @@ class DiskCommands(QObject):
     def __init__(self, context: WindowContext) -> None:
         super().__init__(context.window)
         self._context, self._session = context, context.session
-        self._bar: FileBar | None = None
+        self._bar: NoticeBar | None = None
         self._watch = DiskWatch(context.window)
         self._watch.triggered.connect(self._check_file)
         self._recheck = QTimer(self, singleShot=True)
@@ -191,7 +191,7 @@ class DiskCommands(QObject):
 
     def _show_notice(self, notice: Notice) -> None:
         if self._bar is None:
-            self._bar = FileBar(self._context.central.canvas, self._context.central.message_bar)
+            self._bar = NoticeBar("file", self._context.central.canvas, self._context.central.message_bar)
             self._bar.closed.connect(self._dismiss)
         self._shown = notice
         self._bar.show_notice(

@@ -197,7 +197,7 @@ def _fitted(view: CurveView, wish: FitWish, report: Report) -> Fitted | str:
     try:
         return fitted_to_curve(
             view,
-            wish.family,
+            view.source.with_family(wish.family),
             count=wish.count,
             tolerance=wish.tolerance,
             keeps_times=wish.keeps_times,

@@ -100,7 +100,7 @@ class LessonCommands:
 
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
     def _toggle(self) -> None:
-        """Learn why a curve goes where it goes, in ten lessons."""
+        """Learn why a curve goes where it goes, in eleven lessons."""
         self._dock.setVisible(not self._context.store.state.lessons)
 
     def _begin(self, number: int) -> None:

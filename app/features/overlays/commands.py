@@ -50,7 +50,10 @@ class OverlayCommands:
     @LatePanel("analysisDock", "Analysis")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when its dock is first shown."""
-        return overlays.panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__, parent)
+        actions = self._context.actions
+        panel = overlays.panel.AnalysisPanel(self._context.analysis, actions.__getitem__, parent)
+        actions.redeclared.connect(panel.follow_ghosts)
+        return panel
 
     # What is shown
 
@@ -69,7 +72,8 @@ class OverlayCommands:
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
         self._context.central.canvas.drawing.annotations.figure_layer.render(figures, ghosts)
-        rows = analysis.legend.legend_rows(view, settings, ghosts, figures, busy)
+        in_drag = self._context.session.is_previewing
+        rows = analysis.legend.legend_rows(view, settings, ghosts, figures, busy, in_drag=in_drag)
         self._context.central.canvas.drawing.annotations.render_legend(_GROUP, rows)
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._context.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
@@ -169,6 +173,19 @@ class OverlayCommands:
         analysis.show_ghost(ghost, ghost not in analysis.settings.ghosts)
 
     @action(
+        "ghostAllFamilies",
+        "All Families",
+        GHOSTS_FAMILY,
+        full_name="Ghosts of All Families",
+        checked=lambda now: _ghosts_of_families() <= now.state.analysis.ghosts,
+    )
+    def _switch_all_families(self) -> None:
+        """Draw the same points as a curve of every family, too, each with its Lebesgue constant."""
+        analysis, families = self._context.analysis, _ghosts_of_families()
+        shown = analysis.settings.ghosts
+        analysis.change(ghosts=shown - families if families <= shown else shown | families)
+
+    @action(
         "newSeed",
         "New Seed",
         OVERLAY_SECTIONS[Group.ERRORS],
@@ -189,6 +206,10 @@ class OverlayCommands:
         session.change(
             text, lambda document: analysis.ghosts.with_ghost_real(document, session.active_index, ghost)
         )
+
+
+def _ghosts_of_families() -> frozenset[Ghost]:
+    return frozenset(ghost for ghost in all_ghosts() if ghost.family is not None)
 
 
 COMMAND_SETS = (OverlayCommands,)

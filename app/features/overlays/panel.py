@@ -7,7 +7,15 @@ from functools import partial
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QAction, QIcon
-from PySide6.QtWidgets import QCheckBox, QFrame, QGridLayout, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFrame,
+    QGridLayout,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
@@ -46,6 +54,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         self._sliders: list[tuple[Overlay, Factor | Count, SettingSlider]] = []
         self._error_fields: dict[ErrorSize, NumberEdit] = {}
         self._ghost_boxes: dict[Ghost, QCheckBox] = {}
+        self._use_buttons: dict[Ghost, QToolButton] = {}
         self._problem = _note("analysisProblem")
         self._rows = QGridLayout()
         self._rows.setHorizontalSpacing(10)
@@ -112,10 +121,25 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         box = self._ghost_boxes[ghost] = self._switch(ghost.action_name)
         box.setIconSize(SIGN)
         words = box.text()
-        use = tool_button(f"use_{ghost.name}", f"Use {words}", f"Make this the curve: {words}", text="Use")
+        use = self._use_buttons[ghost] = tool_button(
+            f"use_{ghost.name}", f"Use {words}", f"Make this the curve: {words}", text="Use"
+        )
         use.clicked.connect(lambda: self._analysis.ghost_chosen.emit(ghost))
         self._rows.addWidget(box, row, 0)
         self._rows.addWidget(use, row, 1, Qt.AlignmentFlag.AlignRight)
+
+    def follow_ghosts(self) -> None:
+        """Have a row for every ghost that there is now, further ones below the others."""
+        present = all_ghosts()
+        for ghost in present:
+            if ghost not in self._ghost_boxes:
+                self._add_ghost(ghost)
+        for ghost in self._ghost_boxes.keys() - set(present):
+            for part in (self._ghost_boxes.pop(ghost), self._use_buttons.pop(ghost)):
+                self._rows.removeWidget(part)
+                part.hide()
+                part.deleteLater()
+        self.set_theme(self.theme)
 
     def _connect(self) -> None:
         self._notes_due = QTimer(self, singleShot=True, interval=_NOTES_MS)

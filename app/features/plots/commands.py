@@ -75,7 +75,7 @@ class PlotCommands:
         follow = any(plot.follows_points for plot in self._analysis.settings.plots)
         if follow or self._plotted is None or not view.is_current:
             return False
-        same = view.source.functions_key == self._plotted.source.functions_key
+        same = view.pieces[0].functions_key == self._plotted.pieces[0].functions_key
         same = same and np.array_equal(view.parameters, self._plotted.parameters)
         return same and (not view.source.family.derivatives or view.cardinal is self._plotted.cardinal)
 

@@ -16,6 +16,8 @@ from ...widgets.toolbar_widget import ToolbarWidget
 STEPS = 100
 """Positions of the slider from α 0 to 1."""
 
+_TIP = "The rule that gives the parameters t"
+_WIDEST = 16_777_215  # QWIDGETSIZE_MAX: no limit
 _SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 64
 
 
@@ -41,8 +43,12 @@ class ParametrizationBar(ToolbarWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._view: CurveView | None = None
-        kinds, tip = (each.label for each in ParametrizationKind), "The rule that gives the parameters t"
-        self.box = choice_box("parametrizationBox", "Parametrization", tip, kinds)
+        self._is_compact = False
+        kinds = (each.label for each in ParametrizationKind)
+        self.box = choice_box("parametrizationBox", "Parametrization", _TIP, kinds)
+        for place, kind in enumerate(ParametrizationKind):
+            if kind.spaced:
+                self.box.setItemData(place, f"{kind.label}: {kind.spaced}", Qt.ItemDataRole.ToolTipRole)
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._label = Label("Parameters")
         self.slider = self._make_slider()
@@ -65,14 +71,35 @@ class ParametrizationBar(ToolbarWidget):
         return slider
 
     def set_compact(self, compact: bool) -> None:
+        self._is_compact = compact
         self._label.setVisible(not compact)
         self.slider.setFixedWidth(_COMPACT_SLIDER_WIDTH if compact else _SLIDER_WIDTH)
+        self._share_room()
+
+    def _share_room(self) -> None:
+        """In a narrow window, give long names of rules without an α the room of the slider."""
+        has_alpha = self.slider.isEnabled()
+        self.box.setMaximumWidth(self._compact_width() if self._is_compact and has_alpha else _WIDEST)
+        for part in (self.slider, self._alpha):
+            part.setVisible(has_alpha or not self._is_compact)
+
+    def _compact_width(self) -> int:
+        """Return the width that shows all names whole but those that end in parentheses."""
+        names = [kind.label for kind in ParametrizationKind]
+        whole, rest = (
+            max(map(self.box.fontMetrics().horizontalAdvance, each))
+            for each in ([name for name in names if "(" not in name], names)
+        )
+        return self.box.sizeHint().width() - rest + whole
 
     def render_view(self, view: CurveView) -> None:
         """Show the rule of `view`."""
         self._view = view
         rule = view.source.parametrization
         self.box.setCurrentIndex(list(ParametrizationKind).index(rule.kind))
+        self.box.setToolTip(
+            f"{_TIP}: {rule.kind.phrase}" + (f", {rule.kind.spaced}" if rule.kind.spaced else "")
+        )
         # Three of the rules are members of the power family; the slider shows where they stand.
         alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
         if not self.slider.isSliderDown():
@@ -80,6 +107,7 @@ class ParametrizationBar(ToolbarWidget):
         has_alpha = rule.kind.alpha is not None or rule.kind is ParametrizationKind.POWER
         self.slider.setEnabled(has_alpha)
         self._alpha.setEnabled(has_alpha)
+        self._share_room()
         self._alpha.setText(f"α {alpha:.2f}")
 
     def _render_again(self) -> None:

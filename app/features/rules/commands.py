@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
-from ...actions.declaration import Action, action, action_for_each, also, widget_at
-from ...actions.needs import Need
-from ...actions.sections import CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
-from ...actions.strips import CURVE_MENU, RAIL_MENU, TOOLBAR
+from ...actions.declaration import Action, action, action_for_each, also, also_for_each, widget_at
+from ...actions.needs import UNLOCKED_CURVE, Need
+from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
+from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Place
 from ...document import edits
+from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
 from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
+from ...view_model.convert import converted
 from ...view_model.curve_view import CurveView
+from ...view_model.reshape import Reshaped
 from ...widgets.toolbar_widget import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.slider_gesture import SliderGesture
 from .bar import STEPS, ParametrizationBar
+from .family_button import FamilyButton
 
 _MOST_KEYS = 10
 """One more than there are digits for."""
+
+_BUTTONS = 3
+"""Families with a button of their own in the toolbar."""
 
 
 def _key_of(family: Family) -> str:
@@ -27,11 +34,16 @@ def _key_of(family: Family) -> str:
     return str(place) if place < _MOST_KEYS else ""
 
 
+def _place_of(family: Family) -> Place:
+    """Return where a family stands in the toolbar."""
+    return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
+
+
 class RuleCommands:
     """Choice of the family and of the parameters, in menus and in the toolbar."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
+        self._session, self._actions = context.session, context.actions
         self._bar = ParametrizationBar()
         self._bar.kind_chosen.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
@@ -41,6 +53,12 @@ class RuleCommands:
     def build_bar(self) -> ToolbarWidget:
         """Return the bar of the toolbar."""
         return self._bar
+
+    @widget_at(TOOLBAR(45))
+    def build_families(self) -> ToolbarWidget:
+        """Return the button of the toolbar for further families."""
+        further = [each for group in self._actions.in_strip(FAMILIES_MENU).values() for each in group]
+        return FamilyButton([(each, self._actions.words_of(each, short=True)) for each in further])
 
     def render(self, view: CurveView) -> None:
         """Show the rule of `view` in the bar."""
@@ -60,7 +78,7 @@ class RuleCommands:
             group="family",
         ),
     )
-    @also(TOOLBAR(40))
+    @also_for_each(lambda family: (_place_of(family),))
     def _use_family(self, family: Family) -> None:
         session = self._session
         was_closed = session.active_curve.is_closed
@@ -75,12 +93,36 @@ class RuleCommands:
             )
 
     @action_for_each(
+        tuple(family for family in FAMILIES if family.takes_shapes),
+        lambda family: Action(
+            family.action_name.replace("family", "convertTo"),
+            f"Convert to {family.label}, Keeping the Shape",
+            CURVE_CONVERT,
+            tip=f"Write the same curve as {family.a_curve}, where it is one: the shape stays",
+            needs=Need(
+                "a curve of another family that is not locked",
+                lambda now: UNLOCKED_CURVE.is_met(now) and now.view.source.family != family,
+            ),
+        ),
+    )
+    def _convert(self, family: Family) -> None:
+        session, made = self._session, list[Reshaped]()
+
+        def edit(document: Document) -> Document:
+            made.append(converted(session.active_view, family))
+            return replace_curve(document, session.active_index, made[0].curve)
+
+        if session.change(f"Convert to {family.title}, keeping the shape", edit):
+            session.selected.set_points([])
+            session.say(made[0].sentence)
+
+    @action_for_each(
         tuple(ParametrizationKind),
         lambda kind: Action(
             f"parameters_{kind}",
             kind.label,
             CURVE_RULES,
-            tip=f"Use {kind.label.lower()} parameters",
+            tip=f"Use {kind.phrase} parameters" + (f": {kind.spaced}" if kind.spaced else ""),
             full_name=f"{kind.label} Parameters",
         ),
     )
@@ -93,7 +135,7 @@ class RuleCommands:
                 raise EditError("There are no parameters to start from; mend the points first.")
             return edits.set_parametrization(document, session.active_index, kind, view.parameters.tolist())
 
-        session.change(f"Use {kind.label.lower()} parameters", edit)
+        session.change(f"Use {kind.phrase} parameters", edit)
 
     @action(
         "freezeParameters",

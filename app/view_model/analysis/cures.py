@@ -12,7 +12,7 @@ from curvecore.arrays import FloatArray
 
 from ...document import edits
 from ...document.model import Curve, Document, ParametrizationKind, VelocityRule
-from ...families import HERMITE, QUINTIC_HERMITE, Family
+from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, told
 from ..curve_view import CurveView, view_of
 from ..growth import growth_of_points
@@ -25,7 +25,7 @@ _MOST_LAGRANGE = 250
 
 
 class Remedy(NamedTuple):
-    """Other parameters, or another family with a velocity rule.
+    """Other parameters, or another family, with a velocity rule where it has velocities.
 
     Attributes
     ----------
@@ -52,6 +52,8 @@ class Remedy(NamedTuple):
         if self.rule is not None:
             return edits.set_parametrization(document, curve, self.rule, parameters)
         result = edits.set_family(document, curve, self.family)
+        if not self.family.derivatives:
+            return result
         result = edits.set_velocity_rule(result, curve, self.velocity_rule)
         if self.estimates:
             result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].points)))
@@ -61,7 +63,7 @@ class Remedy(NamedTuple):
 CURES = (
     Remedy("chordLength", "Chord-length t", "Use chord length parameters", ParametrizationKind.CHORD_LENGTH),
     Remedy("centripetal", "Centripetal t", "Use centripetal parameters", ParametrizationKind.CENTRIPETAL),
-    Remedy("chebyshev", "Chebyshev t", "Use chebyshev parameters", ParametrizationKind.CHEBYSHEV),
+    Remedy("chebyshev", "Chebyshev t", "Use Chebyshev (2nd kind) parameters", ParametrizationKind.CHEBYSHEV),
     Remedy(
         "hermite",
         "Hermite, local tangents",
@@ -70,6 +72,11 @@ CURES = (
     ),
     Remedy("quintic", "Quintic Hermite", "Convert to quintic Hermite", family=QUINTIC_HERMITE),
     Remedy("spline", "C² cubic spline", "Convert to the C² spline", estimates=True),
+    *(
+        Remedy(family.name, family.label, f"Convert to {family.title}", family=family)
+        for family in FAMILIES
+        if family.is_calm
+    ),
 )
 """All remedies, in the order of the window."""
 

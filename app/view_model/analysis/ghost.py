@@ -11,11 +11,25 @@ from ..line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 
 _FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW)
+_LONG, _MIDDLE, _DOT = (6.0, 2.7), (3.0, 2.7), (1.3, 2.7)
+_FAMILY_DASHES = (
+    _LONG,
+    _LONG + _DOT,
+    _LONG + _DOT + _DOT,
+    _LONG + _MIDDLE,
+    _LONG + _MIDDLE + _DOT,
+    _MIDDLE + _DOT,
+    _LONG + _MIDDLE + _MIDDLE,
+    _MIDDLE + _DOT + _DOT,
+    (12.0, 2.7),
+)
+"""Those of the first families; what follows them has ever more dots."""
 _RULE_STYLES = (
     LineStyle(PURPLE, width=1.5, dashes=(3.3, 2.0)),
     LineStyle(ORANGE, width=1.5, dashes=(1.3, 2.0)),
     LineStyle(SKY, width=1.5, dashes=(9.3, 2.7)),
     LineStyle(YELLOW, width=1.5, dashes=(9.3, 2.7, 1.3, 2.7)),
+    LineStyle(GREEN, width=1.5, dashes=(3.3, 2.0, 1.3, 2.0)),
 )
 
 
@@ -33,7 +47,8 @@ class Ghost(msgspec.Struct, frozen=True):
     @property
     def title(self) -> str:
         """The words in the window: Chord length."""
-        return self.family.label if self.family is not None else str(self.kind).replace("_", " ").capitalize()
+        record = self.family if self.family is not None else self.kind
+        return record.label if record is not None else ""
 
     @property
     def action_name(self) -> str:
@@ -45,8 +60,8 @@ class Ghost(msgspec.Struct, frozen=True):
         """The tooltip of its action."""
         if self.family is not None:
             return f"Draw the same points as a {self.family.full_title} curve, too"
-        rule = "Chebyshev" if self.kind is ParametrizationKind.CHEBYSHEV else str(self.kind).replace("_", "-")
-        return f"Draw the curve with {rule} parameters, too"
+        assert self.kind is not None
+        return f"Draw the curve with {self.kind.phrase} parameters, too"
 
     @property
     def style(self) -> LineStyle:
@@ -55,7 +70,8 @@ class Ghost(msgspec.Struct, frozen=True):
             return _RULE_STYLES[_rules().index(self)]
         place = FAMILIES.index(self.family)
         colour = _FAMILY_COLOURS[place % len(_FAMILY_COLOURS)]
-        return LineStyle(colour, width=1.5, dashes=(6.0, 2.7, *(1.3, 2.7) * place))
+        many = place >= len(_FAMILY_DASHES)
+        return LineStyle(colour, width=1.5, dashes=_LONG + _DOT * place if many else _FAMILY_DASHES[place])
 
 
 def all_ghosts() -> tuple[Ghost, ...]:

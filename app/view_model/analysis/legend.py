@@ -12,6 +12,10 @@ from .ghost import Ghost
 from .ghosts import GhostView, rules_text
 from .overlay import Overlay
 from .settings import AnalysisSettings
+from .wording import short
+
+_MOST_WITH_GROWTH = 60
+"""Knots up to which a Lebesgue constant takes some 20 ms at most."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +32,8 @@ class LegendRow:
         Why, or more about it.
     ghost
         The ghost that it explains, if any: to be chosen and hidden there.
+    figure
+        A number that stands at its end.
     """
 
     style: LineStyle | None
@@ -35,6 +41,7 @@ class LegendRow:
     is_muted: bool = False
     tip: str = ""
     ghost: Ghost | None = None
+    figure: str = ""
 
 
 def legend_rows(
@@ -43,8 +50,14 @@ def legend_rows(
     ghosts: Iterable[GhostView],
     figures: Collection[Figure],
     busy: Collection[Overlay],
+    *,
+    in_drag: bool = False,
 ) -> list[LegendRow]:
-    """Return the lines of the legend: what cannot be understood without one."""
+    """Return the lines of the legend: what cannot be understood without one.
+
+    Beside ghosts stands how much errors in the points can grow; of a drag, or of many points, it would take
+    longer than a frame may.
+    """
     if not view.is_current:
         return []
     shown = sorted(settings.overlays, key=lambda each: each.order)
@@ -60,8 +73,11 @@ def legend_rows(
         if each.finds and each in busy:
             rows.append(LegendRow(each.finds[0][0], f"{each.name.capitalize()} …", is_muted=True))
     # A ghost that is the curve itself needs no line of its own.
-    ghost_rows = [_ghost_row(ghost) for ghost in ghosts if not ghost.is_real]
-    return [LegendRow(CURVE_STYLE, rules_text(view.source)), *ghost_rows, *rows] if ghost_rows else rows
+    ghost_rows = [_ghost_row(ghost, in_drag=in_drag) for ghost in ghosts if not ghost.is_real]
+    if not ghost_rows:
+        return rows
+    own = LegendRow(CURVE_STYLE, rules_text(view.source), figure=_growth(view, in_drag=in_drag))
+    return [own, *ghost_rows, *rows]
 
 
 def line_rows(
@@ -72,12 +88,18 @@ def line_rows(
     return [LegendRow(None, heading, is_muted=True), *rows] if rows and heading else rows
 
 
-def _ghost_row(view: GhostView) -> LegendRow:
+def _growth(view: CurveView, *, in_drag: bool) -> str:
+    if len(view.parameters) > _MOST_WITH_GROWTH:
+        return ""
+    return "Λ …" if in_drag else f"Λ {short(view.growth)}"
+
+
+def _ghost_row(view: GhostView, *, in_drag: bool) -> LegendRow:
     ghost = view.ghost
     if view.waits:
         text, tip = f"{ghost.title} …", "Drawn as soon as the drag is over"
     elif not view.view.is_current:
         text, tip = f"{ghost.title}: none", view.view.problem
     else:
-        return LegendRow(ghost.style, ghost.title, ghost=ghost)
+        return LegendRow(ghost.style, ghost.title, ghost=ghost, figure=_growth(view.view, in_drag=in_drag))
     return LegendRow(ghost.style, text, True, tip, ghost)

@@ -124,9 +124,11 @@ def explain(view: CurveView, t: float) -> Explanation | None:
         if at_point is not None
         else _pull_words(view, pulls, segment)
     )
-    words = (_swing_words(segment, swing, chord), pulling, _error_words(lebesgue))
+    words: tuple[str, ...] = (_swing_words(segment, swing, chord), pulling, _error_words(lebesgue))
     if not view.source.family.interpolates:
         words = (*_control_words(view, t, pulls), _error_words(lebesgue))
+    if view.linearised:
+        words = (*words, f"The weights are those {view.linearised}.")
     return Explanation(t, segment, pulls[:MOST_PULLS], lebesgue, swing, words)
 
 

@@ -1,7 +1,8 @@
 """The region to which errors of points and parameters can bring the curve, at worst.
 
 With errors ε of the points alone the region is exact: discs of radius ε·Λ(t) around c(t), all together.
-Velocities and accelerations that are estimated follow the points; the parameters stay.
+Velocities and accelerations that are estimated follow the points, where they are not linear in these to first
+order; the parameters stay.
 Errors δ of the parameters enter to first order, estimates that follow them included, with their exact worst
 case across the curve; the points stay.
 """
@@ -71,6 +72,8 @@ def _band(scene: Scene) -> Drawn:
         words += ", the estimates as if they did not follow t"
     if delta == 0.0:
         words += f", {number(best / epsilon)} times ε"
+    if scene.view.linearised:
+        words += f"; the effects of points are those {scene.view.linearised}"
     return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
 
 

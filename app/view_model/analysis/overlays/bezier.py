@@ -34,7 +34,7 @@ def _bezier(scene: Scene) -> Drawn:
         return _of_polynomial(scene)
     figures = []
     for piece in view.pieces:
-        if (controls := piece.bezier_pieces()) is not None:
+        if (controls := piece.exact_pieces()) is not None:
             figures += _polygons(controls)
     if figures:
         return figures, ""

@@ -59,7 +59,8 @@ def _at_knots(scene: Scene, order: int) -> tuple[FloatArray, FloatArray]:
         before, after = ends[:, -1], ends[:, 0]
         size = np.abs(ends[:, [0, -1]]).max()
         jumps = np.abs(after[1:] - before[:-1]).max(axis=1) > _EQUAL * size
-        places += [curve.points[:-1], curve.points[1:-1][jumps], curve.points[-1:]]
+        points = curve.knot_points
+        places += [points[:-1], points[1:-1][jumps], points[-1:]]
         arrows += [after, before[:-1][jumps], before[-1:]]
     if not places:
         return np.empty((0, 2)), np.empty((0, 2))

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-from ...qt.overrides import Guarded
+from ..qt.overrides import Guarded
 
 _SETTLE_MS = 100
 """Milliseconds after the first sign: one writing of a file gives many."""
@@ -21,6 +21,11 @@ class DiskWatch(Guarded, QObject):
     because locks come and go there. Some file systems of a network tell nothing: a check is due also whenever
     the window comes to the front, and `check_every` asks for one regularly.
 
+    Parameters
+    ----------
+    parent
+        What it belongs to: a window, or another, which has to notice itself that a window comes to the front.
+
     Signals
     -------
     triggered
@@ -29,15 +34,16 @@ class DiskWatch(Guarded, QObject):
 
     triggered = Signal()
 
-    def __init__(self, window: QWidget) -> None:
-        super().__init__(window)
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
         self._path: Path | None = None
         self._watcher: QFileSystemWatcher | None = None
         self._soon = QTimer(self, singleShot=True, interval=_SETTLE_MS)
         self._soon.timeout.connect(self._trigger)
         self._regularly = QTimer(self)
         self._regularly.timeout.connect(self.triggered)
-        window.installEventFilter(self)
+        if isinstance(parent, QWidget):
+            parent.installEventFilter(self)
 
     def watch(self, path: Path | None) -> None:
         """Watch the file at `path` instead of the one before; None: nothing."""

@@ -1,4 +1,4 @@
-"""A line over the canvas about the document's file, with a button for everything that can be done."""
+"""A line over the canvas about a file, with a button for everything that can be done."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QBoxLayout, QToolButton, QWidget
 
-from ...widgets.boxes import column_of, row_of
-from ...widgets.tool_buttons import action_button
-from ...workbench.message_bar import GAP, SentenceBar, keep_pointer
+from ..widgets.boxes import column_of, row_of
+from ..widgets.tool_buttons import action_button
+from .message_bar import GAP, SentenceBar, keep_pointer
 
 
-class FileBar(SentenceBar):
-    """A sentence with buttons, below the bar `above` where that is shown."""
+class NoticeBar(SentenceBar):
+    """A sentence with buttons, below the bar `above` where that is shown; its parts are named by `kind`."""
 
-    def __init__(self, parent: QWidget, above: QWidget) -> None:
-        super().__init__("file", "closeFileBar", parent, above)
+    def __init__(self, kind: str, parent: QWidget, above: QWidget | None = None) -> None:
+        super().__init__(kind, f"close{kind.capitalize()}Bar", parent, above)
         self._buttons: list[QToolButton] = []
         self._row = row_of(1, spacing=GAP)
         self._middle = column_of((self.sentence, 1), self._row, spacing=4)

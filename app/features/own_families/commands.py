@@ -1,0 +1,162 @@
+"""Families from a file: a template, a file that is used, and what became of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog
+
+from ...actions.declaration import action
+from ...actions.needs import Need
+from ...actions.sections import FILE_FAMILY, FILE_FAMILY_MORE
+from ...document.words import enumerated
+from ...families import FAMILIES, Family
+from ...storage.files import StorageError, write
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from .. import own_families
+from .bar import FamilyBar
+from .files import family_files
+
+_PYTHON = "Python (*.py);;All files (*)"
+_NEW_NAME = "my_family.py"
+
+
+class OwnFamilyCommands(QObject):
+    """Writes templates, uses files, and tells what became of them."""
+
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._context, self._session = context, context.session
+        self._files = family_files()
+        self._files.brought.connect(self._take)
+        self._files.told.connect(self._show)
+        self._bar: FamilyBar | None = None
+        self._asked: Path | None = None
+        self._news = ""
+        self._dismissed = ""
+        self._show()
+
+    # What can be done
+
+    @action("familyTemplate", "Family Template…", FILE_FAMILY)
+    def _write_template(self) -> None:
+        """Write a file of Python that defines a family of curves, to be changed in any editor."""
+        start = self._context.preferences.last_folder / _NEW_NAME
+        name, _ = QFileDialog.getSaveFileName(self._context.window, "Family Template", str(start), _PYTHON)
+        if not name:
+            return
+        path = Path(name) if Path(name).suffix else Path(f"{name}.py")
+        try:
+            if path != Path(name) and path.exists():
+                # The dialog asked about the name without the suffix, if it asked at all.
+                raise StorageError(f"“{path.name}” is there already. Choose it in the list to replace it.")
+            write(path, own_families.template.template(path).encode())
+        except StorageError as problem:
+            self._files.offered = None
+            self._tell(f"{path.name} was not written. {problem}")
+            return
+        self._context.preferences.last_folder = path.parent
+        self._files.offered = path
+        self._tell(
+            f"“{path.name}” lies in {path.parent}: Lagrange's functions, to be changed in any editor. Used, "
+            "it is Python that is run now and whenever it is saved."
+        )
+
+    @action("useFamilyFile", "Use Family File…", FILE_FAMILY)
+    def _ask_and_use(self) -> None:
+        """Run a file of Python that you name, now and whenever it is saved, and have its families."""
+        folder = str(self._context.preferences.last_folder)
+        title = "Run a File of Python and Use Its Families"
+        name, _ = QFileDialog.getOpenFileName(self._context.window, title, folder, _PYTHON)
+        if name:
+            self._context.preferences.last_folder = Path(name).parent
+            self._use(Path(name))
+
+    @action(
+        "useOwnFamily",
+        "Use It",
+        FILE_FAMILY_MORE,
+        icon="play",
+        full_name="Use the New Family",
+        needs=Need("a family file just written or used", lambda _now: family_files().offered is not None),
+    )
+    def _use_offered(self) -> None:
+        """Run the template just written, or draw the curve by the family that a file has just brought."""
+        offered = self._files.offered
+        if isinstance(offered, Path):
+            self._use(offered)
+        elif offered is not None:
+            self._context.actions[offered.action_name].trigger()
+
+    @action(
+        "stopFamilyFile",
+        "Stop",
+        FILE_FAMILY_MORE,
+        icon="stop",
+        full_name="Stop the Family File",
+        needs=Need("a family file that is running", lambda _now: family_files().running is not None),
+    )
+    def _stop(self) -> None:
+        """Stop the file of families that is running; nothing changes."""
+        self._files.stop()
+
+    def _use(self, path: Path) -> None:
+        self._asked, self._news, self._dismissed = path.absolute(), "", ""
+        self._files.use(path)
+
+    # What became of it
+
+    def _take(self, path: Path, families: frozenset[Family]) -> None:
+        """Offer what a file has brought, and draw its curves anew."""
+        self._context.actions.declare_again()
+        self._session.renew(families)
+        offered = [each for each in FAMILIES.files[path] if each in FAMILIES]
+        if path == self._asked:
+            self._asked = None
+            self._files.offered = offered[0]
+            names = enumerated([f"“{each.label}”" for each in offered])
+            self._tell(f"“{path.name}” brings {names}. It is run again whenever it is saved.")
+        else:
+            self._news = ""
+            self._session.say(f"{path.name} was run again: its curves are drawn by what it says now.")
+
+    def render(self, view: CurveView) -> None:
+        """Say no longer what is new where it is in use."""
+        if self._news and view.source.family == self._files.offered:
+            self._news = ""
+            self._show()
+
+    def _tell(self, text: str) -> None:
+        self._news, self._dismissed = text, ""
+        self._show()
+
+    def _show(self) -> None:
+        """Show the most urgent sentence: what runs, what is wrong, what is new."""
+        self._context.actions.render()
+        text, offered, warns = self._sentence()
+        if not text or text == self._dismissed:
+            if self._bar is not None:
+                self._bar.hide()
+            return
+        if self._bar is None:
+            self._bar = FamilyBar(self._context.central.canvas)
+            self._bar.closed.connect(self._dismiss)
+        self._bar.show_notice(text, [self._context.actions[name] for name in offered], warns=warns)
+
+    def _sentence(self) -> tuple[str, tuple[str, ...], bool]:
+        if self._files.running is not None:
+            return f"“{self._files.running.name}” has been running for a while…", ("stopFamilyFile",), False
+        for path, problem in reversed(self._files.problems.items()):
+            last = " The last version that worked stays." if path in FAMILIES.files else ""
+            return f"{problem}{last} It is run again when it is saved.", (), True
+        return self._news, ("useOwnFamily",) if self._files.offered is not None else (), False
+
+    def _dismiss(self, text: str) -> None:
+        self._dismissed = text
+        if text == self._news:
+            self._news = ""
+
+
+COMMAND_SETS = (OwnFamilyCommands,)

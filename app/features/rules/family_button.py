@@ -1,0 +1,76 @@
+"""The families that have no button of their own in the toolbar: a button with a menu of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMenu, QSizePolicy, QToolButton
+
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
+from ...widgets.boxes import row_of
+from ...widgets.controls import named
+from ...widgets.toolbar_widget import ToolbarWidget
+
+_WORD, _TIP = "Families", "Further families of curves"
+_ICON, _BESIDES = 20, 36
+"""Pixels along the sides of the icon, and of what stands beside icon and word."""
+
+
+class FamilyButton(FollowsTheme, ToolbarWidget):
+    """Chooses one of the further families, and shows the one in use.
+
+    Parameters
+    ----------
+    further
+        Their actions, each with a short word for the button.
+    """
+
+    def __init__(self, further: Sequence[tuple[QAction, str]]) -> None:
+        super().__init__()
+        self._words = dict(further)
+        self._is_compact = False
+        self.button = named(QToolButton(), "familiesButton", _TIP)
+        self.button.setCheckable(True)
+        self.button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.button.setIconSize(QSize(_ICON, _ICON))
+        self.button.setMenu(self._make_menu())
+        row_of(self.button, margins=(0, 0, 0, 0), parent=self)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+        for action in self._words:
+            action.changed.connect(self._show)
+        self.button.setVisible(bool(further))
+        self.follow_theme()
+
+    def _make_menu(self) -> QMenu:
+        menu = QMenu(self.button)
+        menu.setObjectName("familiesMenu")
+        menu.setToolTipsVisible(True)
+        menu.addActions(list(self._words))
+        return menu
+
+    def set_theme(self, theme: Theme) -> None:
+        self._show()
+
+    def set_compact(self, compact: bool) -> None:
+        self._is_compact = compact
+        self._show()
+
+    def _show(self) -> None:
+        """Show the family in use, if it is one of these; the width stays."""
+        action = next((each for each in self._words if each.isChecked()), None)
+        button, word = self.button, _WORD if action is None else self._words[action]
+        button.setChecked(action is not None)
+        button.setIcon(icon("spline", self.theme) if action is None else action.icon())
+        button.setText(word)
+        button.setToolTip(_TIP if action is None else f"{_TIP}; in use: {action.text()}")
+        style = Qt.ToolButtonStyle
+        button.setToolButtonStyle(
+            style.ToolButtonIconOnly if self._is_compact else style.ToolButtonTextBesideIcon
+        )
+        metrics = button.fontMetrics()
+        widest = max(metrics.horizontalAdvance(each) for each in (_WORD, *self._words.values()))
+        button.setFixedWidth(_ICON + _BESIDES + (0 if self._is_compact else widest))

@@ -1,0 +1,55 @@
+"""Sentences about what is wrong with the basis functions of a curve, measured; none where all is well."""
+
+from __future__ import annotations
+
+from curvecore import cardinal_defect, slope_defect, sum_defect, worst_miss
+
+from ..document.words import number
+from .curve_view import CurveView
+
+_MOST_KNOTS = 400
+"""Knots up to which the functions are measured: it takes arrays of 640 numbers for each."""
+
+_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+def findings_of(view: CurveView) -> tuple[str, ...]:
+    """Return what is wrong with the functions of a curve, each with the place where it is worst.
+
+    That a curve passes its points by is said only of families that are to run through them.
+    """
+    curve, functions = view.curve, view.basis_curve
+    if curve is None or functions is None or not view.is_current or len(view.parameters) > _MOST_KNOTS:
+        return ()
+    found = []
+    if (miss := worst_miss(curve)) and curve.interpolates:
+        by = number(miss.distance, 2)
+        found.append(f"The curve misses its points: by up to {by} at point {view.owner(miss.point)}.")
+    if (off := cardinal_defect(functions)) and functions.interpolates:
+        value, at = _near(off.value, off.wanted), off.parameter
+        found.append(f"{_b(off.function)}({_sub('t', at)}) = {value} instead of {off.wanted}.")
+    if total := sum_defect(functions):
+        by, at_t = number(abs(total.total - 1.0), 2), number(total.t)
+        found.append(f"The functions do not sum to 1: off by up to {by} at t = {at_t}.")
+    if slope := slope_defect(functions):
+        name, at_t = _b(slope.function), number(slope.t)
+        found.append(
+            f"{name}′ is not the derivative of {name}: {number(slope.said)} at t = {at_t}, "
+            f"where the slope is {number(slope.found)}."
+        )
+    return tuple(found)
+
+
+def _near(value: float, wanted: int) -> str:
+    """Return a value with as many digits as it takes to tell it from the one that was wanted."""
+    return next(
+        (text for text in (number(value, digits) for digits in (3, 6, 10)) if text != str(wanted)), ""
+    )
+
+
+def _b(function: int) -> str:
+    return _sub("B", function)
+
+
+def _sub(letter: str, index: int) -> str:
+    return letter + str(index).translate(_SUBSCRIPTS)

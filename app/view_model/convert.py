@@ -1,0 +1,53 @@
+"""The same curve as one of another family, where it is one: other points, and the shape kept."""
+
+from __future__ import annotations
+
+from curvecore import CurveError, lagrange_to_bezier
+
+from ..document.edits import EditError
+from ..document.words import number
+from ..families import Family
+from .curve_view import CurveView, view_of
+from .measure import dense, is_kept, largest_distance
+from .reshape import Reshaped, refuse_without_curve, through
+
+_WORTH_A_WORD = 10.0
+"""Growth of errors from points to control points that is told."""
+
+
+def converted(view: CurveView, family: Family) -> Reshaped:
+    """Return the curve as one of `family`; what rounding makes of its shape is measured.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or it is none of that family: the sentence says why.
+    """
+    refuse_without_curve(view)
+    assert view.curve is not None
+    try:
+        same = family.same_shape_as(view.curve)
+    except CurveError as problem:
+        raise EditError(f"This is no {family.title} curve: {problem}.") from None
+    made = through(view, same, family)
+    after = view_of(made)
+    refuse_without_curve(after)
+    t = dense(view.parameters)
+    residual = largest_distance(view, t, after, t)
+    if not is_kept(residual, (view.source,)):
+        raise EditError(
+            f"As {family.a_curve} it would be up to {number(residual, 2)} away: too much is lost by rounding."
+        )
+    left_rule = made.is_manual and not view.source.is_manual
+    return Reshaped(made, residual, left_rule=left_rule, note=_growth(view, family))
+
+
+def _growth(view: CurveView, family: Family) -> str:
+    """Say how errors of points on one polynomial grow in control points beside it."""
+    assert view.curve is not None
+    if family.interpolates or not view.curve.is_one_polynomial:
+        return ""
+    condition = lagrange_to_bezier(view.curve).condition
+    if condition < _WORTH_A_WORD:
+        return ""
+    return f"An error of a point counts up to {number(condition, 2)} times as much in the control points."

@@ -1,0 +1,224 @@
+"""Basis functions held against what is asked of them: they add up to 1, and are 1 or 0 at the parameters."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+from curvecore.families.basis_curve import MEASURED
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.lagrange import LagrangeCurve
+
+_ROUNDING = 2.0**-46
+"""Rounding of functions and of their sum, per unit of the sum of their sizes: 64 roundings, 128 u."""
+
+_PLACES = 16
+_MOST_PLACES = 640
+_STENCIL = np.arange(-3.0, 4.0)
+_STEP = 1.0 / 64.0
+_SLOPE_AGREES = 1e-3
+"""Relative difference up to which a slope and the differences of values count as one: the stencil's own
+error is the 7th derivative times the 6th power of a step of a 64th of a gap."""
+
+
+class SumDefect(NamedTuple):
+    """The place where the functions are farthest from adding up to 1.
+
+    Attributes
+    ----------
+    t : float
+    total : float
+        Their sum there.
+    """
+
+    t: float
+    total: float
+
+
+class CardinalDefect(NamedTuple):
+    """The value of a function at a parameter that is farthest from the 1 or the 0 that it should be.
+
+    Attributes
+    ----------
+    function, parameter : int
+        i and j of B_i(t_j).
+    value : float
+    """
+
+    function: int
+    parameter: int
+    value: float
+
+    @property
+    def wanted(self) -> int:
+        """1 for a function's own parameter, else 0."""
+        return int(self.function == self.parameter)
+
+
+class Miss(NamedTuple):
+    """The point that a curve misses by most.
+
+    Attributes
+    ----------
+    point : int
+        i.
+    distance : float
+        Between c(t_i) and p_i.
+    """
+
+    point: int
+    distance: float
+
+
+class SlopeDefect(NamedTuple):
+    """The place where B_i' is least the derivative of B_i.
+
+    Attributes
+    ----------
+    function : int
+    t : float
+    said, found : float
+        B_i'(t), and the slope of the values around t; both per unit of t.
+    """
+
+    function: int
+    t: float
+    said: float
+    found: float
+
+
+def sum_defect(curve: ParametricCurve) -> SumDefect | None:
+    """Return where the B_i0 are farthest from adding up to 1; None where they do, to rounding.
+
+    Where they do not, moving all points by the same way moves the curve by another.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Sampled at 16 places a segment, at most 640 in all, the parameters among them where they are fewer.
+
+    Returns
+    -------
+    SumDefect or None
+        Off by more than 1e-9 and than 128 u times the sum of sizes, u = 2**-53.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, uniform
+    >>> sum_defect(LagrangeCurve([[0, 0], [1, 2], [3, 1]], uniform(3))) is None
+    True
+    """
+    t = _places(curve)
+    functions = curve.basis(t)[:, :, 0]
+    with np.errstate(over="ignore", invalid="ignore"):
+        totals = functions.sum(axis=1)
+        off = np.abs(totals - 1.0)
+        is_off = off > MEASURED + _ROUNDING * np.abs(functions).sum(axis=1)
+    if not is_off.any():
+        return None
+    worst = int(np.where(is_off, off, -1.0).argmax())
+    return SumDefect(float(t[worst]), float(totals[worst]))
+
+
+def cardinal_defect(curve: ParametricCurve) -> CardinalDefect | None:
+    """Return which B_i0(t_j) is farthest from 1 for i = j, else 0; None where none is off by over 1e-9."""
+    found = curve.basis(curve.parameters)[:, :, 0]
+    off = np.abs(found - np.eye(len(found)))
+    parameter, function = np.unravel_index(int(off.argmax()), off.shape)
+    if off[parameter, function] <= MEASURED:
+        return None
+    return CardinalDefect(int(function), int(parameter), float(found[parameter, function]))
+
+
+def worst_miss(curve: ParametricCurve) -> Miss | None:
+    """Return which point the curve misses by most; None where it passes all, to 1e-9 of their size.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve
+    >>> worst_miss(HermiteCurve([[0, 0], [1, 0]], [[1, 1], [1, -1]], [0, 1])) is None
+    True
+    """
+    points = curve.jets[:, 0]
+    ways = curve.evaluate(curve.parameters) - curve.points
+    with np.errstate(over="ignore", under="ignore"):
+        distances = np.sqrt(np.square(ways).sum(axis=1))
+    index = int(distances.argmax())
+    if distances[index] <= MEASURED * float(np.abs(points).max()):
+        return None
+    return Miss(index, float(distances[index]))
+
+
+def slope_defect(curve: ParametricCurve) -> SlopeDefect | None:
+    """Return where a B_i0' is least the slope of B_i0; None where the two agree to a thousandth.
+
+    Measured in the middle of each stretch between breaks and parameters, at 64 of them at most, against the
+    slope of the polynomial through seven values around it.
+    """
+    ends = np.union1d(curve.breaks, curve.parameters)
+    picked = np.unique(np.linspace(0, len(ends) - 2, min(len(ends) - 1, 64)).astype(int))
+    gaps = np.diff(ends)[picked]
+    middle = ends[picked] + 0.5 * gaps
+    step = _STEP * gaps
+    values = curve.basis((middle[:, None] + step[:, None] * _STENCIL).ravel())[:, :, 0]
+    values = values.reshape(len(middle), len(_STENCIL), -1)
+    weights = LagrangeCurve(np.zeros((len(_STENCIL), 1)), _STENCIL).basis([0.0], 1)[0, :, 0]
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        found = np.einsum("k,mkn->mn", weights, values) / step[:, None]
+        said = curve.basis(middle, 1)[:, :, 0]
+        # What the values round to, seen through the differences of them.
+        noise = 16.0 * _ROUNDING * np.abs(values).sum(axis=(1, 2))[:, None] / step[:, None]
+        size = np.maximum(np.abs(found).max(axis=1), np.abs(said).max(axis=1))[:, None]
+        # The seven places are rounded, too: far from 0 they are not evenly spaced.
+        agrees = _SLOPE_AGREES + _ROUNDING * np.abs(middle) / step
+        excess = np.abs(said - found) - agrees[:, None] * size - noise
+    place, function = np.unravel_index(int(np.nan_to_num(excess, nan=-1.0).argmax()), excess.shape)
+    if not excess[place, function] > 0.0:
+        return None
+    at = float(middle[place])
+    return SlopeDefect(int(function), at, float(said[place, function]), float(found[place, function]))
+
+
+def _places(curve: ParametricCurve) -> FloatArray:
+    """Return where sums are taken: evenly within each segment, or over all where there are many."""
+    t = curve.parameters
+    if _PLACES * (len(t) - 1) > _MOST_PLACES:
+        return np.linspace(*curve.domain, _MOST_PLACES)
+    shares = np.arange(_PLACES) / _PLACES
+    inner: FloatArray = (t[:-1, None] + np.diff(t)[:, None] * shares).ravel()
+    return np.append(inner, t[-1])
+
+
+class BasisDefects(NamedTuple):
+    """All that was measured of a curve's functions; None stands for what is as it should be.
+
+    Attributes
+    ----------
+    total : SumDefect or None
+    cardinal : CardinalDefect or None
+    miss : Miss or None
+    slope : SlopeDefect or None
+    """
+
+    total: SumDefect | None
+    cardinal: CardinalDefect | None
+    miss: Miss | None
+    slope: SlopeDefect | None
+
+
+def basis_defects(curve: ParametricCurve) -> BasisDefects:
+    """Measure the functions of a curve: `sum_defect`, `cardinal_defect`, `worst_miss`, `slope_defect`.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of any family; of up to some hundred points, for it takes arrays of 640 n numbers.
+
+    Raises
+    ------
+    CurveError
+        If a function is not finite somewhere.
+    """
+    return BasisDefects(sum_defect(curve), cardinal_defect(curve), worst_miss(curve), slope_defect(curve))

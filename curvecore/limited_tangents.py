@@ -1,0 +1,184 @@
+"""Velocities that follow the course of the data: monotone and Akima. They are not linear in the points.
+
+Each coordinate is estimated for itself. Both rules are homogeneous of degree one, v(a p) = a v(p) for all
+a, and local. What small moves of the points do to the velocities is their Jacobian at the points times the
+moves; where it jumps, one of its sides or the mean of both counts.
+
+References
+----------
+.. [1] F. N. Fritsch and R. E. Carlson, "Monotone piecewise cubic
+   interpolation", SIAM J. Numer. Anal. 17 (1980) 238-246.
+.. [2] F. N. Fritsch and J. Butland, "A method for constructing local
+   monotone piecewise cubic interpolants", SIAM J. Sci. Stat. Comput. 5
+   (1984) 300-304: the weights of the harmonic mean.
+.. [3] H. Akima, "A new method of interpolation and smooth curve fitting
+   based on local procedures", J. ACM 17 (1970) 589-602.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import BoolArray, FloatArray
+from curvecore.slopes import Steps, in_range, steps_of
+
+_STRAIGHT = 1e-9
+"""Change of the slope, relative to the slopes, below which three points count as lying on a straight line."""
+
+
+@in_range
+def monotone_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
+    """Return velocities with which no coordinate swings beyond its data (PCHIP).
+
+    Between chords that rise both or fall both the weighted harmonic mean of their slopes [2]_, else 0; at the
+    ends the parabola's velocity, limited so that the coordinate stays monotone on the end segment. So each
+    coordinate of the Hermite curve rises and falls where its data do. The same as SciPy's
+    ``PchipInterpolator``.
+
+    Parameters, result and errors are those of `finite_difference_velocities`.
+    """
+    steps = steps_of(points, parameters)
+    if len(steps.slope) == 1:
+        return np.repeat(steps.slope, 2, axis=0)
+    ends = _monotone_ends(steps)
+    return np.concatenate((ends[:1], _harmonic_means(steps), ends[1:]))
+
+
+def monotone_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike) -> FloatArray:
+    """Return what small moves of the points do to `monotone_velocities`, to first order.
+
+    Parameters
+    ----------
+    points, parameters : array_like, shape (n, dim) and (n,)
+        As for `monotone_velocities`.
+    moves : array_like, shape (n, k)
+        Each column moves a coordinate of every point.
+
+    Returns
+    -------
+    ndarray, shape (n, dim, k)
+        ``[i, d, j]`` is the change of coordinate d of velocity i by the moves of column j of that coordinate.
+    """
+    steps = steps_of(points, parameters)
+    change = _slope_changes(steps, moves)
+    if len(steps.slope) == 1:
+        return np.repeat(np.broadcast_to(change, (1, steps.slope.shape[1], change.shape[2])), 2, axis=0)
+    h, slope = steps.spacing[:, :, None], steps.slope[:, :, None]
+    mean = _harmonic_means(steps)[:, :, None]
+    before, after = _weights(h)
+    with np.errstate(all="ignore"):
+        shares = before * (mean / slope[:-1]) ** 2, after * (mean / slope[1:]) ** 2
+    inner = np.where(mean != 0.0, shares[0] * change[:-1] + shares[1] * change[1:], 0.0)
+    edges = []
+    for near, beside, case in zip((0, -1), (1, -2), _end_cases(steps), strict=True):
+        parabola = change[near] + h[near] / (h[near] + h[beside]) * (change[near] - change[beside])
+        limited = np.where(case.steep[:, None], 3.0 * change[near], parabola)
+        edges.append(np.where(case.flat[:, None], 0.0, limited)[None])
+    return np.concatenate((edges[0], inner, edges[1]))
+
+
+@in_range
+def akima_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
+    """Return Akima's velocities: means of two slopes, weighted by how straight the other side is.
+
+    The weight of a chord's slope is the change of slope beyond the other chord, so that a straight run of
+    points stays straight up to its last segment. Beyond the ends two more slopes go on as an arithmetic
+    sequence. Where both weights vanish the mean of both slopes counts. The rule of 1970 [3]_, the same as
+    SciPy's ``Akima1DInterpolator``; on unequal spacing the slopes are weighted alike.
+
+    Parameters, result and errors are those of `finite_difference_velocities`.
+    """
+    slope = _with_outer(steps_of(points, parameters).slope)
+    share = _akima_share(slope)
+    return slope[1:-2] + share * (slope[2:-1] - slope[1:-2])
+
+
+def akima_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike) -> FloatArray:
+    """Return what small moves of the points do to `akima_velocities`, to first order.
+
+    Parameters and result are those of `monotone_changes`.
+    """
+    steps = steps_of(points, parameters)
+    slope = _with_outer(steps.slope)[:, :, None]
+    change = _with_outer(_slope_changes(steps, moves))
+    share = _akima_share(slope)
+    turn, turned = np.diff(slope, axis=0), np.diff(change, axis=0)
+    weights = np.abs(turn[:-2]), np.abs(turn[2:])
+    grown = np.sign(turn[:-2]) * turned[:-2], np.sign(turn[2:]) * turned[2:]
+    with np.errstate(all="ignore"):
+        moved = (grown[0] * (1.0 - share) - grown[1] * share) / (weights[0] + weights[1])
+    moved = np.where(_is_straight(slope), 0.0, moved)
+    return change[1:-2] + share * (change[2:-1] - change[1:-2]) + moved * turn[1:-1]
+
+
+def _slope_changes(steps: Steps, moves: ArrayLike) -> FloatArray:
+    """Return the changes of the slopes, (n - 1, 1, k): the same for every coordinate."""
+    return np.diff(np.asarray(moves, dtype=np.float64), axis=0)[:, None] / steps.spacing[:, :, None]
+
+
+def _weights(h: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the shares of both slopes in the harmonic mean: that of the longer segment counts less."""
+    length = 3.0 * (h[:-1] + h[1:])
+    return (2.0 * h[1:] + h[:-1]) / length, (h[1:] + 2.0 * h[:-1]) / length
+
+
+def _harmonic_means(steps: Steps) -> FloatArray:
+    before, after = _weights(steps.spacing)
+    slope = steps.slope
+    with np.errstate(all="ignore"):
+        means = 1.0 / (before / slope[:-1] + after / slope[1:])
+    return np.where(np.sign(slope[:-1]) * np.sign(slope[1:]) > 0.0, means, 0.0)
+
+
+class _EndCase(NamedTuple):
+    """The parabola's velocity at an end, (dim,), and where it is 0 instead, or thrice the slope."""
+
+    parabola: FloatArray
+    flat: BoolArray
+    steep: BoolArray
+
+
+def _end_cases(steps: Steps) -> list[_EndCase]:
+    h, slope = steps
+    cases = []
+    for near, beside in ((0, 1), (-1, -2)):
+        parabola = slope[near] + h[near] / (h[near] + h[beside]) * (slope[near] - slope[beside])
+        turns = np.sign(slope[near]) != np.sign(slope[beside])
+        steep = turns & (np.abs(parabola) > 3.0 * np.abs(slope[near]))
+        cases.append(_EndCase(parabola, np.sign(parabola) != np.sign(slope[near]), steep))
+    return cases
+
+
+def _monotone_ends(steps: Steps) -> FloatArray:
+    return np.array(
+        [
+            np.where(case.flat, 0.0, np.where(case.steep, 3.0 * steps.slope[near], case.parabola))
+            for near, case in zip((0, -1), _end_cases(steps), strict=True)
+        ]
+    )
+
+
+def _with_outer(slope: FloatArray) -> FloatArray:
+    """Return the slopes with two more before and behind them, as an arithmetic sequence goes on."""
+    first, last = (slope[1] - slope[0], slope[-1] - slope[-2]) if len(slope) > 1 else (0.0 * slope[0],) * 2
+    before = slope[0] - np.multiply.outer([2.0, 1.0], first)
+    return np.concatenate((before, slope, slope[-1] + np.multiply.outer([1.0, 2.0], last)))
+
+
+def _is_straight(slope: FloatArray) -> BoolArray:
+    """Whether the slopes before each joint are the same, and those after it."""
+    turn, size = np.abs(np.diff(slope, axis=0)), np.abs(slope)
+    sizes = size[:-3] + size[1:-2] + size[2:-1] + size[3:]
+    straight: BoolArray = turn[:-2] + turn[2:] <= _STRAIGHT * sizes
+    return straight
+
+
+def _akima_share(slope: FloatArray) -> FloatArray:
+    """Return the share of the slope after each joint."""
+    turn = np.abs(np.diff(slope, axis=0))
+    with np.errstate(all="ignore"):
+        share = turn[:-2] / (turn[:-2] + turn[2:])
+    return np.where(_is_straight(slope), 0.5, share)

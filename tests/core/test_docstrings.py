@@ -1,0 +1,104 @@
+"""Docstrings of all public names: their sections, and their examples run."""
+
+import doctest
+import inspect
+import re
+
+import pytest
+
+import curvecore
+
+OBJECTS = {name: getattr(curvecore, name) for name in curvecore.__all__}
+NAMES = {name: each for name, each in OBJECTS.items() if inspect.isclass(each) or inspect.isfunction(each)}
+
+
+def methods_of(cls):
+    """The public methods that a class brings; one that overrides another says what is different."""
+    inherited = {name for base in cls.__mro__[1:] for name in vars(base)}
+    for name, value in vars(cls).items():
+        function = getattr(value, "__func__", value)
+        if not name.startswith("_") and name not in inherited and inspect.isfunction(function):
+            yield f"{cls.__name__}.{name}", function
+
+
+DESCRIBED = {
+    **NAMES,
+    **{
+        name: each
+        for base in dict.fromkeys(
+            base for cls in NAMES.values() if inspect.isclass(cls) for base in cls.__mro__
+        )
+        if base.__module__.startswith("curvecore")
+        for name, each in methods_of(base)
+    },
+}
+
+
+def sections_of(thing):
+    """The sections of a numpydoc docstring by their titles; the first one's is empty."""
+    parts = re.split(r"^([A-Z][A-Za-z ]+)\n-{3,}\n", inspect.getdoc(thing), flags=re.MULTILINE)
+    return dict(zip(["", *parts[1::2]], parts[::2], strict=True))
+
+
+def parameters_of(thing):
+    """The names of the parameters of a function, or of the constructor of a class."""
+    if not inspect.isclass(thing):
+        return [name for name in inspect.signature(thing).parameters if name not in ("self", "cls")]
+    if hasattr(thing, "_fields") or "__init__" not in vars(thing):
+        return []
+    return [name for name in inspect.signature(thing.__init__).parameters if name != "self"]
+
+
+def described_in(section):
+    """The names of which a section of parameters says something."""
+    heads = re.findall(r"^\*{0,2}(\w[\w, *]*?)(?: : .*)?$", section, flags=re.MULTILINE)
+    return {name.strip(" *") for head in heads for name in head.split(",")}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_it_has_an_example_and_names_its_kin(name):
+    sections = sections_of(OBJECTS[name])
+    assert ">>> " in sections.get("Examples", ""), "no example"
+    assert sections.get("See Also"), "no See Also"
+
+
+@pytest.mark.parametrize("name", DESCRIBED)
+def test_its_arguments_and_results_are_described(name):
+    thing = DESCRIBED[name]
+    sections = sections_of(thing)
+    missing = set(parameters_of(thing)) - described_in(sections.get("Parameters", ""))
+    assert not missing, f"not in Parameters: {sorted(missing)}"
+    assert " As for " not in sections.get("Parameters", ""), "described elsewhere"
+    if inspect.isfunction(thing) and inspect.signature(thing).return_annotation not in (None, "None"):
+        assert sections.get("Returns") or sections.get("Yields"), "no Returns"
+    if hasattr(thing, "_fields"):
+        assert set(thing._fields) <= described_in(sections.get("Attributes", "")), "not in Attributes"
+
+
+@pytest.mark.parametrize("name", [*DESCRIBED, "curvecore"])
+def test_its_examples_run(name):
+    thing = DESCRIBED.get(name, curvecore)
+    found = doctest.DocTestFinder(recurse=False).find(thing, name, globs={})
+    runner = doctest.DocTestRunner()
+    told = []
+    for each in found:
+        runner.run(each, out=told.append)
+    assert not runner.failures, "".join(told)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_it_names_is_there(name):
+    """Names in See Also lines and in single quotes of `curvecore` itself."""
+    section = sections_of(OBJECTS[name]).get("See Also", "")
+    named = [
+        each.strip()
+        for head in re.findall(r"^(\w[\w., ]*?)(?: : .*)?$", section, re.MULTILINE)
+        for each in head.split(",")
+    ]
+    assert named
+    for each in named:
+        first, *rest = each.split(".")
+        thing = OBJECTS.get(first, getattr(OBJECTS[name], first, None))
+        for part in rest:
+            thing = getattr(thing, part, None)
+        assert thing is not None, f"{each} is nowhere"

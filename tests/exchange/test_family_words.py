@@ -1,0 +1,61 @@
+"""Families in the cells of a table of points: with what is set of them, and back."""
+
+import pytest
+from msgspec.structs import replace
+
+from app.document.model import Document, make_curve
+from app.exchange.options import Options
+from app.exchange.reading import import_file
+from app.exchange.table.family_word import family_word, read_family_word
+from app.exchange.writing import export
+from app.families import FAMILIES, HERMITE, NO_SETTINGS, ChosenSettings
+from app.view_model.curve_view import view_of
+from tests.own_families import EVERY
+
+POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5)]
+
+pytestmark = pytest.mark.usefixtures("own_families")
+
+
+def other_value(setting):
+    values = [value for value, _ in setting.choices] or list(range(setting.limits[0], setting.limits[1] + 1))
+    return next(value for value in values if value != setting.default)
+
+
+@pytest.mark.parametrize("name", [*EVERY, "tests_swaying"])
+def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
+    family = FAMILIES.named(name)
+    settings = ChosenSettings((setting.name, other_value(setting)) for setting in family.settings)
+    curve = replace(make_curve(POINTS, family=family), settings=settings)
+    assert read_family_word(family_word(curve)) == (family, False, settings)
+    path = tmp_path / "curve.points.csv"
+    export(Document((curve,)), path, Options())
+    (again,) = import_file(path).document.curves
+    assert (again.family, again.settings) == (family, settings)
+    assert (view_of(again).curve.evaluate(0.3) == view_of(curve).curve.evaluate(0.3)).all()
+
+
+def test_the_words():
+    family = FAMILIES.named("tests_swaying")
+    curve = replace(make_curve(POINTS, family=family), settings=ChosenSettings({"amount": 5}))
+    assert family_word(curve) == "tests_swaying amount=5"
+    assert family_word(replace(make_curve(POINTS, family=HERMITE), closed=True)) == "closed hermite"
+    assert read_family_word(" Closed  Hermite ") == (HERMITE, True, NO_SETTINGS)
+    assert not read_family_word("tests_swaying amount=2").settings
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("tests_swaying amount=10", "tests_swaying with amount= and a whole number from 0 to 9"),
+        ("tests_swaying amount=x", "a whole number from 0 to 9"),
+        ("tests_swaying first_side=up", "one of left, right"),
+        ("tests_swaying speed=1", "tests_swaying amount=2, tests_swaying first_side=left"),
+        ("hermite amount=1", "hermite alone, which has no settings"),
+        ("", "one of lagrange, hermite"),
+        ("closed", "one of lagrange, hermite"),
+    ],
+)
+def test_other_words_are_refused(text, words):
+    with pytest.raises(ValueError, match=words):
+        read_family_word(text)

@@ -1,0 +1,192 @@
+"""Curves beside their points, by hand: drag, insert with the shape kept, the t-rail, split, convert."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+
+from app.appearance.theme import theme_of
+from app.document.model import Document, make_curve
+from app.families import FAMILIES
+
+POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
+NAMES = ("bezier", "b_spline")
+
+
+@pytest.fixture(params=NAMES)
+def name(request):
+    return request.param
+
+
+@pytest.fixture
+def drawn(editor):
+    def draw(name, points=POINTS):
+        curve = make_curve(points, family=FAMILIES.named(name))
+        editor.session.commit(Document((curve,)), "Draw")
+        editor.settle()
+        editor.fit()
+        return editor
+
+    return draw
+
+
+def curve_of(editor):
+    assert editor.session.active_view.is_current
+    return editor.session.active_view.curve
+
+
+def shape(editor):
+    return curve_of(editor).evaluate(np.linspace(0.0, 1.0, 501))
+
+
+def places(editor, t):
+    return tuple(curve_of(editor).evaluate(t).tolist())
+
+
+def test_a_control_point_is_dragged_where_it_is(drawn, name):
+    """It lies beside the curve, which answers by the weight of the point."""
+    editor = drawn(name)
+    weight = float(curve_of(editor).basis(np.array([0.4]))[0, 2, 0])
+    before, start = shape(editor), np.array(places(editor, 0.4))
+    assert np.hypot(*(before - POINTS[2]).T).min() > 30 * editor.pixel
+    editor.drag_point(2, (2.5, 2.0))
+    assert editor.point(2) == pytest.approx((2.5, 2.0), abs=2 * editor.pixel)
+    assert editor.session.undo_stack.undoText() == "Move point 2"
+    if name == "bezier":
+        way = np.array(editor.point(2)) - POINTS[2]
+        assert np.array(places(editor, 0.4)) - start == pytest.approx(weight * way, abs=1e-12)
+
+
+def test_its_polygon_is_drawn_and_that_of_others_is_not(drawn, name):
+    editor = drawn(name)
+    canvas = editor.window.canvas
+
+    def is_line_at(x, y):
+        image = canvas.grab().toImage()
+        pixel = canvas.viewport().mapTo(canvas, canvas.to_pixel(x, y))
+        handle, paper = (getattr(theme_of(canvas.palette()), each) for each in ("handle", "paper"))
+        near = [image.pixelColor(pixel.x() + dx, pixel.y() + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+        far = abs(paper.lightness() - handle.lightness())
+        return any(abs(each.lightness() - paper.lightness()) > 0.5 * far for each in near)
+
+    shown = [is_line_at(*np.mean([p, q], axis=0).tolist()) for p, q in pairwise(POINTS)]
+    assert all(shown)
+    editor.choose_family("hermite")
+    shown = [is_line_at(*np.mean([p, q], axis=0).tolist()) for p, q in pairwise(POINTS)]
+    assert not all(shown)
+
+
+@pytest.mark.parametrize("t", [0.2, 0.55, 0.9])
+def test_a_click_on_the_curve_adds_a_control_point_and_keeps_the_shape(drawn, name, t):
+    editor = drawn(name)
+    before = shape(editor)
+    editor.trigger("addTool")
+    editor.click(places(editor, t))
+    assert len(editor.curve.points) == 7
+    assert np.abs(shape(editor) - before).max() < 1e-14
+    assert "Shape kept" in editor.message + editor.status
+    assert editor.curve.is_manual is (name == "b_spline")
+    assert ("The parameters are manual now." in editor.message + editor.status) is (name == "b_spline")
+    (chosen,) = editor.session.selection
+    reach = np.abs(curve_of(editor).places - t)
+    assert reach[chosen] <= reach.min() + 0.02  # the click is a pixel or two beside t
+    editor.trigger("undo")
+    assert [point.position for point in editor.curve.points] == list(POINTS)
+
+
+def test_what_is_inserted_and_dragged_goes_the_way_of_the_pointer(drawn, name):
+    editor = drawn(name)
+    editor.trigger("addTool")
+    x, y = places(editor, 0.5)
+    editor.press((x, y))
+    on_curve = editor.session.active_view
+    index = int(np.argmin(np.abs(on_curve.curve.places - 0.5)))
+    start = on_curve.points[index]
+    editor.move((x + 0.3, y + 0.4))
+    editor.release((x + 0.3, y + 0.4))
+    moved = np.array(editor.point(index)) - start
+    assert moved == pytest.approx((0.3, 0.4), abs=4 * editor.pixel)
+
+
+def test_the_scrub_line_is_a_place_for_one_more(drawn, name):
+    editor = drawn(name)
+    before = shape(editor)
+    editor.scrub(0.5)
+    editor.trigger("insertPoint")
+    assert len(editor.curve.points) == 7
+    assert np.abs(shape(editor) - before).max() < 1e-14
+
+
+def test_ticks_that_do_nothing_are_said_so(drawn, name):
+    editor = drawn(name)
+    panel = editor.window.basis_panel
+    before = shape(editor)
+    editor.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[1]), held=False)
+    assert "does nothing" in editor.status
+    editor.drag_parameter(1, editor.parameters[1] + 0.02)
+    assert np.abs(shape(editor) - before).max() < 1e-14
+    editor.trigger("undo")
+    editor.drag_parameter(2, editor.parameters[2] + 0.05)
+    moved = np.abs(shape(editor) - before).max()
+    # The inner parameters of a Bézier curve do nothing; t₂ is the first knot of the other.
+    assert bool(moved > 1e-3) is (name == "b_spline")
+    assert curve_of(editor).breaks.tolist() == [
+        0.0, *(editor.parameters[2:4] if name == "b_spline" else []), 1.0
+    ]  # fmt: skip
+
+
+def test_the_panel_names_the_functions(drawn, name):
+    editor = drawn(name)
+    title = editor.window.findChild(QLabel, "basisTitle")
+    assert title.text() == {"bezier": "Bernstein functions", "b_spline": "B-spline functions"}[name]
+    editor.choose_family("lagrange")
+    assert title.text() == "Basis functions"
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_K])
+def test_a_split_keeps_the_shape(drawn, name, key):
+    editor = drawn(name)
+    before = curve_of(editor)
+    editor.scrub(0.4)
+    t = editor.session.selected.scrub
+    QTest.keyClick(editor.window.canvas, key, Qt.KeyboardModifier.ControlModifier)
+    editor.settle()
+    views = editor.session.views
+    assert [view.curve.domain for view in views] == [(0.0, t), (t, 1.0)]
+    for view in views:
+        at = np.linspace(*view.curve.domain, 200)
+        assert np.abs(view.curve.evaluate(at) - before.evaluate(at)).max() < 1e-14
+
+
+def test_a_spline_becomes_a_hermite_curve_and_comes_back(drawn):
+    editor = drawn("b_spline")
+    before = shape(editor)
+    editor.trigger("convertToHermite")
+    assert editor.curve.family.name == "hermite"
+    assert editor.session.undo_stack.undoText() == "Convert to Hermite, keeping the shape"
+    assert "Shape kept" in editor.status + editor.message
+    assert len(editor.curve.points) == 4
+    assert np.abs(shape(editor) - before).max() < 1e-14
+    editor.trigger("convertToBSpline")
+    assert len(editor.curve.points) == 6
+    assert np.array([point.position for point in editor.curve.points]) == pytest.approx(np.array(POINTS))
+    assert not editor.action("convertToBSpline").isEnabled()
+    document = editor.session.document
+    editor.trigger("convertToBezier")
+    assert "is one polynomial, and this one is 3" in editor.status
+    assert editor.session.document == document
+
+
+def test_no_corners_and_no_straight_segments(drawn, name):
+    editor = drawn(name)
+    editor.select([2, 3])
+    for action in ("straightSegment", "tangentCorner"):
+        assert not editor.action(action).isEnabled()
+    editor.select([])
+    editor.trigger("closeCurve")
+    assert "does not come back smoothly" in editor.status

@@ -1,0 +1,394 @@
+"""Families from a file that the person names: written, used, saved again, wrong, hanging, in all windows."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QToolBar, QToolButton
+
+from app.document.model import Document, make_curve
+from app.families import FAMILIES, family_file
+from app.features.own_families import trial
+from app.features.own_families.bar import FamilyBar
+from app.features.own_families.files import family_files
+from app.features.own_families.template import template
+from app.session import Session
+from app.storage.format import encode
+from app.testing import Editor
+from app.view_model.basis_findings import findings_of
+from curvecore import LagrangeCurve
+
+WAIT_MS = 30_000
+POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
+NAME = "my_lagrange"
+
+
+@pytest.fixture(autouse=True)
+def _forgotten(monkeypatch):
+    """No file stays in use, and a sign on the disk is soon heeded."""
+    monkeypatch.setattr("app.workbench.disk_watch._SETTLE_MS", 10)
+    yield
+    family_files().forget_all()
+    for path in tuple(FAMILIES.files):
+        family_file.forget_file(FAMILIES, path)
+
+
+@pytest.fixture
+def tried_here(monkeypatch):
+    """Try files in this process: starting another one takes longer than most of the questions here."""
+
+    def try_out(path, report):
+        report(0.0, "Running")
+        family_file.families_in(path)
+
+    monkeypatch.setattr(trial, "try_out", try_out)
+
+
+@pytest.fixture
+def editor(new_editor):
+    new_editor.session.commit(Document((make_curve(POINTS),)), "Begin")
+    new_editor.fit()
+    yield new_editor
+    new_editor.session.files.give_up_changes()
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / f"{NAME}.py"
+
+
+@pytest.fixture
+def save(path):
+    """Save the file as many editors do: another file takes its name."""
+
+    def saved(text, way="replaced"):
+        if way == "replaced":
+            other = path.with_suffix(".new")
+            other.write_text(text, encoding="utf-8")
+            other.replace(path)
+        elif way == "away and back":
+            path.rename(path.with_suffix(".py~"))
+            path.write_text(text, encoding="utf-8")
+        else:
+            path.write_text(text, encoding="utf-8")
+
+    return saved
+
+
+@pytest.fixture
+def ask(monkeypatch):
+    """Have the dialogs for files answer with this path."""
+
+    def answered(path):
+        for name in ("getOpenFileName", "getSaveFileName"):
+            monkeypatch.setattr(QFileDialog, name, lambda *_: (str(path), ""))
+
+    return answered
+
+
+def bar_of(editor):
+    bar = editor.window.findChild(FamilyBar)
+    return bar if bar is not None and bar.isVisible() else None
+
+
+def text_of(editor):
+    bar = bar_of(editor)
+    return bar.text if bar is not None else ""
+
+
+@pytest.fixture
+def using(editor, path, ask, save, qtbot, tried_here):
+    """The editor with the template in use, and its family chosen."""
+    save(template(path))
+    ask(path)
+    editor.trigger("useFamilyFile")
+    qtbot.waitUntil(lambda: "brings" in text_of(editor), timeout=WAIT_MS)
+    editor.choose_family(NAME)
+    return editor
+
+
+BROKEN = ("others = np.delete(parameters, i)", "others = np.delete(parameters, i)[1:]")
+
+
+# Writing and using
+
+
+def test_a_template_is_a_file_that_works_at_once(editor, path, ask, qtbot):
+    """All of it, with the process that runs it first."""
+    ask(path)
+    editor.trigger("familyTemplate")
+    assert path.read_text(encoding="utf-8") == template(path)
+    assert text_of(editor).startswith(f"“{NAME}.py” lies in {path.parent}")
+    assert "Python that is run" in text_of(editor)
+    assert NAME not in [family.name for family in FAMILIES]  # nothing has run
+    QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "brings" in text_of(editor), timeout=WAIT_MS)
+    assert text_of(editor) == f"“{NAME}.py” brings “My lagrange”. It is run again whenever it is saved."
+    QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.curve.family.name == NAME
+    assert bar_of(editor) is None
+    view = editor.session.active_view
+    t = np.linspace(0.0, 1.0, 50)
+    known = LagrangeCurve(view.points, view.parameters)
+    assert view.curve.evaluate(t) == pytest.approx(known.evaluate(t), abs=1e-12)
+    assert findings_of(view) == ()
+
+
+def test_a_template_is_short_and_says_what_there_is(path):
+    text = template(path)
+    assert text.count("\n") <= 30
+    for word in ("title", "order", "breaks", "interpolates = False", "can_close = True"):
+        assert word in text
+
+
+@pytest.mark.parametrize(
+    ("stem", "name"),
+    [("My Splines-2", "my_splines_2"), ("3rd", "my_3rd"), ("ä", "my"), ("x" * 60, "x" * 40)],
+)
+def test_the_family_of_a_template_is_called_as_its_file(tmp_path, stem, name):
+    path = tmp_path / f"{stem}.py"
+    path.write_text(template(path), encoding="utf-8")
+    (family,) = family_file.families_in(path)
+    assert family.name == name
+
+
+def test_a_dialog_that_is_left_changes_nothing(editor, ask):
+    ask("")
+    for name in ("familyTemplate", "useFamilyFile"):
+        editor.trigger(name)
+    assert bar_of(editor) is None
+    assert not editor.action("useOwnFamily").isEnabled()
+
+
+def test_a_template_that_cannot_be_written_is_told(editor, tmp_path, ask):
+    ask(tmp_path / "nowhere" / "own.py")
+    editor.trigger("familyTemplate")
+    assert text_of(editor).startswith("own.py was not written.")
+
+
+def test_it_is_offered_wherever_families_are(using):
+    family = FAMILIES.named(NAME)
+    action = using.action(family.action_name)
+    last = using.action(FAMILIES[-2].action_name)
+    # Behind the family before it, in the menu and in the toolbar.
+    places = [each for each in last.associatedObjects() if isinstance(each, QMenu | QToolBar)]
+    assert places
+    for place in places:
+        assert place.actions().index(action) == place.actions().index(last) + 1
+    assert not action.icon().isNull()
+    assert family.label in using.find_command(family.label)
+    using.key(Qt.Key.Key_Escape)
+    using.show_dock("analysisDock")
+    using.trigger("ghostMyLagrange")
+    using.drag_point(2, (3.0, 2.0))
+    using.screenshot()
+
+
+# Saved again
+
+
+@pytest.mark.parametrize("way", ["replaced", "written", "away and back"])
+def test_saving_draws_the_curves_anew(using, save, path, qtbot, way):
+    before = using.session.active_view.curve.evaluate(0.4)
+    document = using.session.document
+    save(template(path).replace(*BROKEN).replace('title = "my lagrange"', 'title = "slipped"'), way)
+    qtbot.waitUntil(lambda: using.action("familyMyLagrange").text() == "Slipped", timeout=WAIT_MS)
+    using.settle()
+    assert np.abs(using.session.active_view.curve.evaluate(0.4) - before).max() > 0.1
+    assert using.session.document is document
+    said = using.window.findChild(QLabel, "basisFindings")
+    assert said.isVisible()
+    assert "The functions do not sum to 1" in said.text()
+    assert "The curve misses its points" in said.text()
+    assert "was run again" in using.status
+    save(template(path), way)
+    qtbot.waitUntil(lambda: not said.isVisible(), timeout=WAIT_MS)
+    assert using.session.active_view.curve.evaluate(0.4) == pytest.approx(before)
+
+
+def test_everything_that_is_switched_on_follows(using, save, path, qtbot):
+    for name in (
+        "overlayComb",
+        "overlayMarks",
+        "ghostMyLagrange",
+        "ghostHermite",
+        "plotLebesgue",
+        "plotSpeed",
+    ):
+        using.trigger(name)
+    using.scrub(0.4)
+    using.settle()
+    growth = using.session.active_view.growth
+    save(template(path).replace("columns.append(", "columns.append(2.0 * "))
+    qtbot.waitUntil(lambda: using.session.active_view.growth > 1.5 * growth, timeout=WAIT_MS)
+    assert using.session.active_view.growth == pytest.approx(2.0 * growth)
+    using.drag_point(1, (1.5, 2.5))
+    view = using.session.active_view
+    known = LagrangeCurve(view.points, view.parameters)
+    assert view.curve.evaluate(0.4) == pytest.approx(2.0 * known.evaluate(0.4))
+    basis = using.window.basis_panel.drawing.basis
+    assert basis.value_at(float(view.parameters[1]), 0)[1] == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        (("columns = []", "columns = {}"), "line 15: AttributeError"),
+        (("import numpy as np", "import numpy as"), "line 3: "),
+        (("import numpy as np", "import sys; sys.exit()"), "line 3: SystemExit"),
+        (("np.stack(columns, axis=1)", "np.stack(columns)"), "must have the shape (m, n)"),
+        (("np.stack(columns, axis=1)", "np.stack(columns, axis=1) / 0"), "line 16"),
+        (('name = "my_lagrange"', 'name = "hermite"'), "there is a family “hermite” already"),
+    ],
+)
+def test_a_mistake_is_told_with_its_line_and_leaves_the_last_good_one(using, save, path, qtbot, wrong, said):
+    view = using.session.active_view
+    with np.errstate(all="ignore"):
+        save(template(path).replace(*wrong))
+        qtbot.waitUntil(lambda: said in text_of(using), timeout=WAIT_MS)
+    assert text_of(using).startswith(f"“{NAME}.py”")
+    assert "The last version that worked stays." in text_of(using)
+    assert str(path.parent) not in text_of(using)
+    assert using.session.active_view is view
+    using.drag_point(2, (3.0, 2.0))
+    assert using.session.active_view.is_current
+    save(template(path))
+    qtbot.waitUntil(lambda: bar_of(using) is None, timeout=WAIT_MS)
+
+
+def test_a_sentence_that_was_put_away_stays_away_until_there_is_another(using, save, path, qtbot):
+    save(template(path).replace("columns = []", "columns = {}"))
+    qtbot.waitUntil(lambda: "line 15" in text_of(using), timeout=WAIT_MS)
+    QTest.mouseClick(using.window.findChild(QToolButton, "closeFamilyBar"), Qt.MouseButton.LeftButton)
+    using.settle()
+    assert bar_of(using) is None
+    save(template(path).replace("columns = []", "columns = ()"))
+    qtbot.waitUntil(lambda: "'tuple' object" in text_of(using), timeout=WAIT_MS)
+
+
+def test_a_file_that_is_gone_is_told_and_its_curves_go_on(using, save, path, qtbot):
+    path.unlink()
+    qtbot.waitUntil(lambda: "is gone from its folder" in text_of(using), timeout=WAIT_MS)
+    using.drag_point(2, (3.0, 2.0))
+    assert using.session.active_view.is_current
+    save(template(path))
+    qtbot.waitUntil(lambda: bar_of(using) is None, timeout=WAIT_MS)
+
+
+def test_a_gesture_in_flight_is_taken_back(using, save, path, qtbot):
+    using.press(using.point(2))
+    using.move((3.0, 2.0))
+    save(template(path).replace(*BROKEN))
+    qtbot.waitUntil(lambda: using.window.findChild(QLabel, "basisFindings").isVisible(), timeout=WAIT_MS)
+    assert using.point(2) == POINTS[2]
+    assert not using.session.is_previewing
+
+
+# Files that do not end
+
+
+def test_a_file_that_hangs_is_tried_elsewhere_and_can_be_stopped(editor, save, path, ask, qtbot):
+    save("while True:\n    pass\n")
+    ask(path)
+    editor.trigger("useFamilyFile")
+    qtbot.waitUntil(lambda: "has been running for a while" in text_of(editor), timeout=WAIT_MS)
+    editor.drag_point(2, (3.0, 2.0))
+    assert editor.point(2) == pytest.approx((3.0, 2.0), abs=2 * editor.pixel)
+    QTest.mouseClick(bar_of(editor).button("stopFamilyFile"), Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "was stopped" in text_of(editor), timeout=WAIT_MS)
+    assert NAME not in [family.name for family in FAMILIES]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("while True:\n    print('x' * 100)\n", "printed more than a megabyte and was stopped"),
+        ("import os\nos._exit(0)\n", "ended the process that ran it (code 0)"),
+        ("import sys\nprint('hello', file=sys.stderr)\nsys.exit(0)\n", "line 3: SystemExit: 0"),
+    ],
+)
+def test_what_a_file_may_do_to_its_process_does_nothing_to_this_one(path, text, said):
+    path.write_text(text)
+    with pytest.raises(family_file.FamilyFileError) as caught:
+        trial.try_out(path, lambda _share, _word: None)
+    assert said in str(caught.value)
+    assert str(caught.value).startswith(f"“{NAME}.py”")
+
+
+def test_a_trial_that_takes_too_long_is_ended(path, monkeypatch):
+    monkeypatch.setattr(trial, "SECONDS", 0.3)
+    path.write_text("import time\ntime.sleep(60)\n")
+    with pytest.raises(family_file.FamilyFileError, match=r"ran for longer than 0\.3 s and was stopped"):
+        trial.try_out(path, lambda _share, _word: None)
+
+
+# All windows, and documents
+
+
+@pytest.fixture
+def second(qtbot, using):
+    other = Editor(qtbot, Session())
+    yield other
+    other.session.files.give_up_changes()
+
+
+def test_all_windows_have_it_and_follow(using, second, save, path, qtbot):
+    second.choose_family(NAME)
+    curve = second.session.active_view.curve
+    save(template(path).replace(*BROKEN))
+    for each in (using, second):
+        said = each.window.findChild(QLabel, "basisFindings")
+        qtbot.waitUntil(said.isVisible, timeout=WAIT_MS)
+    assert second.session.active_view.curve is not curve
+
+
+def test_a_document_that_was_open_before_its_family_is_drawn(
+    editor, path, save, ask, qtbot, tmp_path, tried_here
+):
+    """Nothing in a document is run: its family is there once the person names the file."""
+    document = tmp_path / "own.curve.json"
+    save(template(path))
+    document.write_bytes(encode(Document((make_curve(POINTS, family=FAMILIES.named(NAME)),))))
+    editor.session.open(document)
+    assert "is not installed" in editor.message
+    ask(path)
+    editor.trigger("useFamilyFile")
+    qtbot.waitUntil(lambda: editor.session.active_view.is_current, timeout=WAIT_MS)
+    editor.settle()
+    assert "is not installed" not in editor.message
+    assert editor.action("familyMyLagrange").isChecked()
+    assert not editor.session.files.is_modified
+
+
+def test_a_file_of_the_command_line_is_watched_too(qtbot, path, save, tried_here):
+    save(template(path))
+    with family_file.families_of_files(FAMILIES, [str(path)]):
+        family_files().deleteLater()
+        family_files().forget_all()
+        from app.features.own_families import files
+
+        files._files.clear()
+        editor = Editor(qtbot, Session())
+        editor.choose_family(NAME)
+        save(template(path).replace(*BROKEN))
+        said = editor.window.findChild(QLabel, "basisFindings")
+        qtbot.waitUntil(said.isVisible, timeout=WAIT_MS)
+        editor.session.files.give_up_changes()
+
+
+def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_stay(using, save, path, qtbot):
+    save(template(path).replace('"my_lagrange"', '"other"').replace('"my lagrange"', '"other one"'))
+    toolbar = using.window.findChild(QToolBar, "mainToolbar")
+    qtbot.waitUntil(lambda: "familyOther" in using.window.actions_by_name, timeout=WAIT_MS)
+    using.settle()
+    assert "familyMyLagrange" not in using.window.actions_by_name
+    assert "My lagrange" not in [action.text() for action in toolbar.actions()]
+    assert using.session.active_view.is_current
+    using.drag_point(2, (3.0, 2.0))
+    assert using.session.active_view.is_current
+    using.choose_family("other")
+    using.trigger("undo")
+    assert using.curve.family.name == NAME

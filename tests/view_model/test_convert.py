@@ -1,0 +1,134 @@
+"""The same curve as one of another family: the shape is kept to rounding, or it is said why it cannot be."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES
+from app.view_model.convert import converted
+from app.view_model.curve_view import view_of
+from app.view_model.smoothness import with_corners
+from curvecore import CurveError
+
+POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
+TAKERS = [family for family in FAMILIES if family.takes_shapes]
+PAIRS = [(one, other) for one, other in product(FAMILIES, TAKERS) if one != other]
+
+
+def view(family, count=6, *, manual=False, closed=False):
+    curve = replace(make_curve(POINTS[:count], family=family), closed=closed)
+    made = view_of(curve)
+    if not manual:
+        return made
+    frozen = edits.freeze_parameters(Document((curve,)), 0, made.parameters.tolist())
+    return view_of(frozen.curves[0])
+
+
+def apart(before, after):
+    t = np.linspace(*before.curve.domain, 2001)
+    return np.abs(before.curve.evaluate(t) - after.curve.evaluate(t)).max()
+
+
+@pytest.mark.parametrize("manual", [False, True])
+@pytest.mark.parametrize("count", [2, 3, 4, 6])
+@pytest.mark.parametrize(("one", "other"), PAIRS)
+def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
+    before = view(one, count, manual=manual)
+    try:
+        other.same_shape_as(before.curve)
+    except CurveError:
+        with pytest.raises(EditError, match="This is no "):
+            converted(before, other)
+        return
+    made = converted(before, other)
+    after = view_of(made.curve)
+    assert made.curve.family == other
+    # Coordinates of 6, and some operations on each.
+    assert apart(before, after) < 1e-13
+    assert made.residual < 1e-13
+    assert made.sentence.startswith("Shape kept, largest change ")
+    assert made.left_rule is (made.curve.is_manual and not manual)
+    assert ("manual now" in made.sentence) is made.left_rule
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "count"),
+    [
+        ("b_spline", "hermite", 6),
+        ("b_spline", "quintic_hermite", 6),
+        ("hermite", "b_spline", 6),
+        ("quintic_hermite", "b_spline", 6),
+        ("bezier", "hermite", 4),
+        ("bezier", "quintic_hermite", 6),
+        ("hermite", "bezier", 2),
+        ("lagrange", "bezier", 6),
+        ("bezier", "lagrange", 6),
+    ],
+)
+def test_these_are_the_same_curve(one, other, count):
+    made = converted(view(FAMILIES.named(one), count), FAMILIES.named(other))
+    assert made.residual < 1e-14
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "words"),
+    [
+        (
+            "hermite",
+            "bezier",
+            "no Bézier curve: a Bézier curve is one polynomial, and this one is 5.",
+        ),
+        ("lagrange", "hermite", "its pieces have degree 5, those of a Hermite curve 3."),
+        ("bezier", "b_spline", "its pieces have degree 5, those of a B-spline curve 3."),
+    ],
+)
+def test_these_are_not(one, other, words):
+    with pytest.raises(EditError, match="This is no") as refusal:
+        converted(view(FAMILIES.named(one)), FAMILIES.named(other))
+    assert words in str(refusal.value)
+
+
+def test_a_velocity_set_by_hand_makes_the_acceleration_jump():
+    """Then no B-spline without knots that stand twice is that curve."""
+    before = view(FAMILIES.named("hermite"), manual=True)
+    document = edits.set_velocity(Document((before.source,)), 0, 2, (3.0, 9.0))
+    with pytest.raises(EditError, match=r"its acceleration jumps at t = 0\.2"):
+        converted(view_of(document.curves[0]), FAMILIES.named("b_spline"))
+
+
+def test_corners_stand_in_the_way():
+    before = view(FAMILIES.named("hermite"))
+    cornered = view_of(with_corners(before, [2]))
+    with pytest.raises(EditError, match="with corners between them"):
+        converted(cornered, FAMILIES.named("quintic_hermite"))
+
+
+def test_closed_curves_stay_closed_where_they_can():
+    before = view(FAMILIES.named("hermite"), closed=True)
+    quintic = converted(before, FAMILIES.named("quintic_hermite")).curve
+    assert quintic.is_closed
+    assert len(quintic.points) == 6
+    spline = converted(before, FAMILIES.named("b_spline")).curve
+    assert not spline.closed
+    assert apart(before, view_of(spline)) < 1e-13
+
+
+def test_the_growth_of_errors_is_told():
+    made = converted(view(FAMILIES.named("lagrange")), FAMILIES.named("bezier"))
+    assert made.note == "An error of a point counts up to 31 times as much in the control points."
+    wild = make_curve([(float(x), float(x % 2)) for x in range(40)])
+    wild = replace(wild, parametrization=replace(wild.parametrization, kind=ParametrizationKind.UNIFORM))
+    with pytest.raises(EditError, match="too much is lost by rounding"):
+        converted(view_of(wild), FAMILIES.named("bezier"))
+
+
+def test_nothing_is_made_of_no_curve():
+    with pytest.raises(EditError, match="at least two points"):
+        converted(view_of(make_curve([(1.0, 1.0)])), FAMILIES.named("bezier"))
