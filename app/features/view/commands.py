@@ -90,7 +90,7 @@ class ViewCommands:
             during_gesture=True,
         ),
     )
-    @also_for_each(lambda tool: (TOOLBAR(30),) * tool.in_toolbar + (CANVAS_MENU(10),) * tool.in_menu)
+    @also_for_each(lambda tool: (TOOLBAR(30), CANVAS_MENU(10)) if tool.in_menu else (TOOLBAR(30),))
     def _use_tool(self, tool: ToolRecord) -> None:
         # Taken anew, a tool ends what it was doing.
         self._context.central.canvas.choose_tool(tool)

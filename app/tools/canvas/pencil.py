@@ -145,5 +145,4 @@ PENCIL = ToolRecord(
     icon="pencil",
     tip="Draw freehand: a curve of few points near the line",
     in_menu=True,
-    in_toolbar=False,  # full to the last pixel in a window of 960
 )
