@@ -235,7 +235,7 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         default=[],
         metavar="A,B",
         help="of a table to read, which column is what, by title or number: t=time,x=pos_x,y=3; of one of "
-        "samples to write, which columns: t, x, y, vx, vy, ax, ay, curvature, length",
+        "samples to write, which columns: t, x, y, vx, vy, ax, ay, jx, jy, curvature, length",
     )
     add(
         "--missing",

@@ -81,13 +81,8 @@ def refuse_without_curve(view: CurveView) -> None:
 
 def with_jets(point: Point, sides: Sides, index: int) -> Point:
     """Return `point` with the derivatives at knot `index` made explicit, on both sides of a corner."""
-    names = ("velocity", "acceleration")[: sides.before.shape[1] - 1]
-    changed: dict[str, Vector] = {}
-    for order, name in enumerate(names, start=1):
-        changed[name] = _vector(sides.before[index, order])
-        if point.corner:
-            changed[f"{name}_after"] = _vector(sides.after[index, order])
-    return replace(point, **changed) if changed else point
+    before, after = (list(map(_vector, jets[index, 1:])) for jets in sides)
+    return point.with_derivatives(before, after) if before else point
 
 
 def _vector(values: FloatArray) -> Vector:
@@ -194,8 +189,7 @@ def _sampled(view: CurveView, t: float) -> Point:
     assert view.curve is not None
     orders = range(view.source.family.derivatives + 1)
     position, *derivatives = (_vector(view.curve.evaluate(t, order)) for order in orders)
-    velocity, acceleration, *_ = (*derivatives, None, None)
-    return Point(*position, t=t, velocity=velocity, acceleration=acceleration)
+    return Point(*position, t=t).with_derivatives(derivatives, ())
 
 
 def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:

@@ -19,8 +19,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, read_only
+from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.double_double import DoubleDouble
+from curvecore.families.hermite_forms import hermite_form
 
 _LARGEST_DENOMINATOR = 64
 _DIGITS = 2**160
@@ -32,8 +33,12 @@ class VanishingPlaces(NamedTuple):
 
     Attributes
     ----------
-    from_right, from_left : DoubleDouble, shape (P,)
-        1 - s and s of every place, ascending in s.
+    places : ndarray, shape (P,)
+        Ascending.
+    inner : ndarray of int, shape (k,)
+        Which of them are no ends of the segment.
+    shares : DoubleDouble, shape (2, 1, k)
+        1 - s and s of these.
     cuts : ndarray, shape (P - 1,)
         The middles between neighbours.
     coefficients : ndarray, shape (K, P, 2 R)
@@ -41,8 +46,9 @@ class VanishingPlaces(NamedTuple):
         in the order of their derivatives, then those of the right end; K = 2 R - order.
     """
 
-    from_right: DoubleDouble
-    from_left: DoubleDouble
+    places: FloatArray
+    inner: IntArray
+    shares: DoubleDouble
     cuts: FloatArray
     coefficients: FloatArray
 
@@ -59,28 +65,14 @@ def vanishing_places(width: int, order: int) -> VanishingPlaces:
         for j in range(2 * width - order)
     ]
     cuts = [float(a + b) / 2.0 for a, b in pairwise(places)]
+    inner = [i for i, place in enumerate(places) if 0 < place < 1]
     return VanishingPlaces(
-        _parts([1 - place for place in places]),
-        _parts(places),
+        read_only(np.array([float(place) for place in places])),
+        np.array(inner, dtype=np.intp),
+        _parts([[1 - places[i] for i in inner], [places[i] for i in inner]]),
         read_only(np.array(cuts)),
         read_only(np.array(coefficients)),
     )
-
-
-@cache
-def _form(width: int, k: int, order: int) -> tuple[int, ...]:
-    """Return the coefficients of r**d, r**(d - 1) s, ..., s**d of a function's derivative, r = 1 - s.
-
-    They are integers: those of the functions of the i-th derivatives at an end are multiplied by i!.
-    """
-    if order:
-        before = _form(width, k, order - 1)
-        degree = len(before) - 1
-        return tuple((j + 1) * before[j + 1] - (degree - j) * before[j] for j in range(degree))
-    of_end = k % width
-    top = 2 * width - 1 - of_end
-    left = [0] * of_end + [math.comb(top, j) for j in range(width - of_end)] + [0] * width
-    return tuple(left) if k < width else tuple((-1) ** of_end * value for value in reversed(left))
 
 
 def _value(form: tuple[int, ...], s: Fraction) -> Fraction:
@@ -93,7 +85,7 @@ def _value(form: tuple[int, ...], s: Fraction) -> Fraction:
 
 
 def _taylor(width: int, k: int, order: int, power: int, place: Fraction) -> float:
-    value = _value(_form(width, k, order + power), place)
+    value = _value(hermite_form(width, k, order + power), place)
     # Of an irrational root, the function itself is 0 but for the digits that were not computed.
     exact = value if abs(value) > _ZERO else Fraction(0)
     return float(exact / (math.factorial(power) * math.factorial(k % width)))
@@ -101,7 +93,7 @@ def _taylor(width: int, k: int, order: int, power: int, place: Fraction) -> floa
 
 def _roots(width: int, k: int, order: int) -> set[Fraction]:
     """Return the roots of a function from 0 to 1: exact where they are simple fractions, else to 2**-160."""
-    form, slope = _form(width, k, order), _form(width, k, order + 1)
+    form, slope = hermite_form(width, k, order), hermite_form(width, k, order + 1)
     found = {Fraction(end) for end in (0, 1) if form[-end] == 0}
     for ratio in np.roots(np.trim_zeros(form)[::-1]):
         # The roots inside are simple: a multiple one, whose digits are few, is an end.
@@ -117,7 +109,10 @@ def _roots(width: int, k: int, order: int) -> set[Fraction]:
     return found
 
 
-def _parts(exact: list[Fraction]) -> DoubleDouble:
-    high = [float(each) for each in exact]
-    low = [float(each - Fraction(part)) for each, part in zip(exact, high, strict=True)]
-    return DoubleDouble(read_only(np.array(high)), read_only(np.array(low)))
+def _parts(exact: list[list[Fraction]]) -> DoubleDouble:
+    high = [[float(each) for each in row] for row in exact]
+    low = [
+        [float(each - Fraction(part)) for each, part in zip(*rows, strict=True)]
+        for rows in zip(exact, high, strict=True)
+    ]
+    return DoubleDouble(*(read_only(np.array(part).reshape(2, 1, -1)) for part in (high, low)))

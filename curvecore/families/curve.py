@@ -25,6 +25,9 @@ from curvecore.families.parameter_differences import parameter_difference
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import made_finite
 
+JOINT_ORDERS = 4
+"""How many derivatives are compared at joints, the curve itself included: jumps of c to c'''."""
+
 
 class LocalBasis(NamedTuple):
     """The basis functions that are not zero by construction.
@@ -86,9 +89,9 @@ class JointDerivatives(NamedTuple):
 
     Attributes
     ----------
-    values : ndarray, shape (k, 3, dim)
-        c, c', c''.
-    scale : ndarray, shape (k, 3)
+    values : ndarray, shape (k, 4, dim)
+        c, c', c'', c'''.
+    scale : ndarray, shape (k, 4)
         What their roundings are relative to.
     """
 
@@ -558,7 +561,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     # Sides of joints, and changes of the parameters
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments.
+        """Return c to c''' at the ends of all segments.
 
         Parameters
         ----------
@@ -574,7 +577,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         if before:
             t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
         values, scale = [], []
-        for order in range(3):
+        for order in range(JOINT_ORDERS):
             basis = self._basis(t, order).reshape(len(t), -1)
             data = self.jets.reshape(basis.shape[1], -1)
             values.append(basis @ data)

@@ -16,15 +16,23 @@ from curvecore.arrays import (
     unit_values,
 )
 from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
-from curvecore.families.curve import Interpolant, JointDerivatives, LocalBasis, ParametricCurve, Slopes
+from curvecore.families.curve import (
+    JOINT_ORDERS,
+    Interpolant,
+    JointDerivatives,
+    LocalBasis,
+    ParametricCurve,
+    Slopes,
+)
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
-from curvecore.families.hermite_ends import next_derivative_terms, slopes_of
+from curvecore.families.hermite_ends import end_derivative_terms, slopes_of
 from curvecore.families.same_shape import joint_jets, pieces_of
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
 
-_ALL = 8  # segments a parameter, up to which all are expanded and kept
+_ALL = 64  # segments, up to which it pays to expand all of them for a single parameter
+_DENSE = 4  # parameters a segment, from which on it pays to expand more
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
@@ -96,8 +104,9 @@ class PiecewiseHermite(ParametricCurve):
     def bezier_pieces(self) -> FloatArray:
         """Return the Bezier control points of all segments, shape (n - 1, 2 R, dim).
 
-        Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20 ahead of a joint, and the
-        mirror image behind it.
+        Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20; septic: p, p + h v / 7,
+        p + 2 h v / 7 + h**2 a / 42, p + 3 h v / 7 + h**2 a / 14 + h**3 j / 210, all ahead of a joint; behind
+        it the mirror image.
         """
         return np.nan_to_num(control_points(self._jets, self._parameters))
 
@@ -111,11 +120,11 @@ class PiecewiseHermite(ParametricCurve):
         return [Interpolant(t[i : i + 2], jets[i : i + 2]) for i in range(len(t) - 1)]
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments: what is given exactly."""
+        """Return c to c''' at the ends of all segments: what is given exactly."""
         values = self._jets[1:] if before else self._jets[:-1]
         scale = vector_lengths(values)
-        if values.shape[1] == 2:
-            terms = next_derivative_terms(self._jets, self._parameters, int(before))
+        for order in range(values.shape[1], JOINT_ORDERS):
+            terms = end_derivative_terms(self._jets, self._parameters, int(before), order)
             values = np.concatenate((values, terms.sum(axis=0)[:, None]), axis=1)
             scale = np.column_stack((scale, vector_lengths(terms).sum(axis=0)))
         return JointDerivatives(values, scale)
@@ -137,7 +146,8 @@ class PiecewiseHermite(ParametricCurve):
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             for end in (0, 1):
                 given = self._jets[segment + end][:, 1:]
-                beyond = next_derivative_terms(self._jets, self._parameters, end).sum(axis=0)
+                order = given.shape[1] + 1
+                beyond = end_derivative_terms(self._jets, self._parameters, end, order).sum(axis=0)
                 slopes = np.concatenate([given, beyond[segment, None]], axis=1)
                 moves[:, end] = -np.einsum("mr,mrd->md", values[:, end], slopes)
         return segment, moves
@@ -199,27 +209,24 @@ class PiecewiseHermite(ParametricCurve):
         """Evaluate by expansions or through the control points, where that is possible."""
         if not t.size or order > self.degree or not self._is_inside(t):
             return None
+        segments = len(self._parameters) - 1
         # Of quintics and above, control points are both the faster and the more accurate way to values.
-        if order or self.degree == 3:
-            pieces = self._taylor_pieces(t, order)
+        if (order or self.degree == 3) and (segments <= _ALL or t.size >= _DENSE * segments):
+            pieces = self._taylor_pieces(order)
             return None if pieces is None else pieces.evaluate(t)
+        if order:
+            return None
         columns = self._weighted_controls()
         # Near the end of the floating point range the general method is the safe one.
         if np.abs(columns).max() >= LIMIT:
             return None
         return evaluate_inside(t, self._segments(t), self._parameters, columns)
 
-    def _taylor_pieces(self, t: FloatArray, order: int) -> TaylorPieces | None:
-        """Return the expansions of the order-th derivative, of few parameters those that they need."""
+    def _taylor_pieces(self, order: int) -> TaylorPieces | None:
         if self._expansions is None:
             self._expansions = {}
-        joints, jets = self._parameters, self._jets
         if order not in self._expansions:
-            if len(joints) > _ALL * (t.size + _ALL):
-                chosen = np.unique(self._segments(t))
-                return taylor_pieces(
-                    joints[chosen], joints[chosen + 1], jets[chosen], jets[chosen + 1], order
-                )
+            joints, jets = self._parameters, self._jets
             self._expansions[order] = taylor_pieces(joints[:-1], joints[1:], jets[:-1], jets[1:], order)
         return self._expansions[order]
 

@@ -45,7 +45,7 @@ from app.view_model.motion_picture import jumps_in_words, rivals_of
 from app.view_model.nearest import NearestPoint
 from app.view_model.reshape import reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
-from curvecore import ParametricCurve, joint_report
+from curvecore import ParametricCurve, joint_report, monomial_condition
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance
 
@@ -400,7 +400,10 @@ def test_the_joints_are_told(name):
             p, q, r = view.points[row.joint - 1 : row.joint + 2]
             jump = 0.5 * np.pi**2 * ((r - q) / h[1] ** 2 - (p - q) / h[0] ** 2)
             # c' and c'' from differences: good to 11 and 9 digits, for functions as smooth as these.
-            assert row.jumps == pytest.approx((0.0, 0.0, np.hypot(*jump)), rel=1e-7, abs=1e-9)
+            assert row.jumps[:3] == pytest.approx((0.0, 0.0, np.hypot(*jump)), rel=1e-7, abs=1e-9)
+            # c''' is 0 on both sides; differences keep 6 digits of its size in between, pi**3 / 2 of a chord.
+            chords = np.hypot(*(r - q)) / h[1] ** 3 + np.hypot(*(q - p)) / h[0] ** 3
+            assert row.jumps[3] <= 1e-6 * 0.5 * np.pi**3 * chords
 
 
 def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
@@ -420,8 +423,10 @@ def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
         if isinstance(trial, str):
             continue
         truth = view.curve.evaluate(trial.t)
+        # Digits that powers of t lose: those of the condition number.
+        allowed = max(1e-8, 1e-16 * monomial_condition(view.curve))
         for outcome in trial.outcomes:
-            assert np.abs(np.vstack(outcome.pieces) - truth).max() < 1e-8
+            assert np.abs(np.vstack(outcome.pieces) - truth).max() < allowed
 
 
 def test_the_rest_of_what_is_said_holds_for_it(name):
