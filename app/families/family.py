@@ -76,6 +76,12 @@ class Family:
         return self._curve_class is None
 
     @property
+    def is_built_in(self) -> bool:
+        """Whether it is one of the core's, whose tests prove its functions."""
+        core = ParametricCurve.__module__.partition(".")[0]
+        return self._curve_class is not None and self._curve_class.__module__.startswith(f"{core}.")
+
+    @property
     def problem(self) -> str:
         """A sentence about the missing family; empty where it is there."""
         if not self.is_missing:

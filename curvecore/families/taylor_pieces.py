@@ -8,14 +8,16 @@ coefficients.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.double_double import DoubleDouble, add, difference, multiply
-from curvecore.families.vanishing_places import VanishingPlaces, vanishing_places
 from curvecore.working_memory import working_memory
+
+if TYPE_CHECKING:
+    from curvecore.bezier.vanishing_places import VanishingPlaces
 
 _CHUNK = 12_288  # parameters at a time, so that the few working arrays stay in the second-level cache
 _SHORT = 2.0**-50  # segments shorter, or data smaller, by powers of these could leave the range
@@ -121,6 +123,8 @@ def taylor_pieces(
     -----
     All is done element by element, so that a segment gets the same numbers with others or alone.
     """
+    from curvecore.bezier.vanishing_places import vanishing_places  # noqa: PLC0415 - 2 ms for fractions
+
     places = vanishing_places(first.shape[1], order)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         h = ends - starts

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from curvecore import HermiteCurve, QuinticHermiteCurve
-from curvecore.families.vanishing_places import vanishing_places
+from curvecore.bezier.vanishing_places import vanishing_places
 
 profile = settings(derandomize=True, deadline=None, max_examples=150)
 LIMIT = 20.0
