@@ -442,4 +442,5 @@ def test_what_is_no_polynomial_is_not_called_one(drawn, own):
     """The curve's form said "degree None · 5 pieces"."""
     editor = drawn(own)
     facts = editor.window.findChild(QLabel, "curveFacts").text().replace("\N{NO-BREAK SPACE}", " ")
-    assert facts == "6 points · no polynomial · 0 ≤ t ≤ 1"
+    points = "points" if FAMILIES.named(own).interpolates else "control points"
+    assert facts == f"6 {points} · no polynomial · 0 ≤ t ≤ 1"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtGui import QAction
 
+from ... import view_model
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, widget_at
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
@@ -14,7 +15,6 @@ from ...document.edits import EditError
 from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
-from ...view_model.convert import converted
 from ...view_model.curve_view import CurveView
 from ...view_model.reshape import Reshaped
 from ...widgets.toolbar_widget import ToolbarWidget
@@ -120,7 +120,7 @@ class RuleCommands:
         session, made = self._session, list[Reshaped]()
 
         def edit(document: Document) -> Document:
-            made.append(converted(session.active_view, family))
+            made.append(view_model.convert.converted(session.active_view, family))
             return replace_curve(document, session.active_index, made[0].curve)
 
         if session.change(f"Convert to {family.title}, keeping the shape", edit):
