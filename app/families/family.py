@@ -76,6 +76,12 @@ class Family:
         return self._curve_class is None
 
     @property
+    def is_built_in(self) -> bool:
+        """Whether it is one of the core's, whose tests prove its functions."""
+        core = ParametricCurve.__module__.partition(".")[0]
+        return self._curve_class is not None and self._curve_class.__module__.startswith(f"{core}.")
+
+    @property
     def problem(self) -> str:
         """A sentence about the missing family; empty where it is there."""
         if not self.is_missing:
@@ -192,11 +198,17 @@ class Family:
         return {setting: chosen.get(setting.name, setting.default) for setting in self.settings}
 
     def without_defaults(self, chosen: Mapping[str, SettingValue]) -> ChosenSettings:
-        """Return what was chosen, without defaults; of a family that is not there all of it."""
+        """Return what was chosen of its settings, without defaults; of a family that is not there all of it.
+
+        One that was changed while its curves are open may no longer have, or allow, what was chosen.
+        """
         if self.is_missing:
             return ChosenSettings(chosen)
-        defaults = {setting.name: setting.default for setting in self.settings}
-        return ChosenSettings((name, value) for name, value in chosen.items() if value != defaults.get(name))
+        known = {setting.name: setting for setting in self.settings}
+        kept = (
+            (name, value) for name, value in chosen.items() if name in known and known[name].allows(value)
+        )
+        return ChosenSettings((name, value) for name, value in kept if value != known[name].default)
 
     @property
     def takes_shapes(self) -> bool:
@@ -235,16 +247,17 @@ class Family:
         Parameters
         ----------
         settings
-            Values of its `settings`, by their names; the defaults where none is given.
+            Values of its `settings`, by their names; the defaults where none, or one that it does not allow,
+            is given.
 
         Raises
         ------
         CurveError
-            If the data give no curve, a setting is none of the family's, or the family is not there.
+            If the data give no curve, or the family is not there.
         """
         if self._curve_class is None:
             raise CurveError(self.problem)
-        return self._curve_class.from_jets(jets, parameters, **settings)
+        return self._curve_class.from_jets(jets, parameters, **self.without_defaults(settings))
 
     def fit(
         self,

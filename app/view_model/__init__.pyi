@@ -1,2 +1,3 @@
 # Modules that are imported when they are first used.
+from . import convert as convert
 from . import goals as goals

@@ -16,8 +16,11 @@ _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 def findings_of(view: CurveView) -> tuple[str, ...]:
     """Return what is wrong with the functions of a curve, each with the place where it is worst.
 
-    That a curve passes its points by is said only of families that are to run through them.
+    That a curve passes its points by is said only of families that are to run through them. Those of the core
+    are not measured.
     """
+    if view.source.family.is_built_in:
+        return ()
     curve, functions = view.curve, view.basis_curve
     if curve is None or functions is None or not view.is_current or len(view.parameters) > _MOST_KNOTS:
         return ()

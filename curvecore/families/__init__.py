@@ -13,7 +13,7 @@
 - ``piecewise_hermite``, ``hermite_basis``, ``hermite_forms``, ``hermite_ends``: what the Hermite families
   share; their cardinal polynomials, factored, of cubics and quintics, and of any width; derivatives from the
   jets at both ends of a segment.
-- ``taylor_pieces``, ``vanishing_places``: Hermite segments expanded about the places where one of their
+- ``taylor_pieces``: Hermite segments expanded about the places where one of their
   functions vanishes: fast and accurate derivatives, and values of cubics.
 - ``product_form``, ``product_series``: the Lagrange basis as products, accurate for any parameters; its
   derivatives, as products of power series.  ``product_kernels``: values and first derivatives, faster.

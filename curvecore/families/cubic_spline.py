@@ -67,9 +67,9 @@ class CubicSplineCurve(ParametricCurve):
     --------
     >>> from curvecore import CubicSplineCurve
     >>> spline = CubicSplineCurve([[0], [1], [0]], [0, 1, 2])
-    >>> spline([0.5, 1]).tolist()
+    >>> spline([0.5, 1]).round(9).tolist()
     [[0.6875], [1.0]]
-    >>> spline.evaluate([0, 2], order=2).tolist()
+    >>> spline.evaluate([0, 2], order=2).round(9).tolist()
     [[0.0], [0.0]]
     >>> CubicSplineCurve([[0], [1], [0]], [0, 1, 2], ends="clamped").evaluate(0, order=1).tolist()
     [0.0]

@@ -45,7 +45,7 @@ class HermiteCurve(PiecewiseHermite):
     >>> curve = HermiteCurve([[0, 0], [1, 0]], [[0, 3], [0, -3]], [0, 1])
     >>> curve
     HermiteCurve(n=2, dim=2, domain=(0, 1))
-    >>> curve([0, 0.5, 1]).tolist()
+    >>> curve([0, 0.5, 1]).round(9).tolist()
     [[0.0, 0.0], [0.5, 0.75], [1.0, 0.0]]
     >>> curve.bezier_pieces().tolist()
     [[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]]]

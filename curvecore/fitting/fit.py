@@ -85,6 +85,19 @@ class Fit(NamedTuple):
         The root of the mean of the squared distances.
     worst : int
         The index of the datum of the largest distance.
+
+    See Also
+    --------
+    fit : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, fit
+    >>> found = fit([[0, 0], [1, 1], [2, 2], [3, 3]], HermiteCurve, 2)
+    >>> found.curve
+    HermiteCurve(n=2, dim=2, domain=(0, 1))
+    >>> round(found.deviation, 9), len(found.parameters)
+    (0.0, 4)
     """
 
     curve: ParametricCurve
@@ -148,11 +161,25 @@ def fit(
         If the data are no points, coincide, or are too few for so many points; if neither or both of count
         and tolerance are given, or the functions of so many points cannot be told apart at the data.
 
+    See Also
+    --------
+    Fit : What it returns.
+    least_squares_curve : With given parameters, in one step.
+
     Notes
     -----
     Distances are measured to the foot of a perpendicular near the datum: no datum is farther away from the
     curve. The fewest points are searched by doubling and halving, guided by the order of the approximation,
     error ~ h^p; they are the fewest for the joints that were tried.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import HermiteCurve, fit
+    >>> angle = np.linspace(0, np.pi, 200)
+    >>> found = fit(np.column_stack([np.cos(angle), np.sin(angle)]), HermiteCurve, tolerance=1e-3)
+    >>> found.deviation <= 1e-3, len(found.curve.points) < 10
+    (True, True)
     """
     if (count is None) == (tolerance is None):
         raise CurveError("either count or tolerance must be given")

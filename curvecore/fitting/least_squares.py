@@ -86,6 +86,18 @@ def least_squares_curve(
     CurveError
         If the arguments do not go together, corners are asked for in a family that can have none, or
         the curve's functions are so much alike at the data that its points cannot be told from them.
+
+    See Also
+    --------
+    fit : Parameters and knots are found, too.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, least_squares_curve
+    >>> data = [[0, 0], [1, 1], [2, 4], [3, 9], [4, 16]]
+    >>> curve = least_squares_curve(LagrangeCurve, data, [0, 1, 2, 3, 4], [0, 2, 4])
+    >>> curve.points.round(9).tolist()
+    [[0.0, 0.0], [2.0, 4.0], [4.0, 16.0]]
     """
     places = point_array(points)
     own = np.asarray(knots, dtype=np.float64)

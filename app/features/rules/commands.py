@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QAction
+
+from ... import view_model
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, widget_at
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
@@ -12,7 +15,6 @@ from ...document.edits import EditError
 from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
-from ...view_model.convert import converted
 from ...view_model.curve_view import CurveView
 from ...view_model.reshape import Reshaped
 from ...widgets.toolbar_widget import ToolbarWidget
@@ -44,7 +46,8 @@ class RuleCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._actions = context.session, context.actions
-        self._bar = ParametrizationBar()
+        self._bar, self._families = ParametrizationBar(), FamilyButton()
+        self._actions.redeclared.connect(self._offer_further)
         self._bar.kind_chosen.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
@@ -57,8 +60,16 @@ class RuleCommands:
     @widget_at(TOOLBAR(45))
     def build_families(self) -> ToolbarWidget:
         """Return the button of the toolbar for further families."""
+        self._families.offer(self._further())
+        return self._families
+
+    def _offer_further(self) -> None:
+        self._families.offer(self._further())
+
+    def _further(self) -> list[tuple[QAction, str]]:
+        """Return the actions of families without a button of their own, with a short word for each."""
         further = [each for group in self._actions.in_strip(FAMILIES_MENU).values() for each in group]
-        return FamilyButton([(each, self._actions.words_of(each, short=True)) for each in further])
+        return [(each, self._actions.words_of(each, short=True)) for each in further]
 
     def render(self, view: CurveView) -> None:
         """Show the rule of `view` in the bar."""
@@ -109,7 +120,7 @@ class RuleCommands:
         session, made = self._session, list[Reshaped]()
 
         def edit(document: Document) -> Document:
-            made.append(converted(session.active_view, family))
+            made.append(view_model.convert.converted(session.active_view, family))
             return replace_curve(document, session.active_index, made[0].curve)
 
         if session.change(f"Convert to {family.title}, keeping the shape", edit):

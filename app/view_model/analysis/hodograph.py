@@ -45,8 +45,7 @@ def hodograph_of(view: CurveView, order: int) -> Hodograph:
     samples = samples_over(view, (float(view.parameters[0]), float(view.parameters[-1])), _SAMPLES)
     points = derivatives_of(view, samples.t, (order,))[order]
     (t, x), (_, y) = (samples.broken_at_jumps(points[:, axis], points) for axis in (0, 1))
-    # Where the samples fall on the knots anyway, they need not be computed again.
-    knots = points[np.searchsorted(samples.t, view.parameters).clip(0, len(samples.t) - 1)]
+    knots = derivatives_of(view, view.parameters, (order,))[order]
     return Hodograph(order, t, np.column_stack([x, y]), knots)
 
 
