@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Self
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -73,7 +71,7 @@ class HermiteCurve(PiecewiseHermite):
         self._keep(stacked_jets(points, velocities=velocities), parameters)
 
     @classmethod
-    def near(cls, curve: ParametricCurve, tolerance: float) -> Self:
+    def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
         """Return cubic pieces with a curve's points and velocities at their ends; see `ParametricCurve`."""
         if curve.exact_pieces() is not None:
             return cls.same_shape_as(curve)
