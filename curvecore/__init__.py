@@ -20,8 +20,8 @@ Its methods are those of `ParametricCurve`, whatever its family; functions of
 this package take any curve. Start with ``help(curvecore.ParametricCurve)``.
 
 Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
-`jets` holds d with shape (n, R, dim) - point, velocity, acceleration, per unit
-of t - and ``basis(t)`` is B with shape (m, n, R).
+`jets` holds d with shape (n, R, dim) - point, velocity, acceleration, jerk, per
+unit of t - and ``basis(t)`` is B with shape (m, n, R).
 
 A tour of the package, one concept a file:
 
@@ -35,10 +35,10 @@ tangents             velocities and accelerations estimated from points
   slopes             slopes of chords, which all of them begin with
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
-                     `HermiteCurve`, `QuinticHermiteCurve`, `CubicSplineCurve`,
-                     `FloaterHormannCurve`; over control points `BezierCurve` and
-                     `BSplineCurve`; `BasisCurve` of any basis functions; `Chain`,
-                     curves end to end: corners; `FamilySetting`
+                     `HermiteCurve`, `QuinticHermiteCurve`, `SepticHermiteCurve`,
+                     `CubicSplineCurve`, `FloaterHormannCurve`; over control points
+                     `BezierCurve` and `BSplineCurve`; `BasisCurve` of any basis
+                     functions; `Chain`, curves end to end: corners; `FamilySetting`
 
 bezier.bernstein     Bernstein form: fast evaluation from control points
   bernstein_algebra  products, derivatives, roots

@@ -80,6 +80,7 @@ from curvecore.families.floater_hormann import FloaterHormannCurve as FloaterHor
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
+from curvecore.families.septic_hermite import SepticHermiteCurve as SepticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds
 from curvecore.fitting.fit import Fit as Fit
@@ -111,6 +112,7 @@ from curvecore.tangents import catmull_rom_changes as catmull_rom_changes
 from curvecore.tangents import catmull_rom_velocities as catmull_rom_velocities
 from curvecore.tangents import finite_difference_velocities as finite_difference_velocities
 from curvecore.tangents import natural_spline_accelerations as natural_spline_accelerations
+from curvecore.tangents import natural_spline_jerks as natural_spline_jerks
 from curvecore.tangents import natural_spline_velocities as natural_spline_velocities
 from curvecore.tangents import zero_accelerations as zero_accelerations
 

@@ -1,4 +1,4 @@
-"""Rules that estimate velocities and accelerations from the points alone.
+"""Rules that estimate velocities, accelerations and jerks from the points alone.
 
 All results are per unit of t of the given parameters. Two points always give
 the straight line at constant velocity.
@@ -181,15 +181,30 @@ def catmull_rom_changes(
 
     Parameters
     ----------
-    points, parameters, alpha
-        As for `catmull_rom_velocities`.
+    points : array_like, shape (n, dim)
+        p_i; n >= 2; their distances space the knots.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
     moves : array_like, shape (n, k)
         Each column moves a coordinate of every point.
+    alpha : float, optional
+        At least 0; 0 uniform, 1/2 centripetal, 1 chordal knots.
 
     Returns
     -------
     ndarray, shape (n, 1, k)
         The changes, the same for every coordinate.
+
+    See Also
+    --------
+    catmull_rom_velocities : The rule.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import catmull_rom_changes
+    >>> catmull_rom_changes([[0], [1], [2]], [0, 1, 2], np.eye(3))[1, 0].round(9).tolist()
+    [-0.5, 0.0, 0.5]
     """
     return catmull_rom_velocities(moves, parameters, alpha, knots_of=points)[:, None]
 
@@ -276,6 +291,44 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
     none = np.zeros((1, slope.shape[1]))
     right_side = np.concatenate((none, 3.0 * ((slope[1:] - slope[:-1]) / length), none))
     return solve_dominant(before, after, right_side)
+
+
+@in_range
+def natural_spline_jerks(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
+    """Return the third derivatives of the natural cubic spline at the joints.
+
+    Where that jumps, at all joints but the ends, the derivative of the parabola through three neighbouring
+    accelerations: of the two sides the one with the shorter segment counts more.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Jerks per unit of t cubed.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    natural_spline_accelerations : The second derivatives of the same spline.
+
+    Examples
+    --------
+    >>> from curvecore import natural_spline_jerks
+    >>> natural_spline_jerks([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
+    [[-3.0], [0.0], [3.0]]
+    """
+    steps = steps_of(natural_spline_accelerations(points, parameters), parameters)
+    return np.concatenate((steps.slope[:1], _parabola_velocities(steps), steps.slope[-1:]))
 
 
 def zero_accelerations(points: ArrayLike) -> FloatArray:

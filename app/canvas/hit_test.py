@@ -26,8 +26,6 @@ _NEAR_ENOUGH = 0.5
 _SLIDES, _SAMPLES = 3, 17
 """Each time a piece is divided by so many samples; what is left of it is below a part in 4096."""
 
-_PARTS = {1: Part.VELOCITY_HANDLE, 2: Part.ACCELERATION_HANDLE}
-
 
 def hit_test(
     pixel: Vector,
@@ -76,7 +74,8 @@ def _nearest_handle(
         return None
     distance, nearest = min(near, key=lambda each: each[0])
     index = next(iter(selection))
-    return Hit(_PARTS[nearest.kind], index, nearest.position, ahead=nearest.ahead), distance
+    hit = Hit(Part.HANDLE, index, nearest.position, ahead=nearest.ahead, kind=nearest.kind)
+    return hit, distance
 
 
 def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:

@@ -14,7 +14,7 @@ from ..appearance.colours import point_colours
 from ..document.words import with_decimals
 from ..plotting.drawing import is_near
 from ..plotting.layers import Layer
-from ..plotting.pens import diamond
+from ..plotting.pens import diamond, triangle
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
@@ -33,6 +33,10 @@ _DISCS_MS = 200
 
 _HALF_NUMBER = 6.0
 """Half of what the number of a point takes, in pixels; what is written beside it makes it longer."""
+
+_LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
+_MARK_SIZES = (4.0, 5.5, 5.5)
+"""The looks of handles, by the order of their derivatives: lines, and half the sizes of marks in pixels."""
 
 _WEIGHED_UP_TO = 24
 _LEAST_WEIGHT = 5e-3
@@ -273,7 +277,7 @@ class PointLayer(Layer):
         self, painter: QPainter, handle: Handle, tip: QPointF, anchor: QPointF, colour: QColor
     ) -> None:
         line = QPen(colour, 1.2 * self.scale)
-        line.setStyle(Qt.PenStyle.SolidLine if handle.kind == 1 else Qt.PenStyle.DotLine)
+        line.setStyle(_LINES[handle.kind - 1])
         painter.setPen(line)
         painter.drawLine(anchor, tip)
         painter.setPen(QPen(colour, 1.5 * self.scale))
@@ -282,7 +286,7 @@ class PointLayer(Layer):
         _paint_mark(painter, handle, tip, self._mark_size(handle))
 
     def _mark_size(self, handle: Handle) -> float:
-        return (4.0 if handle.kind == 1 else 5.5) * self.scale
+        return _MARK_SIZES[handle.kind - 1] * self.scale
 
     # Weights
 
@@ -363,8 +367,8 @@ def _beside(direction: complex) -> complex:
 
 
 def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) -> None:
-    """Draw a square for a velocity, a diamond for an acceleration."""
+    """Draw a square for a velocity, a diamond for an acceleration, a triangle for a jerk."""
     if handle.kind == 1:
         painter.drawRect(QRectF(tip.x() - size, tip.y() - size, 2 * size, 2 * size))
     else:
-        painter.drawPolygon(diamond(tip, size))
+        painter.drawPolygon((diamond if handle.kind == 2 else triangle)(tip, size))

@@ -11,7 +11,7 @@ from itertools import count
 from msgspec.structs import replace
 
 from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
-from .model import Curve, Document, Parametrization, Point, Vector, empty_document
+from .model import DERIVATIVES, Curve, Document, Parametrization, Point, Vector, empty_document
 from .words import enumerated
 
 
@@ -39,15 +39,8 @@ def free_name(document: Document) -> str:
 
 def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
     """Return an empty curve of the family and with the rules of `model`, under a name free in `document`."""
-    return Curve(
-        free_name(document),
-        model.family,
-        parametrization,
-        (),
-        model.velocity_rule,
-        model.acceleration_rule,
-        settings=model.settings,
-    )
+    fresh = Curve(free_name(document), model.family, parametrization, (), settings=model.settings)
+    return fresh.with_rules_of(model)
 
 
 def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:
@@ -87,22 +80,17 @@ def _mirrored(t: float, start: float, end: float) -> float:
 
 
 def _reversed(point: Point, start: float, end: float) -> Point:
-    first, second = (point.velocity, point.velocity_after) if point.corner else (point.velocity,) * 2
-    before, after = (
-        (point.acceleration, point.acceleration_after) if point.corner else (point.acceleration,) * 2
+    sides = [(each.order, point.explicit_sides(each.order)) for each in DERIVATIVES]
+    turned = point.with_derivatives(
+        [_backwards(after, order) for order, (_, after) in sides],
+        [_backwards(before, order) for order, (before, _) in sides],
     )
-    return replace(
-        point,
-        t=None if point.t is None else _mirrored(point.t, start, end),
-        velocity=_negated(second),
-        velocity_after=_negated(first) if point.corner else None,
-        acceleration=after,
-        acceleration_after=before if point.corner else None,
-    )
+    return replace(turned, t=None if point.t is None else _mirrored(point.t, start, end))
 
 
-def _negated(vector: Vector | None) -> Vector | None:
-    return None if vector is None else (-vector[0], -vector[1])
+def _backwards(vector: Vector | None, order: int) -> Vector | None:
+    """Return a derivative by a time that runs back: those of odd orders point the other way."""
+    return vector if vector is None or order % 2 == 0 else (-vector[0], -vector[1])
 
 
 # What is safe from changes

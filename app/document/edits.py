@@ -13,21 +13,22 @@ from itertools import pairwise
 from msgspec.structs import replace
 
 from ..families import FAMILIES, Family, SettingValue, titles
-from .kept_handles import DERIVATIVES, with_handles_kept
 
 # Who edits needs these with the edits.
 from .kept_handles import stretched as stretched  # noqa: PLC0414
+from .kept_handles import with_handles_kept
 from .limits import EditError as EditError  # noqa: PLC0414
 from .limits import checked as checked  # noqa: PLC0414
 from .limits import checked_vector, not_after
 from .model import (
-    AccelerationRule,
+    DERIVATIVES,
+    VECTORS,
     Curve,
     Document,
+    EstimateRule,
     ParametrizationKind,
     Point,
     Vector,
-    VelocityRule,
 )
 from .words import number
 
@@ -141,26 +142,21 @@ def set_velocity(
 
     At a corner the one before the point, or the one `ahead` of it.
     """
-    return _with_derivative(document, curve, index, "velocity", velocity, ahead=ahead)
+    return set_derivative(document, curve, index, 1, velocity, ahead=ahead)
 
 
-def set_acceleration(
-    document: Document, curve: int, index: int, acceleration: Vector | None, *, ahead: bool = False
+def set_derivative(
+    document: Document, curve: int, index: int, order: int, vector: Vector | None, *, ahead: bool = False
 ) -> Document:
-    """Fix the acceleration of point `index`, per unit of t squared, or leave it to the rule (None).
+    """Fix the derivative of an order at point `index`, per unit of t, or leave it to the rule (None).
 
     At a corner the one before the point, or the one `ahead` of it.
     """
-    return _with_derivative(document, curve, index, "acceleration", acceleration, ahead=ahead)
-
-
-def _with_derivative(
-    document: Document, curve: int, index: int, name: str, vector: Vector | None, *, ahead: bool
-) -> Document:
+    each = DERIVATIVES[order - 1]
     if vector is not None:
-        vector = checked_vector(vector, f"the {name} of point {index}")
+        vector = checked_vector(vector, f"the {each.name} of point {index}")
     point = document.curves[curve].points[index]
-    side = f"{name}_after" if point.corner and ahead else name
+    side = each.after if point.corner and ahead else each.name
     return _with_point(document, curve, index, replace(point, **{side: vector}))
 
 
@@ -169,16 +165,14 @@ def make_corner(
 ) -> Document:
     """Let the curve have a corner at point `index`, with these velocities (None: estimated)."""
     point = document.curves[curve].points[index]
-    corner = replace(
-        point, corner=True, velocity=before, velocity_after=after, acceleration_after=point.acceleration
-    )
+    corner = replace(point.as_corner(), velocity=before, velocity_after=after)
     return _with_point(document, curve, index, corner)
 
 
 def make_smooth(document: Document, curve: int, index: int, velocity: Vector | None) -> Document:
     """Give point `index` one velocity on both sides (None: estimated)."""
     point = document.curves[curve].points[index]
-    smooth = replace(point, corner=False, velocity=velocity, velocity_after=None, acceleration_after=None)
+    smooth = replace(point.without_corner(), velocity=velocity)
     return _with_point(document, curve, index, smooth)
 
 
@@ -204,7 +198,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
 
 
 def set_family(document: Document, curve: int, family: Family) -> Document:
-    """Draw the same points with another family; its settings are the defaults."""
+    """Draw the same points with another family; going back gives the same curve back."""
     return document.with_curve(curve, document.curves[curve].with_family(family))
 
 
@@ -220,14 +214,10 @@ def set_family_setting(document: Document, curve: int, name: str, value: Setting
     return document if chosen == old.settings else document.with_curve(curve, replace(old, settings=chosen))
 
 
-def set_velocity_rule(document: Document, curve: int, rule: VelocityRule) -> Document:
-    """Choose how velocities that nobody set are estimated."""
-    return document.with_curve(curve, replace(document.curves[curve], velocity_rule=rule))
-
-
-def set_acceleration_rule(document: Document, curve: int, rule: AccelerationRule) -> Document:
-    """Choose how accelerations that nobody set are estimated."""
-    return document.with_curve(curve, replace(document.curves[curve], acceleration_rule=rule))
+def set_rule(document: Document, curve: int, rule: EstimateRule) -> Document:
+    """Choose how derivatives that nobody set are estimated: those that the rule is for."""
+    (field,) = (each.rule_field for each in DERIVATIVES if isinstance(rule, each.rules))
+    return document.with_curve(curve, replace(document.curves[curve], **{field: rule}))
 
 
 def set_alpha(document: Document, curve: int, alpha: float) -> Document:
@@ -366,17 +356,20 @@ def _check_point(point: Point, what: str) -> None:
     checked_vector(point.position, what)
     if point.t is not None:
         checked(point.t, f"The t of {what}")
-    for _, name in DERIVATIVES:
+    for _, name in VECTORS:
         vector = getattr(point, name)
         if vector is not None:
             checked_vector(vector, f"the {name.partition('_')[0]} of {what}")
 
 
+ALL_ORDERS = range(1, len(DERIVATIVES) + 1)
+
+
 def estimate_derivatives(
-    document: Document, curve: int, indices: Collection[int], orders: Collection[int] = (1, 2)
+    document: Document, curve: int, indices: Collection[int], orders: Collection[int] = ALL_ORDERS
 ) -> Document:
-    """Leave the velocities (order 1) and accelerations (order 2) of the points at `indices` to the rules."""
-    cleared = dict.fromkeys(name for order, name in DERIVATIVES if order in orders)
+    """Leave the derivatives of these orders of the points at `indices` to the rules."""
+    cleared = dict.fromkeys(name for order, name in VECTORS if order in orders)
     points = document.curves[curve].points
     return _with_points(
         document,

@@ -8,13 +8,11 @@ import msgspec
 from msgspec.structs import replace
 
 from .limits import checked_vector
-from .model import Curve, Vector
-
-_NAMES = ("position", "velocity", "acceleration")
+from .model import DERIVATIVES, Curve, Point, Vector
 
 
 class JetValue(msgspec.Struct, frozen=True):
-    """A position (order 0), velocity (1) or acceleration (2) that a point is to have.
+    """A position (order 0) or a derivative of some order that a point is to have.
 
     `ahead` chooses the side at a corner; elsewhere both sides are one.
     """
@@ -29,9 +27,14 @@ def with_jet_values(curve: Curve, values: Iterable[JetValue]) -> Curve:
     """Return `curve` with these values set; derivatives among them are explicit from then on."""
     points = list(curve.points)
     for each in values:
-        name, point = _NAMES[each.order], points[each.index]
-        x, y = vector = checked_vector(each.value, f"the {name} of point {each.index}")
-        side = "_after" if point.corner and each.ahead else ""
-        changed = {"x": x, "y": y} if each.order == 0 else {f"{name}{side}": vector}
-        points[each.index] = replace(point, **changed)
+        points[each.index] = _with_value(points[each.index], each)
     return replace(curve, points=tuple(points))
+
+
+def _with_value(point: Point, given: JetValue) -> Point:
+    if given.order == 0:
+        x, y = checked_vector(given.value, f"the position of point {given.index}")
+        return replace(point, x=x, y=y)
+    each = DERIVATIVES[given.order - 1]
+    vector = checked_vector(given.value, f"the {each.name} of point {given.index}")
+    return replace(point, **{each.after if point.corner and given.ahead else each.name: vector})

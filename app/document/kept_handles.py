@@ -17,10 +17,7 @@ import msgspec
 from msgspec.structs import replace
 
 from .limits import checked_vector
-from .model import Curve, ParametrizationKind, Point
-
-DERIVATIVES = ((1, "velocity"), (2, "acceleration"), (1, "velocity_after"), (2, "acceleration_after"))
-"""The derivatives of a point: their orders and names."""
+from .model import DERIVATIVES, VECTORS, Curve, ParametrizationKind, Point
 
 _NOISE = 1e-12
 """A change of h that is rounding."""
@@ -116,9 +113,7 @@ def _for_spacing(point: Point, factors: tuple[float, float]) -> Point:
         return stretched(point, behind)
     after = stretched(point, ahead)
     return replace(
-        stretched(point, behind),
-        velocity_after=after.velocity_after,
-        acceleration_after=after.acceleration_after,
+        stretched(point, behind), **{each.after: getattr(after, each.after) for each in DERIVATIVES}
     )
 
 
@@ -130,7 +125,7 @@ def stretched(point: Point, factor: float) -> Point:
         name: checked_vector(
             (_divided(vector[0], factor, order), _divided(vector[1], factor, order)), "a derivative"
         )
-        for order, name in DERIVATIVES
+        for order, name in VECTORS
         if (vector := getattr(point, name)) is not None
     }
     return replace(point, **changed) if changed else point

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
+from operator import attrgetter
 
 import msgspec
 from msgspec.structs import replace
@@ -152,6 +153,67 @@ class AccelerationRule(EstimateRule):
     ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", ("points",)
 
 
+class JerkRule(EstimateRule):
+    """The rule that estimates the jerk of a point that has none of its own."""
+
+    NATURAL_SPLINE = (
+        "natural_spline", "From the C² spline", "estimated by the natural spline rule",
+        "natural_spline_jerks",
+    )  # fmt: skip
+    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", ("points",)
+
+
+class Derivative(msgspec.Struct, frozen=True):
+    """A derivative that a point may carry: what all that lists them reads.
+
+    Attributes
+    ----------
+    order
+        1 for the first by t.
+    name
+        The field of a point that holds it, and what people call it.
+    plural
+        The argument of curves of the core that holds it.
+    letter
+        Its symbol.
+    unit
+        What it is per.
+    rules
+        The rules that estimate it.
+    """
+
+    order: int
+    name: str
+    plural: str
+    letter: str
+    unit: str
+    rules: type[EstimateRule]
+
+    @property
+    def after(self) -> str:
+        """The field of a point that holds the one after a corner."""
+        return f"{self.name}_after"
+
+    @property
+    def rule_field(self) -> str:
+        """The field of a curve that holds the rule."""
+        return f"{self.name}_rule"
+
+
+DERIVATIVES = (
+    Derivative(1, "velocity", "velocities", "v", "per unit of t", VelocityRule),
+    Derivative(2, "acceleration", "accelerations", "a", "per unit of t squared", AccelerationRule),
+    Derivative(3, "jerk", "jerks", "j", "per unit of t cubed", JerkRule),
+)
+"""The derivatives of a point, by their orders: `Point` has their fields, `Curve` their rules."""
+
+VECTORS = (
+    *((each.order, each.name) for each in DERIVATIVES),
+    *((each.order, each.after) for each in DERIVATIVES),
+)
+"""Orders and names of the fields of a point that hold derivatives: those before and those after a corner."""
+
+
 class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """Base of the document's values."""
 
@@ -165,11 +227,11 @@ class Point(Value, frozen=True, gc=False):
         Position.
     t
         Parameter under the manual parametrization; remembered, but not used, under any other.
-    velocity, acceleration
+    velocity, acceleration, jerk
         Derivatives per unit of t that the person set; None where a rule estimates them.
     corner
         Whether the curve may have a corner here: the derivatives above are then those before the point.
-    velocity_after, acceleration_after
+    velocity_after, acceleration_after, jerk_after
         The derivatives after a corner; None where a rule estimates them.
     """
 
@@ -181,11 +243,34 @@ class Point(Value, frozen=True, gc=False):
     corner: bool = False
     velocity_after: Vector | None = None
     acceleration_after: Vector | None = None
+    jerk: Vector | None = None
+    jerk_after: Vector | None = None
 
     @property
     def position(self) -> Vector:
         """The point (x, y)."""
         return (self.x, self.y)
+
+    def explicit_sides(self, order: int) -> tuple[Vector | None, Vector | None]:
+        """Return the derivative of an order that the person set before and after the point."""
+        each = DERIVATIVES[order - 1]
+        first: Vector | None = getattr(self, each.name)
+        return first, getattr(self, each.after) if self.corner else first
+
+    def as_corner(self) -> Point:
+        """Return the point as a corner with the same derivatives on both sides."""
+        return replace(self, corner=True, **{each.after: getattr(self, each.name) for each in DERIVATIVES})
+
+    def without_corner(self) -> Point:
+        """Return the point with the derivatives before it on both sides."""
+        return replace(self, corner=False, **{each.after: None for each in DERIVATIVES})
+
+    def with_derivatives(self, before: Sequence[Vector | None], after: Sequence[Vector | None]) -> Point:
+        """Return the point with derivatives before and, at a corner, after it, by their orders from 1 on."""
+        changed = {each.name: vector for each, vector in zip(DERIVATIVES, before, strict=False)}
+        if self.corner:
+            changed |= {each.after: vector for each, vector in zip(DERIVATIVES, after, strict=False)}
+        return replace(self, **changed)
 
 
 class Parametrization(Value, frozen=True, omit_defaults=False):
@@ -207,6 +292,10 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
     end: float = 1.0
 
 
+vectors_of: Callable[[Point], tuple[Vector | None, ...]] = attrgetter(*(name for _, name in VECTORS))
+"""Returns the derivatives of a point in the order of `VECTORS`."""
+
+
 class Curve(Value, frozen=True, dict=True):
     """Points, in order, and the rules that make a curve of them.
 
@@ -214,7 +303,7 @@ class Curve(Value, frozen=True, dict=True):
     ----------
     name
         What the person calls it.
-    family, parametrization, velocity_rule, acceleration_rule
+    family, parametrization, velocity_rule, acceleration_rule, jerk_rule
         The rules.
     points
         The points, in order.
@@ -226,6 +315,8 @@ class Curve(Value, frozen=True, dict=True):
         Whether it is drawn, and whether it is safe from changes.
     settings
         Those of the family's settings that are not at their defaults.
+    other_settings
+        The same of other families, which the curve had before and may have again.
     """
 
     name: str
@@ -234,15 +325,22 @@ class Curve(Value, frozen=True, dict=True):
     points: tuple[Point, ...]
     velocity_rule: VelocityRule = VelocityRule.NATURAL_SPLINE
     acceleration_rule: AccelerationRule = AccelerationRule.NATURAL_SPLINE
+    jerk_rule: JerkRule = JerkRule.NATURAL_SPLINE
     closed: bool = False
     colour: str = ""
     visible: bool = True
     locked: bool = False
     settings: ChosenSettings = NO_SETTINGS
+    other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
 
     def with_family(self, family: Family) -> Curve:
-        """Return this curve with another family, whose settings are the defaults."""
-        return self if family == self.family else replace(self, family=family, settings=NO_SETTINGS)
+        """Return this curve with another family, and the settings that it had when it was of that one."""
+        if family == self.family:
+            return self
+        own = ((self.family, self.settings),) if self.settings else ()
+        others = tuple(each for each in self.other_settings if each[0] != family)
+        settings = family.without_defaults(dict(self.other_settings).get(family, NO_SETTINGS))
+        return replace(self, family=family, settings=settings, other_settings=(*others, *own))
 
     @property
     def settings_in_effect(self) -> ChosenSettings:
@@ -262,11 +360,17 @@ class Curve(Value, frozen=True, dict=True):
     @cached_property
     def has_derivatives(self) -> bool:
         """Whether the person set any; asked at every move of a drag."""
-        return any(
-            vector is not None
-            for point in self.points
-            for vector in (point.velocity, point.acceleration, point.velocity_after, point.acceleration_after)
-        )
+        # A vector of two numbers is true, whatever they are.
+        return any(any(vectors_of(point)) for point in self.points)
+
+    @property
+    def rules(self) -> tuple[EstimateRule, ...]:
+        """The rules that estimate the derivatives which the family has, by their orders."""
+        return tuple(getattr(self, each.rule_field) for each in DERIVATIVES[: self.family.derivatives])
+
+    def with_rules_of(self, other: Curve) -> Curve:
+        """Return this curve with the rules that estimate the derivatives of another."""
+        return replace(self, **{each.rule_field: getattr(other, each.rule_field) for each in DERIVATIVES})
 
     @property
     def is_manual(self) -> bool:

@@ -14,8 +14,7 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from .kept_handles import DERIVATIVES
-from .model import Curve, Document, Point, Value, Vector
+from .model import VECTORS, Curve, Document, Point, Value, Vector, vectors_of
 
 Values = TypeVar("Values", bound=Value)
 
@@ -68,10 +67,7 @@ def _is_plain(point: Point) -> bool:
         x is float is y
         and (t is float or point.t is None)
         and type(point.corner) is bool
-        and (point.velocity is None or _is_plain_vector(point.velocity))
-        and (point.acceleration is None or _is_plain_vector(point.acceleration))
-        and (point.velocity_after is None or _is_plain_vector(point.velocity_after))
-        and (point.acceleration_after is None or _is_plain_vector(point.acceleration_after))
+        and all(vector is None or _is_plain_vector(vector) for vector in vectors_of(point))
     )
 
 
@@ -82,7 +78,7 @@ def _is_plain_vector(vector: Vector) -> bool:
 def _plain_point(point: Point) -> Point:
     vectors = {
         name: tuple(map(_plain_number, vector))
-        for _, name in DERIVATIVES
+        for _, name in VECTORS
         if (vector := getattr(point, name)) is not None
     }
     return replace(_with_plain(point, ("x", "y", "t"), ("corner",)), **vectors)

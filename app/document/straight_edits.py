@@ -31,7 +31,7 @@ def straighten(
 
     Segment i leads from point i to the next one; in a closed curve the last leads back to point 0. The points
     at its ends become corners, unless they are ends of an open curve: the sides within the segment get
-    its mean velocity and no acceleration, the others keep what was set there.
+    its mean velocity and no higher derivative, the others keep what was set there.
 
     Parameters
     ----------
@@ -71,9 +71,7 @@ def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
 
 
 def _cornered(point: Point) -> Point:
-    if point.corner:
-        return point
-    return replace(point, corner=True, velocity_after=point.velocity, acceleration_after=point.acceleration)
+    return point if point.corner else point.as_corner()
 
 
 def _along_chord(curve: Curve, segment: int, parameters: Sequence[float]) -> list[JetValue]:
@@ -81,7 +79,8 @@ def _along_chord(curve: Curve, segment: int, parameters: Sequence[float]) -> lis
     start, end = ends_of(curve, segment)
     h = parameters[segment + 1] - parameters[segment]
     p, q = curve.points[start], curve.points[end]
-    derivatives = [((q.x - p.x) / h, (q.y - p.y) / h), (0.0, 0.0)][: curve.family.derivatives]
+    mean = ((q.x - p.x) / h, (q.y - p.y) / h)
+    derivatives = [mean if order == 1 else (0.0, 0.0) for order in range(1, curve.family.derivatives + 1)]
     return [
         JetValue(index, order, ahead, value)
         for index, ahead in ((start, True), (end, False))

@@ -16,9 +16,8 @@ import msgspec
 from msgspec.structs import replace
 
 from .edits import EditError, placed, with_each_changed, with_points_elsewhere
-from .kept_handles import DERIVATIVES
 from .limits import checked_vector
-from .model import Document, Point, Vector
+from .model import VECTORS, Document, Point, Vector
 
 
 class Linear(msgspec.Struct, frozen=True):
@@ -75,7 +74,7 @@ def transform_points(document: Document, curve: int, indices: Collection[int], b
 def _mapped(point: Point, by: Linear) -> Point:
     vectors = {
         name: checked_vector(by.vector(vector), "a derivative")
-        for _, name in DERIVATIVES
+        for _, name in VECTORS
         if (vector := getattr(point, name)) is not None
     }
     return replace(placed(point, by.point(point.position)), **vectors)

@@ -24,22 +24,24 @@ def lagrange(t, parameters, points):
 
 
 def hermite(t, parameters, jets):
-    """Return the curve with jets (n, 2 or 3, 2) - point, velocity, acceleration - at t (m,)."""
+    """Return the curve with jets (n, R, 2), points and derivatives by t, at t (m,): de Casteljau's scheme."""
     i = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(parameters) - 2)
     h = (parameters[i + 1] - parameters[i])[:, None]
     s = (t - parameters[i])[:, None] / h
     r = (parameters[i + 1] - t)[:, None] / h
-    p, q = jets[i], jets[i + 1]
-    if jets.shape[1] == 2:
-        b1 = p[:, 0] + h * p[:, 1] / 3
-        b2 = q[:, 0] - h * q[:, 1] / 3
-        return r**3 * p[:, 0] + 3 * r**2 * s * b1 + 3 * r * s**2 * b2 + s**3 * q[:, 0]
-    b1 = p[:, 0] + h * p[:, 1] / 5
-    b2 = p[:, 0] + 2 * h * p[:, 1] / 5 + h**2 * p[:, 2] / 20
-    b3 = q[:, 0] - 2 * h * q[:, 1] / 5 + h**2 * q[:, 2] / 20
-    b4 = q[:, 0] - h * q[:, 1] / 5
-    outer = r**5 * p[:, 0] + 5 * r**4 * s * b1 + 5 * r * s**4 * b4 + s**5 * q[:, 0]
-    return outer + 10 * r**3 * s**2 * b2 + 10 * r**2 * s**3 * b3
+    ahead, behind = [], []
+    for controls, end, step in ((ahead, jets[i], h), (behind, jets[i + 1], -h)):
+        for m in range(jets.shape[1]):
+            # Control point m: the sum of m! / (m - k)! / k! * (d - k)! / d! * step**k times derivative k.
+            control, factor = end[:, 0], 1.0
+            for k in range(1, m + 1):
+                factor = factor * (m - k + 1) / (k * (2 * jets.shape[1] - k)) * step
+                control = control + factor * end[:, k]
+            controls.append(control)
+    controls = ahead + behind[::-1]
+    while len(controls) > 1:
+        controls = [r * controls[m] + s * controls[m + 1] for m in range(len(controls) - 1)]
+    return controls[0]
 
 
 def evaluate(pieces, t):

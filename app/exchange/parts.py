@@ -17,6 +17,7 @@ from curvecore import (
     Interpolant,
     LagrangeCurve,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     bezier_segments,
     cubic_path,
 )
@@ -237,7 +238,7 @@ def _controls_of(piece: ParametricCurve) -> FloatArray | None:
 
 def _known_curves(pieces: tuple[ParametricCurve, ...]) -> tuple[ParametricCurve, ...]:
     """Return curves of one family that all writers know, with the interpolants of the pieces, or none."""
-    for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve):
+    for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve, SepticHermiteCurve):
         found = [curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None]
         if len(found) == len(pieces):
             return tuple(found)

@@ -92,6 +92,12 @@ def diamond(centre: QPointF, size: float) -> QPolygonF:
     return QPolygonF([centre + QPointF(*corner) for corner in corners])
 
 
+def triangle(centre: QPointF, size: float) -> QPolygonF:
+    """Return a triangle that stands on its side, its corners `size` from its centre."""
+    corners = ((0, -size), (0.866 * size, 0.5 * size), (-0.866 * size, 0.5 * size))
+    return QPolygonF([centre + QPointF(*corner) for corner in corners])
+
+
 def sign_pixmap(style: LineStyle, theme: Theme, ratio: float = 1.0) -> QPixmap:
     """Return a small picture of a line, a mark or an area as it is drawn."""
     picture = transparent(SIGN.width(), SIGN.height(), ratio)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import chain
 from operator import attrgetter
 
-from ..document.model import MAX_MAGNITUDE, Point
+from ..document.model import MAX_MAGNITUDE, VECTORS, Point
 
 
 def all_within(points: tuple[Point, ...]) -> bool:
@@ -19,7 +19,7 @@ def _columns(points: tuple[Point, ...]) -> Iterator[list[float]]:
     yield list(map(attrgetter("x"), points))
     yield list(map(attrgetter("y"), points))
     yield [t for t in map(attrgetter("t"), points) if t is not None]
-    for name in ("velocity", "acceleration", "velocity_after", "acceleration_after"):
+    for _, name in VECTORS:
         # A vector of two numbers is true, whatever they are.
         yield list(chain.from_iterable(filter(None, map(attrgetter(name), points))))
 

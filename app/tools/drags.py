@@ -7,15 +7,15 @@ import math
 import msgspec
 
 from ..document import edits, words
-from ..document.model import Document, Vector
+from ..document.model import DERIVATIVES, Document, Vector
 from ..document.several_curves import PointGroup, moved
 from ..document.transforms import step_points
 from ..view_model.bend import Bend
 from ..view_model.curve_view import CurveView
-from ..view_model.handles import acceleration_from_handle, velocity_from_handle
+from ..view_model.handles import derivative_from_handle
 from ..view_model.hold import BendWith
 from .drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
-from .pointer import Hit, Part, Pointer
+from .pointer import Hit, Pointer
 from .snapping import Snapper
 
 _TOLERANCE = 0.05
@@ -120,8 +120,7 @@ class NudgePoints(Drag, frozen=True):
 
 def what_handle_sets(hit: Hit, view: CurveView) -> str:
     """Return "velocity of point 2"; at a corner, which has two, the side as well."""
-    what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
-    return f"{what} of {_side_of(view, hit.index, ahead=hit.ahead)}"
+    return f"{DERIVATIVES[hit.kind - 1].name} of {_side_of(view, hit.index, ahead=hit.ahead)}"
 
 
 def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
@@ -130,7 +129,7 @@ def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
 
 
 class DragHandle(CurveDrag, frozen=True):
-    """Drag of the handle of a velocity or an acceleration."""
+    """Drag of the handle of a derivative."""
 
     hit: Hit
     start: Vector
@@ -150,20 +149,15 @@ class DragHandle(CurveDrag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Keep the offset between pointer and handle that the press had."""
-        derivative, index, ahead = self._derivative_at(pointer), self.hit.index, self.hit.ahead
-        if self.hit.part is Part.VELOCITY_HANDLE:
-            return edits.set_velocity(self.document, self.curve, index, derivative, ahead=ahead)
-        return edits.set_acceleration(self.document, self.curve, index, derivative, ahead=ahead)
+        which = self.hit.index, self.hit.kind
+        derivative = self._derivative_at(pointer)
+        return edits.set_derivative(self.document, self.curve, *which, derivative, ahead=self.hit.ahead)
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
         tip = self._snapped(plus(self.hit.position, pointer.way_from(self.start)), pointer)
-        index, ahead, view = self.hit.index, self.hit.ahead, self.view
-        if self.hit.part is Part.VELOCITY_HANDLE:
-            free = velocity_from_handle(view, index, tip, ahead=ahead)
-            before = view.velocity_of(index, ahead=ahead)
-        else:
-            free = acceleration_from_handle(view, index, tip, ahead=ahead)
-            before = view.acceleration_of(index, ahead=ahead)
+        which = self.hit.index, self.hit.kind
+        free = derivative_from_handle(self.view, *which, tip, ahead=self.hit.ahead)
+        before = self.view.derivative_of(*which, ahead=self.hit.ahead)
         if pointer.alt and before is not None and any(before):
             return _along_direction(free, before)
         return in_steps(free) if pointer.shift else free
@@ -214,7 +208,7 @@ class PullVelocity(CurveDrag, frozen=True):
         return f"Velocity of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
-        return velocity_from_handle(self.view, self.index, self.snapper.at(pointer), ahead=True)
+        return derivative_from_handle(self.view, self.index, 1, self.snapper.at(pointer), ahead=True)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the point under the pointer."""

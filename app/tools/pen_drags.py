@@ -13,7 +13,7 @@ from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..view_model.appending import with_point_appended
 from ..view_model.curve_view import CurveView, view_of
-from ..view_model.handles import velocity_from_handle
+from ..view_model.handles import derivative_from_handle
 from ..view_model.reshape import Reshaped, with_point_inserted
 from .drag import CurveDrag, plus
 from .drags import in_steps
@@ -105,7 +105,7 @@ class AppendPoint(CurveDrag, frozen=True):
         index = len(self.view.source.points)
         view = view_of(document.curves[self.curve])
         tip = plus(place, self._displacement(pointer, place))
-        velocity = velocity_from_handle(view, index, tip, ahead=True)
+        velocity = derivative_from_handle(view, index, 1, tip, ahead=True)
         return edits.set_velocity(document, self.curve, index, velocity)
 
 

@@ -13,8 +13,7 @@ class Part(Enum):
     """A part of the drawing that can be hit."""
 
     POINT = auto()
-    VELOCITY_HANDLE = auto()
-    ACCELERATION_HANDLE = auto()
+    HANDLE = auto()
     CURVE = auto()
     TICK = auto()
     FUNCTION = auto()
@@ -41,7 +40,7 @@ class Hit(msgspec.Struct, frozen=True):
     t
         For the curve: the parameter there.
     kind
-        For a basis function: 0 position, 1 velocity, 2 acceleration.
+        For a handle or a basis function: the order of the derivative, 0 for the position.
     knot
         For a tick: the knot it stands at; a closed curve has one more knot than points. For a corner of the
         picture to trace: 0 to 3, counterclockwise from the lower left.

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from ..document import words
 from ..document.edits import freeze_parameters, set_parameters
-from ..document.model import Document, Vector
+from ..document.model import DERIVATIVES, Document, Vector
 from ..view_model.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingHost
@@ -199,7 +199,7 @@ class RailTool(ScrubTool):
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
             return Hint(_tick_hint(hit, context.view, context.host.selected.points), cursor=Cursor.WIDER)
-        kind = ("basis function", "velocity function", "acceleration function")[hit.kind]
+        kind = f"{DERIVATIVES[hit.kind - 1].name} function" if hit.kind else "basis function"
         point = context.view.source.family.point
         return Hint(f"The {kind} of {point} {hit.index} · Click to select the point")
 

@@ -16,9 +16,8 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError, append_point, insert_points, set_closed, stretched
-from ..document.model import Curve, Document, Point, Vector
+from ..document.model import Curve, Document, Point, Vector, vectors_of
 from .curve_view import CurveView, parameters_of, view_of
-from .jets import explicit_sides
 from .plane import at_knots, polygon_length
 
 _MOST_LOCAL, _MOST_GLOBAL = 200, 24
@@ -129,8 +128,7 @@ def _is_set(curve: Curve, index: int) -> bool:
     """Whether the person set a derivative that the family uses at a point."""
     if not (curve.family.derivatives and 0 <= index < len(curve.points)):
         return False
-    point = curve.points[index]
-    return any(side is not None for order in (1, 2) for side in explicit_sides(point, order))
+    return any(vectors_of(curve.points[index]))
 
 
 def scale_of(before: CurveView, after: Curve) -> float:

@@ -30,12 +30,15 @@ _MOST_UNEVEN = 65
 """Knots up to which a segment has samples in proportion to its length; above, all have the same number."""
 
 _LEAST_SAMPLES = 17
-"""Samples of a segment, however short: its functions are at most quintic."""
+"""Samples of a segment, however short: its functions are at most of degree 7."""
 
 _MOST_SCALED = 1e300
 
-_PEAK = (1.0, 2.5, 25.0)
-"""The factors with which B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
+_FACTORS = ((1.0,), (1.0, 2.5), (1.0, 2.5, 25.0), (1.0, 2.0, 15.0, 250.0))
+"""By the number of derivatives of a family, the factors with which B_k ∕ hᵏ reach almost one half.
+
+Of a quintic they peak at 0.20 and 0.017, of a septic at 0.23, 0.029 and 0.0014.
+"""
 
 
 class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
@@ -119,7 +122,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def most_bent(self) -> float:
         """The largest |d²B ∕ ds²| of a scaled function of a piecewise curve, s in 0 … 1 over a segment."""
         unit = self.curve.with_data(np.zeros((2, self.kinds, 2)), [0.0, 1.0])
-        bends = unit.basis(np.linspace(0.0, 1.0, _FINE), 2) * np.array(_PEAK[: self.kinds])
+        bends = unit.basis(np.linspace(0.0, 1.0, _FINE), 2) * np.array(_FACTORS[self.kinds - 1])
         return float(np.abs(bends).max())
 
     def fine_segments(self, segments: IntArray, chords: int) -> tuple[FloatArray, FloatArray]:
@@ -255,14 +258,14 @@ def _sample_counts(spacing: FloatArray) -> IntArray:
 def basis_scales(curve: ParametricCurve) -> FloatArray:
     """Return the factors that make functions of all kinds readable on one axis, (k, R).
 
-    Velocity functions are in proportion to the spacing h, acceleration functions to h²; the longer of a
+    Functions of derivatives are in proportion to h, h² and so on, powers of the spacing; the longer of a
     knot's two segments stands for h, and no function of a derivative leaves −½ … ½.
     """
     spacing = np.diff(curve.parameters)
     longer = np.maximum(np.append(spacing, 0.0), np.insert(spacing, 0, 0.0))
     orders = np.arange(curve.jets.shape[1])
     with np.errstate(divide="ignore", over="ignore", under="ignore"):
-        factors: FloatArray = np.array(_PEAK[: len(orders)]) / longer[:, None] ** orders
+        factors: FloatArray = np.array(_FACTORS[len(orders) - 1]) / longer[:, None] ** orders
     # The square of a spacing may vanish; functions that have vanished with it are drawn as nothing.
     return np.minimum(factors, _MOST_SCALED)
 
@@ -271,7 +274,9 @@ def basis_formulas(family: Family) -> tuple[str, ...]:
     """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
     if not family.derivatives:
         return ("Lᵢ(t)",) if family.is_one_polynomial else ("Bᵢ(t)",)
-    return ("B₀", "2.5·B₁ ∕ h", "25·B₂ ∕ h²")[: family.derivatives + 1]
+    factors = _FACTORS[family.derivatives][1:]
+    functions = ("B₁ ∕ h", "B₂ ∕ h²", "B₃ ∕ h³")
+    return ("B₀", *(f"{factor:g}·{each}" for factor, each in zip(factors, functions, strict=False)))
 
 
 def weights_at(view: CurveView, t: float) -> FloatArray:

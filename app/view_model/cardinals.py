@@ -13,7 +13,7 @@ from curvecore.analysis.cardinal import REACH, CardinalBasis
 from curvecore.arrays import FloatArray
 
 from ..document.model import Curve
-from .jets import moved_with_points, rules_of
+from .jets import moved_with_points
 from .point_arrays import PointArrays
 
 _MANY, _SHORT_REACH = 200, 24
@@ -59,10 +59,9 @@ class Cardinals:
         """
         is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
         numbers = [basis_curve.parameters, arrays.corners, is_set]
-        if not all(rule.is_linear for rule in rules_of(curve)):
+        if not all(rule.is_linear for rule in curve.rules):
             numbers += [np.array(curve.parametrization.alpha), points]
-        rules = (curve.functions_key, curve.velocity_rule, curve.acceleration_rule, curve.is_closed)
-        key = (*rules, *(each.tobytes() for each in numbers))
+        key = (curve.functions_key, curve.is_closed, *curve.rules, *(each.tobytes() for each in numbers))
         if key != self._key:
             self._key, self._known = key, Cardinal(_made(curve, points, basis_curve, arrays))
         return self._known

@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray, parameter_array
 from ..document.model import Curve, ParametrizationKind, Vector
 from .cardinals import Cardinal, Cardinals
 from .flattener import Box, Flattener, FlatteningKey, Polyline
-from .jets import Sides, corner_knots, rules_of, sides_of
+from .jets import Sides, corner_knots, sides_of
 from .plane import at_knots, size_of
 from .point_arrays import PointArrays, arrays_of
 from .refusals import refusal_of
@@ -131,7 +131,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @property
     def linearised(self) -> str:
         """What is said of the effects of points, where estimates are not linear in them; else empty."""
-        return next((rule.linearised for rule in rules_of(self.source) if rule.linearised), "")
+        return next((rule.linearised for rule in self.source.rules if rule.linearised), "")
 
     @property
     def at_knots(self) -> FloatArray:
@@ -180,13 +180,10 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
         At a corner there are two, one before the point and one ahead of it.
         """
-        return self._derivative(index, 1, ahead=ahead)
+        return self.derivative_of(index, 1, ahead=ahead)
 
-    def acceleration_of(self, index: int, *, ahead: bool = True) -> Vector | None:
-        """Return the acceleration at point `index`, set or estimated; None where the family has none."""
-        return self._derivative(index, 2, ahead=ahead)
-
-    def _derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
+    def derivative_of(self, index: int, order: int, *, ahead: bool = True) -> Vector | None:
+        """Return the derivative of an order at point `index`, set or estimated, as `velocity_of` does."""
         if self.sides is None or order > self.source.family.derivatives:
             return None
         x, y = self.sides[ahead][index, order]

@@ -1,7 +1,10 @@
 """Handles: the Bézier control points beside a point, which a person drags to set its derivatives.
 
-On a segment of length h the cubic has its control points at p ± h·v/3; the quintic has them at p ± h·v/5
-and p ± 2h·v/5 + h²·a/20 (plus ahead of the point, minus behind it, with the h of the segment on that side).
+On a segment of length h a Hermite curve of degree d has beside a point p, where its derivatives are d_k, the
+control points p + Σ C(m, k) (±h)ᵏ d_k / (d (d − 1) … (d − k + 1)), k from 1 to m, for m = 1, 2, …: plus ahead
+of the point, minus behind it, with the h of the segment on that side. The cubic has p ± h·v/3; the quintic
+p ± h·v/5 and p ± 2h·v/5 + h²·a/20; the septic p ± h·v/7, p ± 2h·v/7 + h²·a/42 and p ± 3h·v/7 + h²·a/14 ±
+h³·j/210. The m-th is the handle of the derivative of order m; those below stay what they are under a drag.
 """
 
 from __future__ import annotations
@@ -15,7 +18,7 @@ import msgspec
 from ..document.edits import EditError, set_velocity
 from ..document.model import Curve, Document, Vector
 from .curve_view import CurveView
-from .jets import explicit_sides, is_explicit
+from .jets import is_explicit
 
 
 class Handle(msgspec.Struct, frozen=True):
@@ -24,13 +27,13 @@ class Handle(msgspec.Struct, frozen=True):
     Attributes
     ----------
     kind
-        1 for a velocity, 2 for an acceleration.
+        The order of the derivative: 1 for a velocity.
     ahead
         Whether it belongs to the segment after the point.
     position
         Its place in the plane.
     anchor
-        The beginning of the line to it: the point, or the velocity handle.
+        The beginning of the line to it: the point, or the handle of the derivative before.
     explicit
         Whether the person set the value; otherwise a rule estimates it.
     """
@@ -67,7 +70,7 @@ def control_polygon(view: CurveView) -> list[Handle]:
 
 def _lone_handle(view: CurveView) -> list[Handle]:
     point = view.source.points[0]
-    velocity = explicit_sides(point, 1)[1]
+    velocity = point.explicit_sides(1)[1]
     if not view.source.family.derivatives or velocity is None:
         return []
     tip = _along(point.position, velocity, _signed_spacing(view, 0, ahead=True) / _degree(view))
@@ -75,39 +78,42 @@ def _lone_handle(view: CurveView) -> list[Handle]:
 
 
 def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
-    velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
-    if velocity is None:
+    if view.velocity_of(index, ahead=ahead) is None:
         return []
-    point = view.source.points[index]
-    p = point.position
-    tip = _along(p, velocity, h / _degree(view))
-    handles = [Handle(1, ahead, tip, p, is_explicit(point, 1, ahead=ahead))]
-    acceleration = view.acceleration_of(index, ahead=ahead)
-    if acceleration is not None:
-        second = _along(_along(p, velocity, 2 * h / 5), acceleration, h * h / 20)
-        handles.append(Handle(2, ahead, second, tip, is_explicit(point, 2, ahead=ahead)))
+    point, handles = view.source.points[index], list[Handle]()
+    anchor = point.position
+    for order in range(1, view.source.family.derivatives + 1):
+        tip = _control_point(view, index, order, order, ahead=ahead)
+        handles.append(Handle(order, ahead, tip, anchor, is_explicit(point, order, ahead=ahead)))
+        anchor = tip
     return handles
 
 
-def velocity_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
-    """Return the velocity whose handle lies at `position`."""
-    p, h = view.source.points[index].position, _signed_spacing(view, index, ahead=ahead)
-    degree = _degree(view)
-    return (degree * float(position[0] - p[0]) / h, degree * float(position[1] - p[1]) / h)
+def _control_point(view: CurveView, index: int, place: int, highest: int, *, ahead: bool) -> Vector:
+    """Return where the control point `place` of a point lies, were derivatives above the `highest` zero."""
+    at, h = view.source.points[index].position, _signed_spacing(view, index, ahead=ahead)
+    for order in range(1, highest + 1):
+        derivative = view.derivative_of(index, order, ahead=ahead)
+        if derivative is not None:
+            share = math.comb(place, order) * h**order / math.perm(_degree(view), order)
+            at = _along(at, derivative, share)
+    return at
 
 
-def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
-    """Return the acceleration whose handle lies at `position`, the velocity staying what it is.
+def derivative_from_handle(
+    view: CurveView, index: int, order: int, position: Vector, *, ahead: bool
+) -> Vector:
+    """Return the derivative of an order whose handle lies at `position`, those below staying what they are.
 
     Infinite where no number is large enough, on an interval of next to no length: no edit takes that.
     """
-    velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
-    if velocity is None:
-        return (0.0, 0.0)
-    base = _along(view.source.points[index].position, velocity, 2 * h / 5)
-    # Not by h²: it may vanish where h does not.
-    x, y = float(position[0] - base[0]), float(position[1] - base[1])
-    return (20 * x / h / h, 20 * y / h / h)
+    base = _control_point(view, index, order, order - 1, ahead=ahead)
+    h = _signed_spacing(view, index, ahead=ahead)
+    x, y = (math.perm(_degree(view), order) * float(a - b) for a, b in zip(position, base, strict=True))
+    # Not by a power of h: it may vanish where h does not.
+    for _ in range(order):
+        x, y = x / h, y / h
+    return (x, y)
 
 
 def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: float) -> Curve:

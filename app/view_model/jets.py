@@ -15,7 +15,7 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray, IntArray
 
-from ..document.model import Curve, EstimateRule, Point, Vector
+from ..document.model import Curve, EstimateRule, Point
 from .plane import at_knots
 from .point_arrays import PointArrays
 
@@ -38,7 +38,7 @@ def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: P
     before[:, 0] = points
     after = before.copy()
     corners = corner_knots(arrays, len(points))
-    for order, rule in enumerate(rules_of(curve), start=1):
+    for order, rule in enumerate(curve.rules, start=1):
         estimate = _estimate_by(rule, curve)
         _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
         for side, jets in enumerate((before, after)):
@@ -77,7 +77,7 @@ def _changes(curve: Curve) -> list[Estimate]:
     Of a rule that is not linear this is its Jacobian at the points, times the moves: where it treats each
     coordinate for itself, the mean of both, which is the mean over the directions of a move.
     """
-    return [_of_moves(rule, curve) for rule in rules_of(curve)]
+    return [_of_moves(rule, curve) for rule in curve.rules]
 
 
 def _of_moves(rule: EstimateRule, curve: Curve) -> Estimate:
@@ -99,11 +99,6 @@ def corner_knots(arrays: PointArrays, count: int) -> list[int]:
     if count > len(arrays.corners) and arrays.corners[0]:
         corners.append(count - 1)
     return corners
-
-
-def rules_of(curve: Curve) -> list[EstimateRule]:
-    """Return the rules that estimate derivatives of a curve, as many as its family has."""
-    return [curve.velocity_rule, curve.acceleration_rule][: curve.family.derivatives]
 
 
 def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:
@@ -162,13 +157,5 @@ def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntAr
 
 
 def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
-    """Whether the person set the velocity (order 1) or acceleration (2) on a side of a point."""
-    return explicit_sides(point, order)[ahead] is not None
-
-
-def explicit_sides(point: Point, order: int) -> tuple[Vector | None, Vector | None]:
-    """Return the velocity (order 1) or acceleration (2) that the person set before and after a point."""
-    first = point.velocity if order == 1 else point.acceleration
-    if not point.corner:
-        return first, first
-    return first, point.velocity_after if order == 1 else point.acceleration_after
+    """Whether the person set the derivative of an order on a side of a point."""
+    return point.explicit_sides(order)[ahead] is not None

@@ -16,8 +16,10 @@ SOLID: Dashes = ()
 DASHED: Dashes = (4.0, 2.0)
 DOTTED: Dashes = (1.0, 2.0)
 
-KIND_DASHES = (SOLID, DASHED, DOTTED)
-"""Position, velocity and acceleration functions."""
+DASH_DOTTED: Dashes = (4.0, 2.0, 1.0, 2.0)
+
+KIND_DASHES = (SOLID, DASHED, DOTTED, DASH_DOTTED)
+"""Functions of the position, the velocity and the derivatives of higher orders."""
 
 
 class Mark(enum.Enum):

@@ -128,13 +128,8 @@ def as_new_curve(like: Curve, pasted: Sequence[Point], name: str) -> Curve:
     curve = replace(make_curve((), name=name, family=like.family), points=tuple(pasted))
     timed = all(point.t is not None for point in pasted)
     kind = ParametrizationKind.MANUAL if timed else ParametrizationKind.CHORD_LENGTH
-    return replace(
-        curve,
-        parametrization=Parametrization(kind),
-        velocity_rule=like.velocity_rule,
-        acceleration_rule=like.acceleration_rule,
-        settings=like.settings,
-    )
+    own = replace(curve, parametrization=Parametrization(kind), settings=like.settings)
+    return own.with_rules_of(like)
 
 
 def copied_as_new_curve(copy: Curve, name: str) -> Curve:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
-from ..document.model import Point, Vector
+from ..document.model import DERIVATIVES, Point, Vector, vectors_of
 
 _NONE = (np.nan, np.nan)
 
@@ -31,8 +31,8 @@ class PointArrays(msgspec.Struct, frozen=True, eq=False):
     corners
         Whether each point is a corner, (n,).
     given
-        Derivatives that the person set: ``[i, side, order - 1]``, side 0 before and 1 after the point,
-        order 1 the velocity and 2 the acceleration; (n, 2, 2, 2).
+        Derivatives that the person set: ``[i, side, order - 1]``, side 0 before and 1 after the point;
+        (n, 2, highest order, 2).
     """
 
     points: tuple[Point, ...]
@@ -59,18 +59,21 @@ def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray
     positions = np.array([(point.x, point.y) for point in points], dtype=float).reshape(-1, 2)
     times = np.array([np.nan if point.t is None else point.t for point in points], dtype=float)
     corners = np.array([point.corner for point in points], dtype=bool)
-    given = np.array([_given(point) for point in points], dtype=float).reshape(-1, 2, 2, 2)
+    given = np.array([_given(point) for point in points], dtype=float)
+    given = given.reshape(-1, 2, len(DERIVATIVES), 2)
     for column in (positions, times, corners, given):
         # Views of one curve after the other share what did not change.
         column.setflags(write=False)
     return positions, times, corners, given
 
 
-def _given(point: Point) -> tuple[Vector, Vector, Vector, Vector]:
-    velocity, acceleration = point.velocity or _NONE, point.acceleration or _NONE
+def _given(point: Point) -> list[Vector]:
+    """Return the vectors of a point, those before it and then those after it."""
+    vectors = vectors_of(point)
     if not point.corner:
-        return velocity, acceleration, velocity, acceleration
-    return velocity, acceleration, point.velocity_after or _NONE, point.acceleration_after or _NONE
+        before = vectors[: len(DERIVATIVES)]
+        vectors = before + before
+    return [vector or _NONE for vector in vectors]
 
 
 def _with_rows(old: NDArray[Any], fresh: NDArray[Any], rows: IntArray) -> NDArray[Any]:

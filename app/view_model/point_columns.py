@@ -19,14 +19,11 @@ from curvecore.arrays import BoolArray, FloatArray
 from ..document import edits
 from ..document.edits import EditError
 from ..document.limits import not_after
-from ..document.model import AccelerationRule, Curve, Document, Vector, VelocityRule
+from ..document.model import DERIVATIVES, Curve, Derivative, Document, Vector
 from .curve_view import CurveView
-from .jets import explicit_sides
 
 PARAMETER, POSITION = -1, 0
 """Orders of what is no derivative."""
-
-_Rule = VelocityRule | AccelerationRule
 
 
 def _nothing_estimated(view: CurveView) -> BoolArray:
@@ -62,7 +59,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Returns the number after a point that is a corner, where `get` returns the one before it; None if a
         corner has one number.
     order, component
-        The datum of a point: -1 its parameter, 0 its position, 1 its velocity, 2 its acceleration,
+        The datum of a point: -1 its parameter, 0 its position, from 1 on its derivatives,
         and 0 for x, 1 for y; order None for anything else.
     derivatives
         The least number of derivatives of a family that shows the column; one that needs some is written with
@@ -248,14 +245,13 @@ def _set_derivatives(
     order: int, component: int, document: Document, curve: int, view: CurveView, values: Mapping[int, float]
 ) -> Document:
     """Fix one component of derivatives; the other one becomes what is shown, set or estimated."""
-    points = list(document.curves[curve].points)
-    estimate = view.velocity_of if order == 1 else view.acceleration_of
+    points, each = list(document.curves[curve].points), DERIVATIVES[order - 1]
     for index, value in values.items():
         ahead = shows_ahead(view, index)
-        shown = explicit_sides(points[index], order)[ahead] or estimate(index, ahead=ahead)
+        shown = points[index].explicit_sides(order)[ahead] or view.derivative_of(index, order, ahead=ahead)
         if shown is None:
             raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
-        name = ("velocity" if order == 1 else "acceleration") + ("_after" if ahead else "")
+        name = each.after if ahead else each.name
         points[index] = replace(points[index], **{name: with_component(shown, component, float(value))})
     return edits.set_points(document, curve, points)
 
@@ -276,22 +272,17 @@ def _position_column(component: int) -> Column:
     )
 
 
-def _derivative_column(
-    order: int,
-    component: int,
-    letter: str,
-    tip: str,
-    rule: Callable[[Curve], VelocityRule | AccelerationRule],
-) -> Column:
-    axis, set_many = "xy"[component], partial(_set_derivatives, order, component)
+def _derivative_column(each: Derivative, component: int) -> Column:
+    order, axis = each.order, "xy"[component]
+    set_many = partial(_set_derivatives, order, component)
     return Column(
-        name=f"{letter}{axis}",
-        tip=f"{tip}, {axis}",
+        name=f"{each.letter}{axis}",
+        tip=f"{each.name.capitalize()} {each.unit}, {axis}",
         get=partial(_derivatives, order, component),
         set=lambda document, curve, view, index, value: set_many(document, curve, view, {index: value}),
         set_many=set_many,
         is_estimated=lambda view: np.isnan(_given(order, 0, view)),
-        estimate=lambda curve: rule(curve).estimate,
+        estimate=lambda curve: str(getattr(curve, each.rule_field).estimate),
         reset=lambda document, curve, indices: edits.estimate_derivatives(document, curve, indices, (order,)),
         after=partial(_derivative_after, order, component),
         order=order,
@@ -310,15 +301,6 @@ COLUMNS: Sequence[Column] = (
         order=PARAMETER,
     ),
     *(_position_column(component) for component in (0, 1)),
-    *(
-        _derivative_column(1, component, "v", "Velocity per unit of t", lambda curve: curve.velocity_rule)
-        for component in (0, 1)
-    ),
-    *(
-        _derivative_column(
-            2, component, "a", "Acceleration per unit of t squared", lambda curve: curve.acceleration_rule
-        )
-        for component in (0, 1)
-    ),
+    *(_derivative_column(each, component) for each in DERIVATIVES for component in (0, 1)),
 )
 """All columns, in the order in which the table shows them."""

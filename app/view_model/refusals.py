@@ -9,13 +9,13 @@ import re
 
 from curvecore import CurveError
 
-from ..document.model import Curve
+from ..document.model import DERIVATIVES, Curve
 from ..document.words import with_minus
 
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_ENTRY = re.compile(r"\b(points|velocities|accelerations|parameters)\[(\d+)(?:, (\d+))?\]")
+_NAMES = {"points": "", **{each.plural: each.letter for each in DERIVATIVES}}
+_ENTRY = re.compile(rf"\b({'|'.join(_NAMES)}|parameters)\[(\d+)(?:, (\d+))?\]")
 _NUMBER = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)(?![\w.]|\))")
-_NAMES = {"points": "", "velocities": "v", "accelerations": "a"}
 
 
 def refusal_of(problem: CurveError, curve: Curve) -> str:

@@ -55,7 +55,7 @@ def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
 
 
 def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with one velocity, and one acceleration, on both sides of these points.
+    """Return the curve with one velocity, and one of each further derivative, on both sides of these points.
 
     Each is the mean of the two; where they are alike already, the shape stays.
 
@@ -70,9 +70,9 @@ def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
         _refuse_without_tangent(view, index)
         document = make_smooth(document, 0, index, _mean(view, index, 1))
     points = list(document.curves[0].points)
-    if view.source.family.derivatives > 1:
-        for index in corners:
-            points[index] = replace(points[index], acceleration=_mean(view, index, 2))
+    for index in corners:
+        means = [_mean(view, index, order) for order in range(1, view.source.family.derivatives + 1)]
+        points[index] = points[index].with_derivatives(means, ())
     return _kept(view, replace(view.source, points=tuple(points)), corners)
 
 

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from curvecore import chebyshev
 
 from ..document.edits import EditError
-from ..document.model import Curve, ParametrizationKind, Point, Vector
+from ..document.model import DERIVATIVES, Curve, ParametrizationKind, Point, Vector
 from ..document.words import number
 from ..families import HERMITE, titles_with_derivatives
 from .curve_view import CurveView, view_of
@@ -72,7 +72,7 @@ def split(view: CurveView, t: float) -> Split:
     if not family.is_one_polynomial and not is_kept(made.residual, parts):
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
-            f"{number(made.residual, 2)} away. Choose {titles_with_derivatives()} first."
+            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, keeping the shape."
         )
     return made
 
@@ -131,7 +131,7 @@ def _split_pieces(view: CurveView, t: float) -> tuple[Curve, ...]:
     if not 0 < nearest < len(points) - 1:
         raise EditError(_BETWEEN_ENDS)
     first, second = _names_of_parts(view.source.name)
-    ending, beginning = _ending(points[nearest]), _beginning(points[nearest])
+    ending, beginning = points[nearest].without_corner(), _beginning(points[nearest])
     return (
         _part(whole.source, [*points[:nearest], ending], ending.t or 0.0, first),
         _part(whole.source, [beginning, *points[nearest + 1 :]], points[-1].t or 0.0, second),
@@ -143,21 +143,14 @@ def _opened(whole: CurveView, at: int) -> Curve:
     points = whole.source.points
     period = float(whole.parameters[-1] - whole.parameters[0])
     later = [replace(point, t=(point.t or 0.0) + period) for point in points[: at + 1]]
-    around = [_beginning(points[at]), *points[at + 1 :], *later[:-1], _ending(later[-1])]
+    around = [_beginning(points[at]), *points[at + 1 :], *later[:-1], later[-1].without_corner()]
     return _part(whole.source, around, around[-1].t or 0.0, whole.source.name)
-
-
-def _ending(point: Point) -> Point:
-    """Return `point` as the last of a curve: with what it has before it."""
-    return replace(point, corner=False, velocity_after=None, acceleration_after=None)
 
 
 def _beginning(point: Point) -> Point:
     """Return `point` as the first of a curve: with what it has after it."""
-    if not point.corner:
-        return point
-    ahead = replace(point, velocity=point.velocity_after, acceleration=point.acceleration_after)
-    return _ending(ahead)
+    after = [point.explicit_sides(each.order)[1] for each in DERIVATIVES]
+    return point.without_corner().with_derivatives(after, ())
 
 
 def _part(curve: Curve, points: Sequence[Point], end: float, name: str) -> Curve:
@@ -192,7 +185,7 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     """
     _refuse_to_join(first, second)
     a, b = baked(first), baked(second)
-    ending, beginning = _ending(a.points[-1]), _beginning(b.points[0])
+    ending, beginning = a.points[-1].without_corner(), _beginning(b.points[0])
     gap = math.dist(first.points[-1], second.points[0])
     size = max(size_of(np.vstack([first.points, second.points])), 1e-300)
     if gap <= _COINCIDE * size:
@@ -252,10 +245,10 @@ def _speed_at_seam(first: CurveView, second: CurveView) -> float:
 
 def _merged(end: Point, start: Point) -> Point:
     """Return the point where a curve ends and another starts; a corner where they do not go on alike."""
-    pairs = ((end.velocity, start.velocity), (end.acceleration, start.acceleration))
-    if all(_alike(x, y) for x, y in pairs):
+    before, after = ([getattr(point, each.name) for each in DERIVATIVES] for point in (end, start))
+    if all(map(_alike, before, after)):
         return end
-    return replace(end, corner=True, velocity_after=start.velocity, acceleration_after=start.acceleration)
+    return end.as_corner().with_derivatives(before, after)
 
 
 def _alike(x: Vector | None, y: Vector | None) -> bool:

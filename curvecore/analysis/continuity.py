@@ -32,8 +32,8 @@ class Joint(NamedTuple):
         Of the joint in ``curve.parameters``; 0 for the joint of a closed curve.
     parameter : float
         t_i.
-    point_jump, velocity_jump, acceleration_jump : ndarray, shape (dim,)
-        Of c, c' and c'', per unit of t.
+    point_jump, velocity_jump, acceleration_jump, jerk_jump : ndarray, shape (dim,)
+        Of c, c', c'' and c''', per unit of t.
     angle : float
         Between the tangent directions, in radians, from 0 to pi; NaN where
         the curve rests on a side and has no direction.
@@ -43,10 +43,11 @@ class Joint(NamedTuple):
         After minus before; in space the length of the difference of the
         curvature vectors.
     parametric : int
-        The largest k for which c .. c^(k) are continuous, up to 2; -1 is a break.
+        The largest k for which c .. c^(k) are continuous, up to 3; -1 is a break.
     geometric : int
         The same for a suitable change of t: 1 is a common tangent direction,
-        2 a common curvature too. At least 0 unless there is a break; at a
+        2 a common curvature too, 3 also a common change of the curvature along
+        the curve. At least 0 unless there is a break; at a
         point at rest never more.
 
     See Also
@@ -66,6 +67,7 @@ class Joint(NamedTuple):
     point_jump: FloatArray
     velocity_jump: FloatArray
     acceleration_jump: FloatArray
+    jerk_jump: FloatArray
     angle: float
     curvature_before: float
     curvature_after: float
@@ -74,8 +76,13 @@ class Joint(NamedTuple):
     geometric: int
 
     @property
+    def jumps(self) -> tuple[FloatArray, ...]:
+        """The jumps of c and its derivatives, by their order."""
+        return self.point_jump, self.velocity_jump, self.acceleration_jump, self.jerk_jump
+
+    @property
     def label(self) -> str:
-        """The class in words: ``"C2"``, ``"C1, G2"``, ``"C0, G1"``, ``"C0"``, ``"break"`` ...
+        """The class in words: ``"C3"``, ``"C1, G2"``, ``"C0, G1"``, ``"C0"``, ``"break"`` ...
 
         G is named only where it says more than C.
         """
@@ -93,14 +100,15 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     curve : ParametricCurve
         Of any family and dim. A `Chain` may jump in anything at a joint
         between pieces, the Hermite families in their next derivative. A
-        `LagrangeCurve` has no joints: its t_i are reported as C2.
+        `LagrangeCurve` has no joints: its t_i are reported as C3.
     tolerance : float, optional
         How large a jump counts as none: relative to the extent of the points
-        for c; for c' and c'' to the sum of the sizes of the terms they are
+        for c; for its derivatives to the sum of the sizes of the terms they are
         made of, for instance 6 |dp| / h**2 + 4 |v| / h + 2 |w| / h for c'' of a
         cubic, which is what rounding is relative to as well. For the angle in
         radians. For the curvature relative to the larger one, and to the
-        acceleration's terms over |c'|**2.
+        acceleration's terms over |c'|**2; for its change likewise, and to the
+        jerk's terms over |c'|**3.
     closed : bool, optional
         Whether the curve is meant to be closed, so that its end and its
         beginning are a joint too, reported last as joint 0.
@@ -142,7 +150,11 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
         slow = np.minimum(vector_lengths(before.values[:, 1]), vector_lengths(after.values[:, 1]))
         bend_scale = np.maximum(np.abs(bends.before), np.abs(bends.after)) + scale[:, 2] / slow**2
         same_bend = np.abs(bends.jump) <= limit * bend_scale
-    geometric = np.column_stack((smooth[:, 0], angle <= limit, same_bend))
+        turns = [_turn_vectors(values) for values in (before.values, after.values)]
+        # Each part of the change is a product: of the speed's own change by the acceleration's terms too.
+        turn_scale = (scale[:, 3] + 3.0 * scale[:, 2] ** 2 / slow) / slow**3
+        same_turn = vector_lengths(turns[1] - turns[0]) <= limit * turn_scale
+    geometric = np.column_stack((smooth[:, 0], angle <= limit, same_bend, same_turn))
     numbers = (angle, *bends, _orders(smooth), _orders(geometric))
     vectors = jumps.swapaxes(0, 1)
     columns = (indices.tolist(), t[indices].tolist(), *vectors, *(each.tolist() for each in numbers))
@@ -193,3 +205,15 @@ def _bend_vectors(values: FloatArray) -> FloatArray:
     across = values[:, 2] - (values[:, 2] * unit).sum(axis=1, keepdims=True) * unit
     bend: FloatArray = across / vector_lengths(values[:, 1])[:, None] ** 2
     return bend
+
+
+def _turn_vectors(values: FloatArray) -> FloatArray:
+    """Return the part across c' of the third derivative by the arc length, (k, dim).
+
+    With v = |c'| and v' = c' c'' / v that of c''' / v**3 - 3 v' c'' / v**4.
+    """
+    unit, speed = _unit(values[:, 1]), vector_lengths(values[:, 1])[:, None]
+    growth = (unit * values[:, 2]).sum(axis=1, keepdims=True)
+    third = (values[:, 3] - 3.0 * (growth / speed) * values[:, 2]) / speed**3
+    across: FloatArray = third - (third * unit).sum(axis=1, keepdims=True) * unit
+    return across

@@ -14,6 +14,8 @@ References
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
@@ -28,30 +30,34 @@ def control_points(jets: FloatArray, parameters: FloatArray) -> FloatArray:
     Parameters
     ----------
     jets : ndarray, shape (n, R, dim)
-        R = 2 or 3.
+        R >= 2.
     parameters : ndarray, shape (n,)
         Strictly increasing.
 
     Returns
     -------
     ndarray, shape (n - 1, 2 R, dim)
-        Not finite where h v or h**2 a overflows.
+        Not finite where h v, h**2 a or h**3 j overflows.
     """
     return controls_between(jets[:-1], jets[1:], np.diff(parameters)[:, None])
 
 
 def controls_between(starts: FloatArray, ends: FloatArray, h: FloatArray) -> FloatArray:
     """Return the control points of segments of lengths h (k, 1) from the jets at their ends, (k, R, dim)."""
-    degree = 2 * starts.shape[1] - 1
+    width = starts.shape[1]
+    degree = 2 * width - 1
     controls = np.empty((len(h), degree + 1, starts.shape[2]))
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         for jets, step, column, inward in ((starts, h, 0, 1), (ends, -h, degree, -1)):
-            reach = step * jets[:, 1]
-            controls[:, column] = jets[:, 0]
-            controls[:, column + inward] = jets[:, 0] + reach / degree
-            if degree == 5:
-                bend = step * (step * jets[:, 2]) / 20.0
-                controls[:, column + 2 * inward] = jets[:, 0] + (0.4 * reach + bend)
+            scaled = [jets[:, 0]]
+            for k in range(1, width):
+                power = jets[:, k]
+                for _ in range(k):
+                    power = step * power
+                scaled.append(power / math.perm(degree, k))
+                away = sum(math.comb(k, j) * scaled[j] for j in range(1, k + 1))
+                controls[:, column + k * inward] = scaled[0] + away
+            controls[:, column] = scaled[0]
     return controls
 
 
@@ -67,12 +73,12 @@ def weighted_columns(controls: FloatArray) -> FloatArray:
 
 def bernstein_weights(s: FloatArray, r: FloatArray, degree: int) -> tuple[FloatArray, ...]:
     """Return s**k r**(degree - k), k = 0 .. degree: Bernstein without binomials."""
-    s2, r2 = s * s, r * r
-    if degree == 3:
-        return r2 * r, r2 * s, s2 * r, s2 * s
-    r3, s3 = r2 * r, s2 * s
-    rs = r * s
-    return r3 * r2, r3 * rs, r3 * s2, s3 * r2, s3 * rs, s3 * s2
+    of_s, of_r = [s], [r]
+    for powers, factor in ((of_s, s), (of_r, r)):
+        for _ in range(degree - 1):
+            powers.append(powers[-1] * factor)
+    inner = (of_r[degree - k - 1] * of_s[k - 1] for k in range(1, degree))
+    return of_r[-1], *inner, of_s[-1]
 
 
 def evaluate_inside(

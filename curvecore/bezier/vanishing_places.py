@@ -21,6 +21,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.double_double import DoubleDouble
+from curvecore.families.hermite_forms import hermite_form
 
 _LARGEST_DENOMINATOR = 64
 _DIGITS = 2**160
@@ -74,22 +75,6 @@ def vanishing_places(width: int, order: int) -> VanishingPlaces:
     )
 
 
-@cache
-def _form(width: int, k: int, order: int) -> tuple[int, ...]:
-    """Return the coefficients of r**d, r**(d - 1) s, ..., s**d of a function's derivative, r = 1 - s.
-
-    They are integers: those of the functions of the i-th derivatives at an end are multiplied by i!.
-    """
-    if order:
-        before = _form(width, k, order - 1)
-        degree = len(before) - 1
-        return tuple((j + 1) * before[j + 1] - (degree - j) * before[j] for j in range(degree))
-    of_end = k % width
-    top = 2 * width - 1 - of_end
-    left = [0] * of_end + [math.comb(top, j) for j in range(width - of_end)] + [0] * width
-    return tuple(left) if k < width else tuple((-1) ** of_end * value for value in reversed(left))
-
-
 def _value(form: tuple[int, ...], s: Fraction) -> Fraction:
     left, right = s.numerator, s.denominator - s.numerator
     total, power = 0, 1
@@ -100,7 +85,7 @@ def _value(form: tuple[int, ...], s: Fraction) -> Fraction:
 
 
 def _taylor(width: int, k: int, order: int, power: int, place: Fraction) -> float:
-    value = _value(_form(width, k, order + power), place)
+    value = _value(hermite_form(width, k, order + power), place)
     # Of an irrational root, the function itself is 0 but for the digits that were not computed.
     exact = value if abs(value) > _ZERO else Fraction(0)
     return float(exact / (math.factorial(power) * math.factorial(k % width)))
@@ -108,7 +93,7 @@ def _taylor(width: int, k: int, order: int, power: int, place: Fraction) -> floa
 
 def _roots(width: int, k: int, order: int) -> set[Fraction]:
     """Return the roots of a function from 0 to 1: exact where they are simple fractions, else to 2**-160."""
-    form, slope = _form(width, k, order), _form(width, k, order + 1)
+    form, slope = hermite_form(width, k, order), hermite_form(width, k, order + 1)
     found = {Fraction(end) for end in (0, 1) if form[-end] == 0}
     for ratio in np.roots(np.trim_zeros(form)[::-1]):
         # The roots inside are simple: a multiple one, whose digits are few, is an end.

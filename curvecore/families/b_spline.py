@@ -9,7 +9,7 @@ import numpy as np
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
-from curvecore.families.curve import JointDerivatives, ParametricCurve
+from curvecore.families.curve import JOINT_ORDERS, JointDerivatives, ParametricCurve
 from curvecore.families.same_shape import joint_jets, pieces_of
 from curvecore.parametrization import with_one_more
 from curvecore.scaling import made_finite
@@ -146,11 +146,12 @@ class BSplineCurve(ParametricCurve):
         return cls.from_jets(points[:, None], _with_idle(chain.breaks))
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the parameters: on both sides of a knot they are the same."""
+        """Return c to c''' at the parameters: on both sides of a knot they are the same but for the last."""
         t = self._parameters[1:] if before else self._parameters[:-1]
         values, scale = [], []
-        for order in range(3):
-            first, functions = self._local(t, order)
+        for order in range(JOINT_ORDERS):
+            beside = before and order >= self.degree
+            first, functions = self._local(np.nextafter(t, -np.inf) if beside else t, order)
             data = self.points[first[:, None] + np.arange(functions.shape[1])]
             values.append(np.einsum("mk,mkd->md", functions, data))
             scale.append(np.einsum("mk,mkd->md", np.abs(functions), np.abs(data)).max(axis=1))

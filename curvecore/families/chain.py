@@ -55,7 +55,7 @@ class Chain(ParametricCurve):
     >>> corner = Chain([before, after])
     >>> corner
     Chain(pieces=2, n=3, dim=2, domain=(0, 2))
-    >>> corner([0.5, 1.5]).tolist()
+    >>> corner([0.5, 1.5]).round(9).tolist()
     [[0.5, 0.0], [1.0, 0.5]]
     >>> corner.jets.shape
     (4, 2, 2)
@@ -173,7 +173,7 @@ class Chain(ParametricCurve):
         return None if None in found else [each for own in found if own is not None for each in own]
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments of all pieces."""
+        """Return c to c''' at the ends of all segments of all pieces."""
         sides = [piece.joint_derivatives(before=before) for piece in self._pieces]
         return JointDerivatives(*(np.concatenate(column) for column in zip(*sides, strict=True)))
 

@@ -25,6 +25,9 @@ from curvecore.families.parameter_differences import parameter_difference
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import made_finite
 
+JOINT_ORDERS = 4
+"""How many derivatives are compared at joints, the curve itself included: jumps of c to c'''."""
+
 
 class LocalBasis(NamedTuple):
     """The basis functions that are not zero by construction.
@@ -86,9 +89,9 @@ class JointDerivatives(NamedTuple):
 
     Attributes
     ----------
-    values : ndarray, shape (k, 3, dim)
-        c, c', c''.
-    scale : ndarray, shape (k, 3)
+    values : ndarray, shape (k, 4, dim)
+        c, c', c'', c'''.
+    scale : ndarray, shape (k, 4)
         What their roundings are relative to.
     """
 
@@ -156,6 +159,8 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
         Whether curves run through their points: B_ir(t_j) is 1 for i = j and r = 0, else 0.
+    is_continuous : bool
+        Whether no B_ir jumps at a break.
     is_local : bool
         Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
     is_one_polynomial : bool
@@ -203,6 +208,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
+    is_continuous: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
     is_calm: ClassVar[bool] = False
@@ -506,7 +512,27 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return self.bezier_pieces()
 
     @classmethod
-    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+    def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
+        """Return a curve of this family that keeps within a distance of another one.
+
+        Here the other one itself, by `same_shape_as`; a family that can follow any curve overrides it.
+
+        Parameters
+        ----------
+        curve : ParametricCurve
+            Of any family.
+        tolerance : float
+            Largest distance at equal parameters, greater than 0.
+
+        Raises
+        ------
+        CurveError
+            If it can be none of this family, or no way to it is known.
+        """
+        return cls.same_shape_as(curve)
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
         """Return a curve of this family that is another one, written with other data.
 
         Parameters
@@ -555,7 +581,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     # Sides of joints, and changes of the parameters
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments.
+        """Return c to c''' at the ends of all segments.
 
         Parameters
         ----------
@@ -571,7 +597,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         if before:
             t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
         values, scale = [], []
-        for order in range(3):
+        for order in range(JOINT_ORDERS):
             basis = self._basis(t, order).reshape(len(t), -1)
             data = self.jets.reshape(basis.shape[1], -1)
             values.append(basis @ data)

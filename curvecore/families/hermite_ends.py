@@ -8,20 +8,22 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein import controls_between
 from curvecore.bezier.bernstein_algebra import derivative
 from curvecore.families.curve import Slopes
+from curvecore.families.hermite_forms import end_weights
 from curvecore.scaling import UNIT_ROUNDOFF
 
 
-def next_derivative_terms(jets: FloatArray, parameters: FloatArray, end: int) -> FloatArray:
-    """Return the terms of the first derivative that is not given, at one end of every segment.
+def end_derivative_terms(jets: FloatArray, parameters: FloatArray, end: int, order: int) -> FloatArray:
+    """Return the terms of a derivative that is not given, at one end of every segment.
 
     Parameters
     ----------
     jets : ndarray, shape (n, R, dim)
-        R = 2 or 3.
     parameters : ndarray, shape (n,)
         Strictly increasing.
     end : int
         0 for the beginnings, 1 for the ends.
+    order : int
+        Of the derivative, at least R.
 
     Returns
     -------
@@ -32,11 +34,19 @@ def next_derivative_terms(jets: FloatArray, parameters: FloatArray, end: int) ->
     near, far = (jets[1:], jets[:-1]) if end else (jets[:-1], jets[1:])
     # Seen from an end, the other one lies at the signed distance h.
     h = -h if end else h
-    chord = (far[:, 0] - near[:, 0]) / h
-    if jets.shape[1] == 2:
-        return np.stack((6.0 * chord, -4.0 * near[:, 1], -2.0 * far[:, 1])) / h
-    slopes = np.stack((60.0 * chord, -36.0 * near[:, 1], -24.0 * far[:, 1])) / h
-    return np.stack((*slopes, -9.0 * near[:, 2], 3.0 * far[:, 2])) / h
+    near_weights, far_weights = end_weights(jets.shape[1], order)
+    # The weights of the points differ by their sign: their difference is what counts.
+    terms = [far_weights[0] * ((far[:, 0] - near[:, 0]) / h)]
+    for k in range(1, jets.shape[1]):
+        for data, weight in ((near[:, k], near_weights[k]), (far[:, k], far_weights[k])):
+            terms = [*terms, weight * data]
+        if k < order:
+            terms = [term / h for term in terms]
+    return np.stack(terms) / _power(h, order - jets.shape[1])
+
+
+def _power(h: FloatArray, exponent: int) -> FloatArray:
+    return h**exponent
 
 
 def slopes_of(jets: FloatArray, parameters: FloatArray) -> Slopes | None:

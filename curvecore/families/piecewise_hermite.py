@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Self
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,16 +10,25 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import (
     FloatArray,
     IntArray,
+    end_to_end,
     integer,
     parameter_row,
     read_only,
     unit_values,
 )
 from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
-from curvecore.families.curve import Interpolant, JointDerivatives, LocalBasis, ParametricCurve, Slopes
+from curvecore.families.chain import Chain
+from curvecore.families.curve import (
+    JOINT_ORDERS,
+    Interpolant,
+    JointDerivatives,
+    LocalBasis,
+    ParametricCurve,
+    Slopes,
+)
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
-from curvecore.families.hermite_ends import next_derivative_terms, slopes_of
-from curvecore.families.same_shape import joint_jets, pieces_of
+from curvecore.families.hermite_ends import end_derivative_terms, slopes_of
+from curvecore.families.same_shape import BezierChain, joint_jets, pieces_of, smooth_stretches
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
@@ -97,8 +106,9 @@ class PiecewiseHermite(ParametricCurve):
     def bezier_pieces(self) -> FloatArray:
         """Return the Bezier control points of all segments, shape (n - 1, 2 R, dim).
 
-        Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20 ahead of a joint, and the
-        mirror image behind it.
+        Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20; septic: p, p + h v / 7,
+        p + 2 h v / 7 + h**2 a / 42, p + 3 h v / 7 + h**2 a / 14 + h**3 j / 210, all ahead of a joint; behind
+        it the mirror image.
         """
         return np.nan_to_num(control_points(self._jets, self._parameters))
 
@@ -112,11 +122,11 @@ class PiecewiseHermite(ParametricCurve):
         return [Interpolant(t[i : i + 2], jets[i : i + 2]) for i in range(len(t) - 1)]
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c, c', c'' at the ends of all segments: what is given exactly."""
+        """Return c to c''' at the ends of all segments: what is given exactly."""
         values = self._jets[1:] if before else self._jets[:-1]
         scale = vector_lengths(values)
-        if values.shape[1] == 2:
-            terms = next_derivative_terms(self._jets, self._parameters, int(before))
+        for order in range(values.shape[1], JOINT_ORDERS):
+            terms = end_derivative_terms(self._jets, self._parameters, int(before), order)
             values = np.concatenate((values, terms.sum(axis=0)[:, None]), axis=1)
             scale = np.column_stack((scale, vector_lengths(terms).sum(axis=0)))
         return JointDerivatives(values, scale)
@@ -138,16 +148,24 @@ class PiecewiseHermite(ParametricCurve):
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             for end in (0, 1):
                 given = self._jets[segment + end][:, 1:]
-                beyond = next_derivative_terms(self._jets, self._parameters, end).sum(axis=0)
+                order = given.shape[1] + 1
+                beyond = end_derivative_terms(self._jets, self._parameters, end, order).sum(axis=0)
                 slopes = np.concatenate([given, beyond[segment, None]], axis=1)
                 moves[:, end] = -np.einsum("mr,mrd->md", values[:, end], slopes)
         return segment, moves
 
     @classmethod
-    def same_shape_as(cls, curve: ParametricCurve) -> Self:
-        """Return the curve with the same derivatives at the breaks of another of at most its degree."""
-        chain = pieces_of(curve, 2 * cls.derivatives + 1, cls.title)
-        return cls.from_jets(joint_jets(chain, cls.derivatives, cls.title), chain.breaks)
+    def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
+        """Return the curve with the same derivatives at the breaks of another of at most its degree.
+
+        A `Chain` where one of them jumps.
+        """
+        chains = [pieces_of(piece, 2 * cls.derivatives + 1, cls.title) for piece in curve.pieces]
+        controls = np.concatenate([chain.controls for chain in chains])
+        whole = BezierChain(controls, end_to_end(chain.breaks for chain in chains))
+        parts = smooth_stretches(whole, cls.derivatives)
+        curves = [cls.from_jets(joint_jets(part, cls.derivatives, cls.title), part.breaks) for part in parts]
+        return curves[0] if len(curves) == 1 else Chain(curves)
 
     def evaluate_segments(self, s: ArrayLike) -> FloatArray:
         """Return the curve at the same relative places of every segment.

@@ -271,8 +271,7 @@ def _derivative_row(powers: Row, order: int, a: Arithmetic) -> Row:
         return powers.copy()
     row = [Decimal(0)] * order
     for k in range(order, len(powers)):
-        factor = k if order == 1 else k * (k - 1)
-        row.append(a.multiply(Decimal(factor), powers[k - order]))
+        row.append(a.multiply(Decimal(math.perm(k, order)), powers[k - order]))
     return row
 
 
@@ -283,7 +282,7 @@ def _hermite_basis(data: Data, segment: int, _a: Arithmetic) -> Prepared:
 
 def _hermite_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
     ((start, end),) = prepared.helpers
-    functions = _cubic if len(prepared.coefficients[0]) == 4 else _quintic
+    functions = _FUNCTIONS[len(prepared.coefficients[0]) // 2]
     h = a.subtract(end, start)
     s, r = a.divide(a.subtract(t, start), h), a.divide(a.subtract(end, t), h)
     left, right = functions(s, r, h, a), functions(r, s, a.subtract(Decimal(0), h), a)
@@ -316,6 +315,35 @@ def _quintic(s: Decimal, r: Decimal, h: Decimal, a: Arithmetic) -> Row:
         a.multiply(a.divide(a.multiply(qs, s), Decimal(2)), a.multiply(h, h)),
     ]
 
+
+def _septic(s: Decimal, r: Decimal, h: Decimal, a: Arithmetic) -> Row:
+    """Return four functions of one end.
+
+    q = (r r) (r r); q ((((r r) r + (7 (r r)) s) + (21 r) (s s)) + (35 (s s)) s);
+    ((q s) ((r r + (6 r) s) + (15 s) s)) h; (((q s) s) / 2 (r + 5 s)) (h h); ((((q s) s) s) / 6) ((h h) h).
+    """
+    rr, ss, hh = a.multiply(r, r), a.multiply(s, s), a.multiply(h, h)
+    q = a.multiply(rr, rr)
+    qs = a.multiply(q, s)
+    qss = a.multiply(qs, s)
+
+    def product(number: int, *factors: Decimal) -> Decimal:
+        return reduce(a.multiply, factors, Decimal(number))
+
+    cubic = a.add(a.multiply(rr, r), product(7, rr, s))
+    cubic = a.add(a.add(cubic, product(21, r, ss)), product(35, ss, s))
+    quadratic = a.add(a.add(rr, product(6, r, s)), product(15, s, s))
+    linear = a.add(r, product(5, s))
+    return [
+        a.multiply(q, cubic),
+        a.multiply(a.multiply(qs, quadratic), h),
+        a.multiply(a.multiply(a.divide(qss, Decimal(2)), linear), hh),
+        a.multiply(a.divide(a.multiply(qss, s), Decimal(6)), a.multiply(hh, h)),
+    ]
+
+
+_FUNCTIONS = {2: _cubic, 3: _quintic, 4: _septic}
+"""Functions of one end, by the number of data there."""
 
 LAGRANGE_METHODS = {
     "monomial": Form(_monomial, _power_value),

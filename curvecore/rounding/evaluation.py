@@ -15,8 +15,8 @@ pocket calculator gives the same digits:
     (the first of equal pivots), row - (entry / pivot) pivot row; back
     substitution, (rhs - a_(k,k+1) x_(k+1) - ...) / pivot from left to right;
     Horner. For the Hermite families one system for each segment, in powers of
-    t: rows for the point, velocity (and acceleration) at its beginning, then
-    at its end, with entries k t**(k-1) and (k (k-1)) t**(k-2).
+    t: rows for the point, velocity (acceleration, jerk) at its beginning, then
+    at its end, with entries k t**(k-1), (k (k-1)) t**(k-2) and (k (k-1) (k-2)) t**(k-3).
 ``newton``
     Divided differences (a - b) / (t_(i+j) - t_i); from the last,
     result (t - t_i) + difference.
@@ -28,11 +28,11 @@ pocket calculator gives the same digits:
     w_i / (t - t_i); p_i where t = t_i.
 ``basis``
     Hermite: h = t_(i+1) - t_i, s = (t - t_i) / h, r = (t_(i+1) - t) / h, and the
-    factored functions of s and r that `_cubic` and `_quintic` spell out.
+    factored functions of s and r that `_cubic`, `_quintic` and `_septic` spell out.
 
 The coefficients of a method are what its functions of t are multiplied with:
 those of 1, t, t**2, ...; divided differences; the points; the weights w_i and
-the points; points, velocities and accelerations. An error e of the coefficient
+the points; points and their derivatives. An error e of the coefficient
 of t**k moves the curve by e t**k, one of a point p_i by e L_i(t).
 
 References
@@ -47,6 +47,7 @@ from __future__ import annotations
 
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 from enum import StrEnum
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -71,6 +72,8 @@ from curvecore.rounding.decimal_methods import (
 from curvecore.rounding.exact import interpolated
 from curvecore.rounding.rounded_data import decimal_context, digit_count, round_significant
 from curvecore.scaling import LARGEST
+
+_NAMES = ("velocities", "accelerations", "jerks")
 
 _SHOWN = 20
 """Digits of a result that was computed exactly: four more than any computation rounds to."""
@@ -123,7 +126,7 @@ def available_methods(derivatives: int) -> tuple[Method, ...]:
     Parameters
     ----------
     derivatives : int
-        How many are given at each point: 0, 1 or 2.
+        How many are given at each point: 0 to 3.
 
     Returns
     -------
@@ -151,6 +154,7 @@ def evaluate_rounded(
     digits: int,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
     *,
     rounding: Rounding | str = Rounding.EVERY_STEP,
 ) -> FloatArray:
@@ -169,8 +173,9 @@ def evaluate_rounded(
         velocities ``"basis"`` or ``"monomial"``.
     digits : int
         From 2 to 16: significant digits of what is rounded.
-    velocities, accelerations : array_like, shape (n, dim), optional
-        Velocities make it the cubic Hermite curve, both the quintic one.
+    velocities, accelerations, jerks : array_like, shape (n, dim), optional
+        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
+        septic one.
     rounding : Rounding or str, optional
         ``"every_step"``, ``"coefficients"`` or ``"data"`` (points, derivatives
         and parameters). With rounded data all methods give the same values.
@@ -215,7 +220,7 @@ def evaluate_rounded(
     [[0.11]]
     """
     rows = rounded_decimals(
-        points, parameters, t, method, digits, velocities, accelerations, rounding=rounding
+        points, parameters, t, method, digits, velocities, accelerations, jerks, rounding=rounding
     )
     values = np.array([[float(x) if x.is_finite() else np.nan for x in row] for row in rows])
     limited: FloatArray = np.clip(values, -LARGEST, LARGEST)
@@ -230,6 +235,7 @@ def rounded_decimals(
     digits: int,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
     *,
     rounding: Rounding | str = Rounding.EVERY_STEP,
 ) -> list[list[Decimal]]:
@@ -247,8 +253,9 @@ def rounded_decimals(
         One that goes with the data: see `available_methods`.
     digits : int
         From 2 to 16: significant digits of what is rounded.
-    velocities, accelerations : array_like, shape (n, dim), optional
-        Velocities make it the cubic Hermite curve, both the quintic one.
+    velocities, accelerations, jerks : array_like, shape (n, dim), optional
+        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
+        septic one.
     rounding : Rounding or str, optional
         What is rounded: ``"every_step"``, ``"coefficients"`` or ``"data"``.
 
@@ -268,7 +275,7 @@ def rounded_decimals(
     >>> print(digits)
     0.090
     """
-    data = _data(points, parameters, velocities, accelerations)
+    data = _data(points, parameters, velocities, accelerations, jerks)
     form, context = _form(data, method), decimal_context(digits)
     where = parameter_row(t)
     match _known(rounding):
@@ -292,6 +299,7 @@ def exact_values(
     t: ArrayLike,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
 ) -> FloatArray:
     """Return the curve computed in fractions, each coordinate rounded once.
 
@@ -303,8 +311,9 @@ def exact_values(
         Strictly increasing.
     t : float or array_like, shape (m,)
         Any finite values; a scalar counts as m = 1.
-    velocities, accelerations : array_like, shape (n, dim), optional
-        Velocities make it the cubic Hermite curve, both the quintic one.
+    velocities, accelerations, jerks : array_like, shape (n, dim), optional
+        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
+        septic one.
 
     Returns
     -------
@@ -327,7 +336,7 @@ def exact_values(
     >>> exact_values([[0.0], [1.0], [4.0]], [0, 1, 2], [0.5, 3]).tolist()
     [[0.25], [9.0]]
     """
-    data = _data(points, parameters, velocities, accelerations)
+    data = _data(points, parameters, velocities, accelerations, jerks)
     where = parameter_row(t)
     segments = data.segments(where)
     result = np.empty((len(where), data.jets.shape[2]))
@@ -390,13 +399,12 @@ def _finite_rows(values: ArrayLike) -> FloatArray:
     return array
 
 
-def _data(
-    points: ArrayLike, parameters: ArrayLike, velocities: ArrayLike | None, accelerations: ArrayLike | None
-) -> Data:
-    given = {"velocities": velocities, "accelerations": accelerations}
+def _data(points: ArrayLike, parameters: ArrayLike, *derivatives: ArrayLike | None) -> Data:
+    given = dict(zip(_NAMES, derivatives, strict=True))
     jets = stacked_jets(points, **{name: values for name, values in given.items() if values is not None})
-    if velocities is None and accelerations is not None:
-        raise CurveError("accelerations need velocities beside them")
+    for below, above in pairwise(_NAMES):
+        if given[below] is None and given[above] is not None:
+            raise CurveError(f"{above} need {below} beside them")
     return Data(parameter_array(parameters, len(jets)), jets)
 
 

@@ -54,6 +54,10 @@ class OperationCounts(NamedTuple):
         return self.setup + count * self.per_point
 
 
+_OF_FUNCTIONS = {2: 6, 3: 18, 4: 34}
+"""Operations for the functions of one end of a segment, by the number of data there."""
+
+
 def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) -> OperationCounts:
     """Return how many operations `evaluate_rounded` does.
 
@@ -66,8 +70,8 @@ def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) ->
     dim : int, optional
         At least 1.
     derivatives : int, optional
-        0 for one polynomial through all points, 1 for cubic and 2 for quintic
-        Hermite curves, all n - 1 segments of which count as used.
+        0 for one polynomial through all points, 1 for cubic, 2 for quintic and 3
+        for septic Hermite curves, all n - 1 segments of which count as used.
 
     Returns
     -------
@@ -100,13 +104,12 @@ def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) ->
     polynomial = _polynomial_counts(count, space)
     if width == 1 and name in polynomial:
         return polynomial[name]
-    if width in (2, 3) and name == "monomial":
+    if width > 1 and name == "monomial":
         size = 2 * width
         entries = 2 * (size - 2) + sum(2 * (size - order) for order in range(1, width))
         return OperationCounts((count - 1) * (entries + _elimination(size, space)), 2 * space * (size - 1))
-    if width in (2, 3) and name == "basis":
-        functions = 6 if width == 2 else 18
-        return OperationCounts(0, 6 + 2 * functions + space * (4 * width - 1))
+    if width in _OF_FUNCTIONS and name == "basis":
+        return OperationCounts(0, 6 + 2 * _OF_FUNCTIONS[width] + space * (4 * width - 1))
     raise CurveError(f"method {name!r} does not go with {width - 1} derivatives")
 
 

@@ -61,7 +61,7 @@ def lagrange_weights(parameters):
     return weights
 
 
-HALF = fmpq(1, 2)
+HALF, SIXTH = fmpq(1, 2), fmpq(1, 6)
 # Power coefficients in s of the cardinal functions, [end][derivative]; written out
 # independently of the factored forms under test.
 CARDINAL = {
@@ -69,6 +69,20 @@ CARDINAL = {
     3: [
         [[1, 0, 0, -10, 15, -6], [0, 1, 0, -6, 8, -3], [0, 0, HALF, -3 * HALF, 3 * HALF, -HALF]],
         [[0, 0, 0, 10, -15, 6], [0, 0, 0, -4, 7, -3], [0, 0, 0, HALF, -1, HALF]],
+    ],
+    4: [
+        [
+            [1, 0, 0, 0, -35, 84, -70, 20],
+            [0, 1, 0, 0, -20, 45, -36, 10],
+            [0, 0, HALF, 0, -5, 10, -15 * HALF, 2],
+            [0, 0, 0, SIXTH, -4 * SIXTH, 1, -4 * SIXTH, SIXTH],
+        ],
+        [
+            [0, 0, 0, 0, 35, -84, 70, -20],
+            [0, 0, 0, 0, -15, 39, -34, 10],
+            [0, 0, 0, 0, 5 * HALF, -7, 13 * HALF, -2],
+            [0, 0, 0, 0, -SIXTH, HALF, -HALF, SIXTH],
+        ],
     ],
 }
 

@@ -9,6 +9,7 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     bezier_segments,
     chebyshev,
     cubic_path,
@@ -26,8 +27,8 @@ def de_casteljau(controls, s):
 
 
 def curves(rng):
-    data = [rng.standard_normal((4, 2)) for _ in range(3)]
-    return HermiteCurve(*data[:2], T), QuinticHermiteCurve(*data, T)
+    data = [rng.standard_normal((4, 2)) for _ in range(4)]
+    return HermiteCurve(*data[:2], T), QuinticHermiteCurve(*data[:3], T), SepticHermiteCurve(*data, T)
 
 
 def test_control_points_make_the_curve(rng):
@@ -55,6 +56,30 @@ def test_published_formulas():
     assert quintic == pytest.approx([*ahead, *behind], abs=1e-15)
 
 
+def test_septic_control_points_give_the_data_back_in_fractions():
+    """Dyadic data, against derivatives at the ends of the Bezier curve in exact arithmetic."""
+    h, data = Fraction(1, 2), [[Fraction(k * k + r, 8) for r in range(4)] for k in (1, 3)]
+    columns = np.array([[float(x) for x in row] for row in data])
+    curve = SepticHermiteCurve(*columns.T[:, :, None], [0.0, float(h)])
+    p, v, a, j = data[0]
+    ahead = [p, p + h * v / 7, p + 2 * h * v / 7 + h**2 * a / 42]
+    ahead.append(p + 3 * h * v / 7 + 3 * h**2 * a / 42 + h**3 * j / 210)
+    controls = bezier_segments(curve)[0, :, 0]
+    assert controls[:4] == pytest.approx([float(x) for x in ahead], rel=1e-15)
+    p, v, a, j = data[1]
+    behind = [p, p - h * v / 7, p - 2 * h * v / 7 + h**2 * a / 42]
+    behind.append(p - 3 * h * v / 7 + 3 * h**2 * a / 42 - h**3 * j / 210)
+    assert controls[:3:-1] == pytest.approx([float(x) for x in behind], rel=1e-15)
+    for exact, given in ((ahead, data[0]), (behind, data[1])):
+        step = h if exact is ahead else -h
+        differences, level = [], exact
+        while level:
+            differences.append(level[0])
+            level = [b - a for a, b in pairwise(level)]
+        scale = [Fraction(1), Fraction(7), Fraction(42), Fraction(210)]
+        assert [d * f / step**k for k, (d, f) in enumerate(zip(differences, scale, strict=True))] == given
+
+
 def test_lagrange_has_no_segments():
     with pytest.raises(CurveError, match="must be of a family of piecewise polynomials"):
         bezier_segments(LagrangeCurve([[0.0], [1.0]], [0.0, 1.0]))
@@ -79,7 +104,7 @@ def test_cubic_path_of_a_cubic_is_exact(rng):
 def test_cubic_path_keeps_the_tolerance(rng, tolerance):
     points = rng.standard_normal((12, 2))
     for curve in (
-        curves(rng)[1],
+        *curves(rng)[1:],
         LagrangeCurve(points, chebyshev(12)),
         LagrangeCurve(points, uniform(12)),
     ):

@@ -9,6 +9,7 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     catmull_rom_velocities,
     joint_report,
     natural_spline_velocities,
@@ -56,6 +57,47 @@ def test_the_class_that_was_built_in(after, label, parametric, geometric):
     assert (joint.joint, joint.parameter) == (1, 0.0)
 
 
+J = np.array([0.5, -3.0])
+
+
+def joined_septics(before, after):
+    """The same of two septics, with the jerk on each side."""
+    far = [np.resize(number, len(before[0])) for number in (1.0, 1.0, 0.0, 0.0)]
+    left = SepticHermiteCurve(*zip(far, before, strict=True), [-1.0, 0.0])
+    right = SepticHermiteCurve(*zip(after, far, strict=True), [0.0, 1.0])
+    (joint,) = joint_report(Chain([left, right]))
+    return joint
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+@pytest.mark.parametrize(
+    ("change", "label"),
+    [
+        ((1.0, 0.0, 0.0), "C3"),
+        # c(phi(t)) with phi' = b1, phi'' = b2, phi''' = b3: the line goes on, the motion does not.
+        ((1.0, 0.0, 2.0), "C2, G3"),
+        ((1.0, -1.5, 2.0), "C1, G3"),
+        ((2.0, 0.5, -1.0), "C0, G3"),
+    ],
+)
+def test_third_order_contact_is_found(dim, change, label):
+    """The chain rule of Barsky and DeRose: beta constraints of the third order."""
+    p, v, a, j = (np.resize(x, dim) + 0.25 * np.arange(dim) for x in (P, V, A, J))
+    b1, b2, b3 = change
+    after = (p, b1 * v, b1**2 * a + b2 * v, b1**3 * j + 3.0 * b1 * b2 * a + b3 * v)
+    assert joined_septics((p, v, a, j), after).label == label
+    across = np.zeros(dim)
+    across[:2] = -v[1], v[0]
+    other = joined_septics((p, v, a, j), (*after[:3], after[3] + 0.01 * across))
+    assert other.label == {"C3": "C2", "C2, G3": "C2", "C1, G3": "C1, G2", "C0, G3": "C0, G2"}[label]
+    assert other.jerk_jump == pytest.approx(after[3] + 0.01 * across - j, rel=1e-12)
+
+
+def test_septics_are_three_times_continuous(rng):
+    curve = SepticHermiteCurve(POINTS, *rng.standard_normal((3, 5, 2)), T)
+    assert [joint.label for joint in joint_report(curve)] == ["C3"] * 3
+
+
 @pytest.mark.parametrize("angle", [1e-12, 1e-6, 0.1, 1.0, 3.0, np.pi])
 def test_angles(angle):
     turned = [np.cos(angle) * 3.0 - np.sin(angle) * 4.0, np.sin(angle) * 3.0 + np.cos(angle) * 4.0]
@@ -91,8 +133,8 @@ def test_jumps_are_those_of_the_pieces(rng):
 
 def test_one_polynomial_is_smooth_at_its_points():
     report = joint_report(LagrangeCurve(POINTS, T))
-    assert [joint.label for joint in report] == ["C2"] * 3
-    assert all((joint.acceleration_jump == 0.0).all() for joint in report)
+    assert [joint.label for joint in report] == ["C3"] * 3
+    assert all((jump == 0.0).all() for joint in report for jump in joint.jumps)
     assert joint_report(LagrangeCurve(POINTS[:2], T[:2])) == []
 
 

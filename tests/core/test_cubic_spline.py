@@ -154,7 +154,10 @@ def test_its_joints_are_smooth_to_the_second_derivative(rng, ends):
     points = rng.standard_normal((12, 2))
     points[-1] = points[0]
     curve = CubicSplineCurve(points, t, ends=ends)
-    assert {joint.label for joint in joint_report(curve)} == {"C2"}
+    # At a joint that is not a knot two pieces are one polynomial.
+    one = {1, 10} if ends is SplineEnds.NOT_A_KNOT else set()
+    for joint in joint_report(curve):
+        assert joint.label == ("C3" if joint.joint in one else "C2")
     *_, seam = joint_report(curve, closed=True)
     assert (seam.label == "C2") == (ends is SplineEnds.PERIODIC)
     for order, same in ((1, SplineEnds.CLAMPED), (2, SplineEnds.NATURAL)):

@@ -14,6 +14,7 @@ from curvecore import (
     LagrangeCurve,
     Method,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     available_methods,
     chebyshev,
     digits_lost,
@@ -152,7 +153,8 @@ def independent_hermite(method, jets, ends, t):
             zero = Digits(0, k)
             slopes = [zero] + [Digits(j, k) * row[j - 1] for j in range(1, 2 * width)]
             bends = [zero, zero] + [Digits(j * (j - 1), k) * row[j - 2] for j in range(2, 2 * width)]
-            rows.extend([row, slopes, bends][:width])
+            turns = [zero] * 3 + [Digits(j * (j - 1) * (j - 2), k) * row[j - 3] for j in range(3, 2 * width)]
+            rows.extend([row, slopes, bends, turns][:width])
         return horner(solved(np.array(rows, dtype=object), jets.reshape(2 * width, -1)), t)
     h = ends[1] - ends[0]
     s, r = (t - ends[0]) / h, (ends[1] - t) / h
@@ -161,6 +163,20 @@ def independent_hermite(method, jets, ends, t):
         if width == 2:
             square = far * far
             weights = [square * (far + Digits(3, k) * near), square * near * step]
+        elif width == 4:
+            square, near_square, step_square = far * far, near * near, step * step
+            fourth = square * square
+            once = fourth * near
+            twice = once * near
+            inner = square * far + Digits(7, k) * square * near
+            inner = inner + Digits(21, k) * far * near_square + Digits(35, k) * near_square * near
+            slope = square + Digits(6, k) * far * near + Digits(15, k) * near * near
+            weights = [
+                fourth * inner,
+                once * slope * step,
+                twice / Digits(2, k) * (far + Digits(5, k) * near) * step_square,
+                twice * near / Digits(6, k) * (step_square * step),
+            ]
         else:
             square = far * far
             cube = square * far
@@ -194,7 +210,7 @@ def test_polynomials_digit_for_digit(rng, method, digits, n):
 
 @pytest.mark.parametrize("method", available_methods(1))
 @pytest.mark.parametrize("digits", [2, 4, 8, 16])
-@pytest.mark.parametrize("width", [2, 3])
+@pytest.mark.parametrize("width", [2, 3, 4])
 def test_hermite_curves_digit_for_digit(rng, method, digits, width):
     t = np.array([0.5, 1.0, 1.75, 3.0])
     jets = rng.standard_normal((4, width, 2))
@@ -281,7 +297,7 @@ def test_a_system_that_rounding_makes_singular_is_not_a_number():
 @pytest.mark.parametrize("n", [2, 5, 9])
 def test_exact_values_are_the_nearest_doubles(rng, exact, n):
     t = np.sort(rng.random(n))
-    points, velocities, accelerations = rng.standard_normal((3, n, 2))
+    points, velocities, accelerations, jerks = rng.standard_normal((4, n, 2))
     where = np.append(rng.random(6), t[1])
     nodes = [exact.rational(x) for x in t]
     weights = exact.lagrange_weights(nodes)
@@ -296,6 +312,7 @@ def test_exact_values_are_the_nearest_doubles(rng, exact, n):
     for data, curve in (
         ((velocities, None), HermiteCurve(points, velocities, t)),
         ((velocities, accelerations), QuinticHermiteCurve(points, velocities, accelerations, t)),
+        ((velocities, accelerations, jerks), SepticHermiteCurve(points, velocities, accelerations, jerks, t)),
     ):
         # Against the core, whose error is a few u sum |B d|, and that is of the size of the data here.
         expected = curve.evaluate(where[where >= t[0]])
@@ -352,7 +369,7 @@ class Counting:
         return counted
 
 
-@pytest.mark.parametrize("derivatives", [0, 1, 2])
+@pytest.mark.parametrize("derivatives", [0, 1, 2, 3])
 @pytest.mark.parametrize("n", [2, 3, 7])
 @pytest.mark.parametrize("dim", [1, 2, 3])
 def test_operations_are_counted_right(rng, derivatives, n, dim):
@@ -422,6 +439,8 @@ def test_unusable_arguments():
             evaluate_rounded(points, t, [0.5], method, 5, *rest)
     with pytest.raises(CurveError, match="accelerations need velocities"):
         evaluate_rounded(points, t, [0.5], "basis", 5, accelerations=points)
+    with pytest.raises(CurveError, match="jerks need accelerations"):
+        evaluate_rounded(points, t, [0.5], "basis", 5, velocities=points, jerks=points)
 
 
 def test_no_module_that_is_imported_late_has_the_name_of_a_function():

@@ -1,3 +1,5 @@
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,7 @@ from curvecore import (
     finite_difference_velocities,
     monotone_velocities,
     natural_spline_accelerations,
+    natural_spline_jerks,
     natural_spline_velocities,
     uniform,
     zero_accelerations,
@@ -136,3 +139,32 @@ def test_unusable_input(rule):
 def test_derivatives_beyond_the_range(rule):
     with pytest.raises(CurveError, match="exceeds the largest number"):
         rule([[0.0], [1e300], [0.0]], [0.0, 1e-150, 2e-150])
+
+
+def test_jerks_are_those_of_the_spline_between_its_sides(rng, exact):
+    """By fractions: the spline's third derivatives are the slopes of its accelerations; (de Boor, IV (9))."""
+    points = rng.standard_normal((6, 2))
+    jerks = natural_spline_jerks(points, T)
+    spline = HermiteCurve(points, natural_spline_velocities(points, T), T)
+    sides = [spline.joint_derivatives(before=side).values[:, 3] for side in (True, False)]
+    assert jerks[0] == pytest.approx(sides[1][0], rel=1e-11)
+    assert jerks[-1] == pytest.approx(sides[0][-1], rel=1e-11)
+    h = [exact.rational(b) - exact.rational(a) for a, b in pairwise(T)]
+    for i in range(1, 5):
+        share = float((h[i - 1] / (h[i - 1] + h[i])).p) / float((h[i - 1] / (h[i - 1] + h[i])).q)
+        between = (1.0 - share) * sides[0][i - 1] + share * sides[1][i]
+        assert jerks[i] == pytest.approx(between, rel=1e-11, abs=1e-11 * np.abs(jerks).max())
+
+
+def test_jerks_are_linear_in_the_points_and_scale(rng):
+    points, others = rng.standard_normal((2, 6, 2))
+    both = natural_spline_jerks(2.0 * points - 3.0 * others, T)
+    parts = 2.0 * natural_spline_jerks(points, T) - 3.0 * natural_spline_jerks(others, T)
+    assert both == pytest.approx(parts, rel=1e-12, abs=1e-12 * np.abs(parts).max())
+    for scale in (1e-90, 1e90):
+        assert natural_spline_jerks(points, scale * T) * scale**3 == pytest.approx(
+            natural_spline_jerks(points, T), rel=1e-11
+        )
+    assert (natural_spline_jerks([[0.0, 1.0], [3.0, 5.0]], [1.0, 3.0]) == 0.0).all()
+    with pytest.raises(CurveError, match="too far apart"):
+        natural_spline_jerks(points, 1e-150 * T)

@@ -97,12 +97,27 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
 
 
 def test_a_corner_has_two_velocities_and_both_accelerations():
-    document = edits.set_acceleration(manual(), 0, 1, (1.0, 2.0))
+    document = edits.set_derivative(manual(), 0, 1, 2, (1.0, 2.0))
     cornered = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
     point = cornered.curves[0].points[1]
     assert (point.corner, point.velocity, point.velocity_after) == (True, (1.0, 0.0), (0.0, 1.0))
     assert point.acceleration == point.acceleration_after == (1.0, 2.0)
     validate(cornered)
+
+
+def test_a_corner_has_both_jerks_and_turns_round_with_its_signs():
+    document = edits.set_derivative(manual(), 0, 1, 3, (1.0, 2.0))
+    document = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
+    document = edits.set_derivative(document, 0, 1, 3, (5.0, 6.0), ahead=True)
+    document = edits.set_derivative(document, 0, 1, 2, (7.0, 8.0), ahead=True)
+    point = document.curves[0].points[1]
+    assert (point.jerk, point.jerk_after) == ((1.0, 2.0), (5.0, 6.0))
+    parameters = [each.t for each in document.curves[0].points]
+    turned = curve_edits.reverse_curve(document, 0, parameters).curves[0].points[-2]
+    assert (turned.velocity, turned.velocity_after) == ((-0.0, -1.0), (-1.0, -0.0))
+    assert (turned.acceleration, turned.acceleration_after) == ((7.0, 8.0), None)
+    assert (turned.jerk, turned.jerk_after) == ((-5.0, -6.0), (-1.0, -2.0))
+    validate(document)
 
 
 def test_a_smooth_point_has_one_velocity():
@@ -114,7 +129,7 @@ def test_a_smooth_point_has_one_velocity():
 def test_each_side_of_a_corner_is_set_alone():
     document = edits.make_corner(manual(), 0, 1, None, None)
     document = edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)
-    document = edits.set_acceleration(document, 0, 1, (4.0, 0.0), ahead=False)
+    document = edits.set_derivative(document, 0, 1, 2, (4.0, 0.0), ahead=False)
     point = document.curves[0].points[1]
     assert (point.velocity, point.velocity_after) == (None, (3.0, 0.0))
     assert (point.acceleration, point.acceleration_after) == ((4.0, 0.0), None)

@@ -30,9 +30,17 @@ WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
 def document(rule, family=HERMITE, *, closed=False):
     """A curve all of whose derivatives are set, with a corner at point 5."""
     points = [
-        Point(float(x), float(y), velocity=(3.0 + x, 2.0 - y), acceleration=(float(y), 5.0)) for x, y in SHAPE
+        Point(
+            float(x),
+            float(y),
+            velocity=(3.0 + x, 2.0 - y),
+            acceleration=(float(y), 5.0),
+            jerk=(8.0 - x, x + y),
+        )
+        for x, y in SHAPE
     ]
-    points[5] = replace(points[5], corner=True, velocity_after=(1.0, -7.0), acceleration_after=(2.0, 2.0))
+    after = {"velocity_after": (1.0, -7.0), "acceleration_after": (2.0, 2.0), "jerk_after": (-9.0, 4.0)}
+    points[5] = replace(points[5], corner=True, **after)
     return Document((Curve("Wave", family, rule, tuple(points), closed=closed),))
 
 
@@ -45,9 +53,13 @@ def controls(doc):
         start, end = view.sides.after[segment], view.sides.before[segment + 1]
         degree = 2 * len(start) - 1
         found.append([start[0], start[0] + h * start[1] / degree, end[0] - h * end[1] / degree, end[0]])
-        if degree == 5:
-            found[-1].append(start[0] + 2 * h * start[1] / 5 + h * h * start[2] / 20)
-            found[-1].append(end[0] - 2 * h * end[1] / 5 + h * h * end[2] / 20)
+        if degree >= 5:
+            second = degree * (degree - 1)
+            found[-1].append(start[0] + 2 * h * start[1] / degree + h * h * start[2] / second)
+            found[-1].append(end[0] - 2 * h * end[1] / degree + h * h * end[2] / second)
+        if degree == 7:
+            found[-1].append(start[0] + 3 * h * start[1] / 7 + h * h * start[2] / 14 + h**3 * start[3] / 210)
+            found[-1].append(end[0] - 3 * h * end[1] / 7 + h * h * end[2] / 14 - h**3 * end[3] / 210)
     return found
 
 

@@ -30,7 +30,7 @@ def document_of(x):
     pair = (x, x)
     points = (
         Point(0.0, 0.0),
-        Point(x, x, x, pair, pair, np.True_, pair, pair),
+        Point(x, x, x, pair, pair, np.True_, pair, pair, pair, pair),
         Point(1.0, 2.0, velocity=[x, np.float64(2.0)]),
     )
     curve = replace(
@@ -53,7 +53,7 @@ def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
     assert odd_values(document) == []
     value = float(number)
     point = document.curves[1].points[1]
-    assert point == Point(value, value, value, (value,) * 2, (value,) * 2, True, (value,) * 2, (value,) * 2)
+    assert point == Point(value, value, value, *[(value,) * 2] * 2, True, *[(value,) * 2] * 4)
     assert document.curves[1].points[2].velocity == (value, 2.0)
     assert document.curves[1].parametrization == Parametrization(alpha=0.5, end=10.0)
     assert document.image == ReferenceImage("/a.png", value, value, value, value, 1.0, True)

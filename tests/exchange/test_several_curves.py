@@ -19,7 +19,7 @@ from app.exchange.naming import Names
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
-from app.families import HERMITE, QUINTIC_HERMITE
+from app.families import FAMILIES
 from app.storage.files import save
 from app.view_model.curve_view import view_of
 
@@ -27,7 +27,7 @@ SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-@pytest.fixture(params=[HERMITE, QUINTIC_HERMITE])
+@pytest.fixture(params=[family for family in FAMILIES if family.derivatives])
 def document(request):
     """A closed blue curve with a corner, a hidden one, and one in ink."""
     closed = replace(make_curve(SQUARE, name="Pond", family=request.param), closed=True, colour="#0072b2")

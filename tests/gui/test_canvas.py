@@ -236,6 +236,51 @@ def test_dragging_an_acceleration_handle_sets_the_acceleration(arch):
     assert arch.session.undo_stack.undoText() == "Set acceleration of point 1"
 
 
+@pytest.mark.parametrize("ahead", [True, False])
+def test_dragging_a_jerk_handle_sets_the_jerk(arch, ahead):
+    arch.choose_family("septic_hermite")
+    arch.select_point(1)
+    before = arch.session.active_view
+    others = [arch.handle(kind, ahead=ahead).position for kind in (1, 2)]
+    x, y = arch.handle(3, ahead=ahead).position
+    arch.drag_handle((x + 0.4, y + 0.3), kind=3, ahead=ahead)
+    assert arch.handle(3, ahead=ahead).position == pytest.approx((x + 0.4, y + 0.3), abs=2 * arch.pixel)
+    point = arch.curve.points[1]
+    assert (point.velocity, point.acceleration) == (None, None)
+    assert arch.session.undo_stack.undoText() == "Set jerk of point 1"
+    # h**3 j / 210: the third control point goes as the pointer goes, those before it stay.
+    h = before.spacing(1, ahead=ahead) * (1 if ahead else -1)
+    moved = np.subtract(point.jerk, before.derivative_of(1, 3)) * h**3 / 210
+    assert moved == pytest.approx((0.4, 0.3), abs=2 * arch.pixel)
+    assert [arch.handle(kind, ahead=ahead).position for kind in (1, 2)] == others
+    control = arch.session.active_view.curve.bezier_pieces()[1 if ahead else 0, 3 if ahead else 4]
+    assert arch.handle(3, ahead=ahead).position == pytest.approx(control.tolist(), abs=1e-12)
+    arch.trigger("undo")
+    assert arch.curve.points[1].jerk is None
+
+
+def test_each_kind_of_handle_is_hit_and_its_drag_cancelled(arch):
+    arch.choose_family("septic_hermite")
+    arch.select_point(1)
+    document = arch.session.document
+    for kind, name in enumerate(("velocity", "acceleration", "jerk"), start=1):
+        arch.press(arch.handle(kind).position)
+        arch.move((3, 4))
+        assert arch.session.document.curves[0].points[1] != document.curves[0].points[1]
+        assert arch.status.startswith(f"{name.capitalize()} of point 1: ")
+        arch.escape()
+        assert arch.session.document is document
+        arch.release((3, 4))
+
+
+def test_handles_of_points_that_are_not_selected_are_not_drawn(arch):
+    arch.choose_family("septic_hermite")
+    arch.select_point(1)
+    assert len(arch.window.canvas.drawing.points.handles) == 6
+    arch.select([0, 1])
+    assert len(arch.window.canvas.drawing.points.handles) == 0
+
+
 def test_a_handle_drag_can_be_cancelled(arch):
     arch.choose_family(HERMITE)
     arch.select_point(1)
@@ -392,7 +437,7 @@ def test_subnormal_coordinates_reach_neither_pyqtgraph_nor_a_crash(editor):
 # Closing with the pen
 
 
-@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
 def test_the_pen_closes_the_curve_at_its_first_point(arch, family):
     arch.choose_family(family)
     arch.trigger("closeCurve")

@@ -131,7 +131,7 @@ def test_a_curve_keeps_its_name_when_nothing_is_typed(form):
 
 def test_an_interval_is_typed_as_an_expression_and_keeps_the_shape(quintic):
     document = edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
-    quintic.session.commit(edits.set_acceleration(document, 0, 2, (5.0, 6.0)), "Set")
+    quintic.session.commit(edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
     s = np.linspace(0, 1, 50)
     before = quintic.session.active_view.curve.evaluate(s)
     quintic.type("intervalEnd", "5/2")
@@ -313,7 +313,7 @@ def test_reset_all_to_estimated(quintic):
     button = quintic.panel.findChild(QToolButton, "resetAllToEstimated")
     assert not button.isVisible()
     document = edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
-    quintic.session.commit(edits.set_acceleration(document, 0, 5, (5.0, 6.0)), "Set")
+    quintic.session.commit(edits.set_derivative(document, 0, 5, 2, (5.0, 6.0)), "Set")
     assert button.isVisible()
     quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert all(point.velocity is None and point.acceleration is None for point in quintic.curve.points)
@@ -324,7 +324,7 @@ def test_reset_all_to_estimated(quintic):
 def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
     form = Form(qtbot, HERMITE)
     document = edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
-    form.session.commit(edits.set_acceleration(document, 0, 2, (5.0, 6.0)), "Set")
+    form.session.commit(edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
     qtbot.mouseClick(form["resetAllToEstimated"], Qt.MouseButton.LeftButton)
     assert form.curve.points[2].velocity is None
     assert form.curve.points[2].acceleration == (5.0, 6.0)

@@ -42,7 +42,7 @@ def step(data, document: Document, curve: Curve, view: CurveView) -> Document:
         case 4:
             return edits.set_velocity(document, 0, index, data.draw(st.none() | vectors))
         case 5:
-            return edits.set_acceleration(document, 0, index, data.draw(st.none() | vectors))
+            return edits.set_derivative(document, 0, index, 2, data.draw(st.none() | vectors))
         case 6:
             return edits.make_corner(document, 0, index, data.draw(st.none() | vectors), None)
         case 7:

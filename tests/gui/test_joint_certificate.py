@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Parametrization, Point, VelocityRule
 from app.families import HERMITE
+from app.features.joints.model import COLUMNS
 from app.features.joints.panel import JointsPanel
 from app.view_model.analysis.joints import JointKind
 
@@ -116,7 +117,7 @@ def test_a_corner_is_told_by_sign_and_word(bessel):
     row = panel(bessel).rows[2]
     assert row.kind is JointKind.CORNER
     assert text(bessel, 2, 0) == "▲ 3"
-    assert text(bessel, 2, 5).endswith("°")
+    assert text(bessel, 2, COLUMNS.index("∠")).endswith("°")
     assert "joint 3: C⁰ (corner)" in panel(bessel).summary
     assert panel(bessel).summary.startswith("▲")
 

@@ -290,7 +290,7 @@ def test_without_a_curve_the_dot_is_away_and_the_bar_says_why(editor, motion):
 def test_cubic_beside_quintic(editor, motion):
     session = editor.session
     editor.choose_family(HERMITE)
-    session.commit(edits.set_velocity_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
+    session.commit(edits.set_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
     editor.trigger("motionCompare")
     assert motion.player.is_playing
     motion.wait(0.3)

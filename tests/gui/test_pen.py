@@ -102,7 +102,7 @@ def test_an_acceleration_goes_along_by_the_square(pen):
     begin(pen, edits.set_family(pen.session.document, 0, QUINTIC_HERMITE))
     pen.click(at(pen, 0, 0))
     pen.drag(at(pen, 30, 0), at(pen, 60, 0))
-    document = edits.set_acceleration(pen.session.document, 0, 1, (3.0, -4.0))
+    document = edits.set_derivative(pen.session.document, 0, 1, 2, (3.0, -4.0))
     pen.session.commit(document, "Set")
     old = pen.curve.points[1]
     pen.click(at(pen, 330, 0))

@@ -24,6 +24,7 @@ ACTIONS = {
     "plotSpeed": lengths.SPEED,
     "plotAcceleration": lengths.ACCELERATION,
     "plotJerk": lengths.JERK,
+    "plotSnap": lengths.SNAP,
     "plotCurvature": curvature.CURVATURE,
     "plotLebesgue": lebesgue.LEBESGUE,
 }

@@ -20,7 +20,8 @@ from app.testing import wait_for_rest
 from app.view_model.point_columns import columns_of
 
 Role = Qt.ItemDataRole
-T, X, Y, VX, VY, AX, AY = range(7)
+T, X, Y, VX, VY, AX, AY, JX, JY = range(9)
+SEPTIC_HERMITE = FAMILIES.named("septic_hermite")
 WIDTH = len(columns_of(derivatives=0))
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
 
@@ -142,6 +143,11 @@ def quintic(qtbot):
     return Table(qtbot, QUINTIC_HERMITE)
 
 
+@pytest.fixture
+def septic(qtbot):
+    return Table(qtbot, SEPTIC_HERMITE)
+
+
 # What is shown
 
 
@@ -151,6 +157,7 @@ def quintic(qtbot):
         (LAGRANGE, "t x y"),
         (HERMITE, "t x y vx vy"),
         (QUINTIC_HERMITE, "t x y vx vy ax ay"),
+        (SEPTIC_HERMITE, "t x y vx vy ax ay jx jy"),
     ],
 )
 def test_the_columns_are_those_of_the_family(qtbot, family, names):
@@ -160,10 +167,10 @@ def test_the_columns_are_those_of_the_family(qtbot, family, names):
     assert shown == [column.name for column in columns_of(family.derivatives)]
 
 
-def test_it_holds_the_numbers_of_the_view_exactly(quintic):
-    view = quintic.session.active_view
+def test_it_holds_the_numbers_of_the_view_exactly(septic):
+    view = septic.session.active_view
     for row in range(len(view.points)):
-        numbers = [quintic.value(row, column) for column in range(7)]
+        numbers = [septic.value(row, column) for column in range(9)]
         assert numbers == [view.parameters[row], *view.curve.jets[row].ravel()]
 
 
@@ -208,7 +215,7 @@ def test_estimated_numbers_are_muted_italic_and_say_by_which_rule(hermite):
     assert hermite.model.data(index, Role.FontRole).italic()
     assert hermite.model.data(index, Role.ForegroundRole) == LIGHT.muted
     assert "estimated by the natural spline rule" in hermite.model.data(index, Role.ToolTipRole)
-    document = edits.set_velocity_rule(hermite.session.document, 0, VelocityRule.BESSEL)
+    document = edits.set_rule(hermite.session.document, 0, VelocityRule.BESSEL)
     hermite.session.commit(document, "Rule")
     assert "Bessel" in hermite.model.data(index, Role.ToolTipRole)
     document = edits.set_velocity(hermite.session.document, 0, 2, (1.0, 2.0))
@@ -413,11 +420,23 @@ def test_one_component_makes_the_pair_explicit(quintic):
     assert quintic.point(2).acceleration == (-2.0, acceleration[1])
 
 
+def test_a_jerk_is_typed_reset_and_pasted_with_its_point(septic):
+    jerk = septic.session.active_view.curve.jets[2, 3]
+    septic.type(2, JY, "1.5")
+    assert septic.point(2).jerk == (jerk[0], 1.5)
+    assert septic.session.undo_stack.undoText() == "Set jy of point 2"
+    assert septic.point(2).acceleration is None
+    septic.click(2, JX)
+    septic.qtbot.keyClick(septic.view, Qt.Key.Key_Delete)
+    assert septic.point(2).jerk is None
+    assert septic.session.undo_stack.undoText() == "Reset jerk of point 2"
+
+
 def set_derivatives(table, *indices):
     document = table.session.document
     for index in indices:
         document = edits.set_velocity(document, 0, index, (1.0, 2.0))
-        document = edits.set_acceleration(document, 0, index, (3.0, 4.0))
+        document = edits.set_derivative(document, 0, index, 2, (3.0, 4.0))
     table.session.commit(document, "Set")
 
 
@@ -693,7 +712,7 @@ def test_a_thousand_rows_are_updated_and_not_reset(qtbot):
     table.session.commit(document, "Freeze")
     resets, changes = QSignalSpy(table.model.modelReset), QSignalSpy(table.model.dataChanged)
     rows = QSignalSpy(table.model.rowsInserted)
-    document = edits.set_velocity_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
+    document = edits.set_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
     table.session.commit(document, "Rule")
     changed = changes.count()
     table.session.commit(edits.move_points(table.session.document, 0, [500], (0.0, 1.0)), "Move point 500")

@@ -277,7 +277,7 @@ def check_rotation(arch, family, kind):
     document = edits.set_parametrization(document, 0, kind, [])
     document = edits.set_velocity(document, 0, 1, (3.0, 1.0))
     document = edits.make_corner(document, 0, 2, (1.0, 2.0), (2.0, -5.0))
-    document = edits.set_acceleration(document, 0, 1, (-4.0, 7.0))
+    document = edits.set_derivative(document, 0, 1, 2, (-4.0, 7.0))
     arch.session.commit(document, "Prepare")
     before = arch.session.active_view.curve
     arch.select([0, 1, 2, 3])

@@ -19,7 +19,7 @@ from app.document.model import (
     VelocityRule,
     make_curve,
 )
-from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -91,7 +91,7 @@ def test_estimated_leaves_everything_to_the_rules(wave):
 
 
 @pytest.mark.parametrize("closed", [False, True])
-@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
 def test_a_corner_moves_nothing_before_it_is_touched(wave, family, closed):
     wave.choose_family(family)
     if closed:

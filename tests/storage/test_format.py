@@ -12,10 +12,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from app.document.model import (
+    DERIVATIVES,
     MAX_MAGNITUDE,
     AccelerationRule,
     Curve,
     Document,
+    JerkRule,
     Parametrization,
     ParametrizationKind,
     Point,
@@ -47,7 +49,18 @@ def curves(draw):
     parameters = sorted(draw(st.lists(numbers, min_size=count, max_size=count, unique=True)))
     if rule.kind is not ParametrizationKind.MANUAL:
         parameters = [t if draw(st.booleans()) else None for t in parameters]
-    points = tuple(Point(draw(numbers), draw(numbers), t, draw(vectors), draw(vectors)) for t in parameters)
+    points = tuple(
+        Point(
+            draw(numbers),
+            draw(numbers),
+            t,
+            draw(vectors),
+            draw(vectors),
+            jerk=draw(vectors),
+            jerk_after=draw(vectors),
+        )
+        for t in parameters
+    )
     return Curve(
         draw(names),
         draw(st.sampled_from(FAMILIES)),
@@ -55,6 +68,7 @@ def curves(draw):
         points,
         draw(st.sampled_from(VelocityRule)),
         draw(st.sampled_from(AccelerationRule)),
+        draw(st.sampled_from(JerkRule)),
     )
 
 
@@ -124,6 +138,24 @@ def test_file_reads_well():
     )
 
 
+def test_jerks_stand_in_the_file_only_where_somebody_set_them():
+    points = (Point(0.0, 1.0), Point(2.0, 3.0, jerk=(4.0, 5.0)))
+    curve = Curve("J", FAMILIES.named("septic_hermite"), Parametrization(), points)
+    text = encode(Document((curve,))).decode()
+    assert '{"x": 2.0, "y": 3.0, "jerk": [4.0, 5.0]}' in text
+    assert '{"x": 0.0, "y": 1.0}' in text
+    assert "jerk_rule" not in text
+    changed = msgspec.structs.replace(curve, jerk_rule=JerkRule.ZERO)
+    assert '"jerk_rule": "zero"' in encode(Document((changed,))).decode()
+
+
+@pytest.mark.parametrize("each", DERIVATIVES)
+def test_the_description_of_the_derivatives_is_that_of_points_and_curves(each):
+    assert {each.name, each.after} <= set(Point.__struct_fields__)
+    assert type(getattr(make_curve(()), each.rule_field)) is each.rules
+    assert len(Point.__struct_fields__) == 4 + 2 * len(DERIVATIVES)
+
+
 @pytest.mark.parametrize(
     ("point", "message"),
     [
@@ -131,6 +163,8 @@ def test_file_reads_well():
         (Point(0.0, -math.inf), "curves[0].points[0].y must lie between -1e12 and 1e12, not -inf"),
         (Point(0.0, 0.0, velocity=(0.0, math.nan)), "curves[0].points[0].velocity[1] must lie between"),
         (Point(0.0, 0.0, acceleration=(2e12, 0.0)), "curves[0].points[0].acceleration[0] must lie between"),
+        (Point(0.0, 0.0, jerk=(0.0, -2e12)), "curves[0].points[0].jerk[1] must lie between"),
+        (Point(0.0, 0.0, jerk_after=(math.inf, 0.0)), "curves[0].points[0].jerk_after[0] must lie between"),
         (Point(True, 0.0), "curves[0].points[0].x must be a number, not True"),
         (Point(10**5000, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not a larger one"),
     ],
@@ -234,6 +268,18 @@ REFUSED_VALUES = [
     ((*POINT, "velocity"), [1.0, 2.0, 3.0], "curves[0].points[3].velocity must be a list of 2 numbers"),
     ((*POINT, "velocity"), [1.0, "2"], "curves[0].points[3].velocity[1] must be a number, not text"),
     ((*POINT, "acceleration"), 1.0, "curves[0].points[3].acceleration must be a list or null, not a number"),
+    ((*POINT, "jerk"), "1", "curves[0].points[3].jerk must be a list or null, not text"),
+    (
+        (*POINT, "jerk"),
+        [1.0, 2e12],
+        "curves[0].points[3].jerk[1] must lie between -1e12 and 1e12, not 2000000000000.0",
+    ),
+    ((*POINT, "jerk_after"), [1.0], "curves[0].points[3].jerk_after must be a list of 2 numbers"),
+    (
+        ("curves", 0, "jerk_rule"),
+        "bessel",
+        'curves[0].jerk_rule is not a choice that this version knows: "bessel"',
+    ),
     (
         (*POINT, "t"),
         0.5,

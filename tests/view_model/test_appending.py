@@ -9,7 +9,7 @@ import pytest
 
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, Point, make_curve
-from app.families import HERMITE, QUINTIC_HERMITE
+from app.families import FAMILIES
 from app.features.point_table.edits import paste_block
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import view_of
@@ -41,7 +41,7 @@ def longest(document):
 
 @pytest.mark.parametrize("append", [by_pen, by_paste, by_table])
 @pytest.mark.parametrize("kind", [*ParametrizationKind])
-@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
 def test_a_far_point_makes_no_handle_longer(family, kind, append):
     document = Document((make_curve([(0, 0), (0.3, 0.1), (0.5, 0)], family=family),))
     document = edits.set_parametrization(document, 0, kind, [0.0, 0.6, 1.0])

@@ -402,7 +402,7 @@ def test_a_closed_natural_cubic_is_the_periodic_spline():
 def test_explicit_data_at_the_seam_count_on_both_sides():
     closed = view(QUINTIC_HERMITE, closed=True)
     document = edits.set_velocity(Document((closed.source,)), 0, 0, (5.0, -3.0))
-    document = edits.set_acceleration(document, 0, 0, (1.0, 2.0))
+    document = edits.set_derivative(document, 0, 0, 2, (1.0, 2.0))
     after = view_of(document.curves[0])
     for order, expected in ((1, (5.0, -3.0)), (2, (1.0, 2.0))):
         for t in after.curve.domain:

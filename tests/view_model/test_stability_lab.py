@@ -20,6 +20,7 @@ from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain, overshoot, widest
 from app.view_model.analysis.wording import short
 from app.view_model.curve_view import view_of
+from curvecore import monomial_condition
 
 ALL = LaboratorySettings(on=True, methods=frozenset(Calculation))
 POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0)]
@@ -50,10 +51,11 @@ def test_sixteen_digits_are_as_good_as_the_curve(family):
     truth = view.curve.evaluate(trial.t)
     for outcome in trial.outcomes:
         drawn = np.vstack(outcome.pieces)
-        # Condition numbers here are below 1e6: ten digits are left to everybody.
+        # Condition numbers here are below 4e7: ten digits are left to everybody. The 1.6e11 of septic
+        # segments costs one digit more.
         assert np.abs(drawn - truth).max() < 1e-8
         assert outcome.worst[0] == outcome.errors.max()
-        assert outcome.lost < 6
+        assert outcome.lost < (6 if monomial_condition(view.curve) < 4e7 else 7)
 
 
 @pytest.mark.parametrize("family", WITH_METHODS)

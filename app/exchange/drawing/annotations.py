@@ -31,7 +31,7 @@ _MOST_LINES = 24
 _FINE, _COARSE, _AXIS = 0.08, 0.16, 0.4
 _THIN, _USUAL = 0.001, 0.002
 _SQUARE = 0.004
-_DASHES = ((), (0.008, 0.005), (0.002, 0.004))
+_DASHES = ((), (0.008, 0.005), (0.002, 0.004), (0.008, 0.004, 0.002, 0.004))
 
 
 def annotated(drawing: Drawing, document: Document, options: Options, theme: str) -> Drawing:

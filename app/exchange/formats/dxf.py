@@ -50,7 +50,7 @@ CUBIC = Check(
 def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
     """Return the curves as DXF (R2010): one SPLINE each, on a layer of its own.
 
-    Cubic and quintic Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
+    Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
     rounding, with their parameters as knots; others as cubics within the tolerance. With `CUBIC` all above
     degree 3 are: some programs, LibreCAD among them, show nothing of a spline of higher degree. With points
     the layer of each curve holds its points as well, as POINTs. The header names the `unit`.

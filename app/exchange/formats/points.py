@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isnan, nan
 
 from ...document.edits import interval
-from ...document.model import Document
+from ...document.model import DERIVATIVES, Document
 from ...tasks.progress import part, told
 from ...view_model.curve_view import CurveView, view_of
 from ..options import DEFAULT, Options
@@ -62,8 +62,8 @@ def _rows(view: CurveView) -> list[tuple[float, ...]]:
 
 
 def _derivatives(view: CurveView, index: int, *, ahead: bool) -> list[float]:
-    """Return the velocity and the acceleration on one side of a point; NaN where there is none."""
-    vectors = (view.velocity_of(index, ahead=ahead), view.acceleration_of(index, ahead=ahead))
+    """Return the derivatives on one side of a point, by their orders; NaN where there is none."""
+    vectors = (view.derivative_of(index, each.order, ahead=ahead) for each in DERIVATIVES)
     return [number for vector in vectors for number in vector or (nan, nan)]
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from curvecore import ArcLength, flatten_pieces
 from curvecore.arrays import FloatArray
 
-from ...document.model import Document
+from ...document.model import DERIVATIVES, Document
 from ...document.words import NamedEnum
 from ...tasks.progress import Report, part
 from ...view_model.arc_lengths import arc_lengths_of
@@ -23,7 +23,11 @@ from . import Format, Written
 
 MOST_SAMPLES = 1_000_000
 
+_DERIVATIVES = tuple(f"{each.letter}{axis}" for each in DERIVATIVES for axis in "xy")
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
+"""The columns of a table, unless others are chosen."""
+
+_ALL = ("t", "x", "y", *_DERIVATIVES, "curvature", "length")
 
 
 class Spacing(NamedEnum):
@@ -58,12 +62,12 @@ COLUMNS = SomeOf(
     tip="Write the column {}",
     widget="exportColumn_{}",
     default=TITLES,
-    choices=TITLES,
+    choices=_ALL,
     needed="A table needs at least one column.",
 )
 
 _ROWS_AT_ONCE = 2_000
-_LENGTH = TITLES.index("length")
+_LENGTH = _ALL.index("length")
 _LENGTH_ACCURACY = 1e-9
 
 
@@ -86,7 +90,7 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
     allowed = checked_tolerance(sources, options.tolerance)
     chosen, rest = _columns(options[COLUMNS]), part(report, 0.1, 1.0)
     named = len(sources) > 1
-    titles = [TITLES[column] for column in chosen]
+    titles = [_ALL[column] for column in chosen]
     lines, deviation = [separator.join(["curve", *titles] if named else titles)], 0.0
     for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
         away = part(rest, place / len(sources), (place + 1) / len(sources))
@@ -115,9 +119,9 @@ def _samples_of(
 
 def _columns(titles: tuple[str, ...]) -> list[int]:
     """Return the places of the columns wanted, in their usual order."""
-    if not titles or not set(titles) <= set(TITLES):
-        raise ExchangeError(f"A table can have the columns {', '.join(TITLES)}; at least one is needed.")
-    return [place for place, title in enumerate(TITLES) if title in titles]
+    if not titles or not set(titles) <= set(_ALL):
+        raise ExchangeError(f"A table can have the columns {', '.join(_ALL)}; at least one is needed.")
+    return [place for place, title in enumerate(_ALL) if title in titles]
 
 
 def _parameters_of(
@@ -140,17 +144,19 @@ def _parameters_of(
 
 
 def _rows_of(core: ParametricCurve, t: FloatArray, lengths: ArcLength | None) -> FloatArray:
-    """Return the columns of `TITLES` at parameters t (m,) as (m, 9); the curvature of a point at rest is NaN.
+    """Return the columns of `_ALL` at parameters t (m,), one row each.
 
-    Curvature is positive where the curve turns to the left; the length counts from the beginning of the
-    curve, and is NaN where none are wanted. At a corner the values are those after it.
+    Curvature is positive where the curve turns to the left, and NaN at a point at rest; the length counts
+    from the beginning of the curve, and is NaN where none are wanted. At a corner the values are those
+    after it.
     """
-    point, velocity, acceleration = (core.evaluate(t, order) for order in range(3))
+    orders = [core.evaluate(t, order) for order in range(len(DERIVATIVES) + 1)]
+    _, velocity, acceleration, *_ = orders
     with np.errstate(all="ignore"):
         cross = velocity[:, 0] * acceleration[:, 1] - velocity[:, 1] * acceleration[:, 0]
         curvature = cross / np.hypot(*velocity.T) ** 3
     length = lengths.length_at(t) if lengths is not None else np.full(len(t), np.nan)
-    return np.column_stack([t, point, velocity, acceleration, curvature, length])
+    return np.column_stack([t, *orders, curvature, length])
 
 
 def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:

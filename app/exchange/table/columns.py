@@ -6,12 +6,13 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
+from ...document.model import DERIVATIVES
 from ..errors import ExchangeError
 
-ROLES = ("t", "x", "y", "vx", "vy", "ax", "ay")
+ROLES = ("t", "x", "y", *(f"{each.letter}{axis}" for each in DERIVATIVES for axis in "xy"))
 """Roles of columns of numbers, for every point."""
 
-AFTER = ("vx_after", "vy_after", "ax_after", "ay_after")
+AFTER = tuple(f"{role}_after" for role in ROLES[3:])
 """The derivatives after a corner; those of `ROLES` are the ones before it then."""
 
 WORDS = ("curve", "family")
@@ -32,6 +33,8 @@ _NAMES = {
     "vy": "vy|vely|yvel|velocityy|yvelocity",
     "ax": "ax|accx|xacc|accelerationx|xacceleration",
     "ay": "ay|accy|yacc|accelerationy|yacceleration",
+    "jx": "jx|jerkx|xjerk",
+    "jy": "jy|jerky|yjerk",
 }
 _PATTERNS = {role: re.compile(pattern) for role, pattern in _NAMES.items()}
 _INDEX = re.compile(r"|index|unnamed: ?0|#|nr\.?|no\.?|row|id")
@@ -48,10 +51,14 @@ class ColumnMapping:
     vy: int | None = None
     ax: int | None = None
     ay: int | None = None
+    jx: int | None = None
+    jy: int | None = None
     vx_after: int | None = None
     vy_after: int | None = None
     ax_after: int | None = None
     ay_after: int | None = None
+    jx_after: int | None = None
+    jy_after: int | None = None
     curve: int | None = None
     family: int | None = None
 

@@ -9,7 +9,16 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 
-from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
+from ...document.model import (
+    DERIVATIVES,
+    VECTORS,
+    Curve,
+    Document,
+    Parametrization,
+    ParametrizationKind,
+    Point,
+    Vector,
+)
 from ...document.words import NamedEnum
 from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ...storage.format import FormatError, validate
@@ -39,11 +48,11 @@ class Missing(NamedEnum):
 
 
 _PAIRS = {
-    "velocity": ("vx", "vy"),
-    "acceleration": ("ax", "ay"),
-    "velocity_after": ("vx_after", "vy_after"),
-    "acceleration_after": ("ax_after", "ay_after"),
+    name: (f"{each.letter}x{after}", f"{each.letter}y{after}")
+    for each in DERIVATIVES
+    for name, after in ((each.name, ""), (each.after, "_after"))
 }
+"""The columns of the fields of a point."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +62,7 @@ class TableOptions:
     Attributes
     ----------
     family
-        Of the curves, unless a column says it. Velocities or accelerations that the family does not have are
+        Of the curves, unless a column says it. Derivatives that the family does not have are
         left out; where a pair of cells is empty, they are estimated.
     settings
         Those of that family that are not its defaults.
@@ -289,19 +298,19 @@ def _full_curve(name: str, own: _Rows, word: FamilyWord, report: Report) -> Curv
 def _points(own: _Rows, family: Family, report: Report) -> Iterator[Point]:
     """Yield the points of all rows, made of some rows at a time: lists of all would double the memory."""
     x, y, times = own.column("x"), own.column("y"), own.t
-    orders = ((1, "velocity"), (2, "acceleration"), (1, "velocity_after"), (2, "acceleration_after"))
     for first in range(0, len(x), _ROWS_AT_ONCE):
         report(first / len(x), "Making a curve")
         some = slice(first, first + _ROWS_AT_ONCE)
         nothing: list[Vector | None] = [None] * len(x[some])
         fields = [
-            own.vectors(name, some) if order <= family.derivatives else nothing for order, name in orders
+            own.vectors(name, some) if order <= family.derivatives else nothing for order, name in VECTORS
         ]
         t = [None] * len(nothing) if times is None else times[some].tolist()
-        for at_x, at_y, at, velocity, acceleration, after, bend in zip(
-            x[some].tolist(), y[some].tolist(), t, *fields, strict=True
-        ):
-            yield Point(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
+        rows = zip(x[some].tolist(), y[some].tolist(), t, zip(*fields, strict=True), strict=True)
+        for at_x, at_y, at, vectors in rows:
+            before, after = vectors[: len(DERIVATIVES)], vectors[len(DERIVATIVES) :]
+            point = Point(at_x, at_y, at, corner=after[0] is not None)
+            yield point.with_derivatives(before, after) if any(vectors) else point
 
 
 def _thinned_curve(name: str, own: _Rows, kept: IntArray, parameters: FloatArray) -> Curve:

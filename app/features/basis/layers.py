@@ -58,7 +58,7 @@ class FunctionLayer(Layer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self.kinds: frozenset[int] = frozenset((0, 1, 2))
+        self.kinds: frozenset[int] = frozenset(range(len(KIND_DASHES)))
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
         self._lines: FunctionLines | None = None

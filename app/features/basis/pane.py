@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
+from ...document.model import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
@@ -29,12 +30,10 @@ from .panel import BasisPanel
 
 _NO_PARAMETERS = "none while the rule gives no parameters"
 _NO_CURVE = "none while there is no curve with these parameters"
-_NAMES = ("position", "velocity", "acceleration")
+_NAMES = ("position", *(each.name for each in DERIVATIVES))
 
 _CARDINAL_TITLES = ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)")
-_CARDINAL_TIP = (
-    "What point i does to the curve, with the velocities and accelerations that are estimated from it"
-)
+_CARDINAL_TIP = "What point i does to the curve, with the derivatives that are estimated from it"
 
 _SOON_MS = 33
 
@@ -55,7 +54,7 @@ class BasisPane(FollowsTheme, CentralPane):
         mirror(self._estimates, estimates)
         self._shows_cardinals, self._linearised = False, ""
         self._functions = self._title.text()
-        self._kinds = [self._kind_button(kind) for kind in range(3)]
+        self._kinds = [self._kind_button(kind) for kind in range(len(_NAMES))]
         self._formulas: tuple[str, ...] = ()
         self._reach: tuple[float, float] | None = None
         self._drawing = named(ElidedLabel(), "basisDrawing")
@@ -64,7 +63,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._findings = Label(name="basisFindings", label="What is wrong with the functions", wordWrap=True)
         self._findings.setContentsMargins(10, 0, 8, 2)
         self._findings.hide()
-        # How many words are left out of the header, from 0 to 2.
+        # How many words are left out of the header, from 0 to 3.
         self._brevity = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._write_reach)
@@ -142,15 +141,19 @@ class BasisPane(FollowsTheme, CentralPane):
         self._write_header()
 
     def _write_header(self) -> None:
-        """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
+        """Write as much as there is room for.
+
+        First the words beside the formulas go, then the note's own, then the factors of the functions.
+        """
         linearised = f"; shown are those {self._linearised}" if self._linearised else ""
         self._title.setToolTip(f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
-        for brief in range(3):
+        for brief in range(4):
             self._brevity = brief
             self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else self._functions)
             for kind, formula in enumerate(self._formulas):
                 # The leading space keeps the words off the line that is their sign.
-                self._kinds[kind].setText(" " + (formula if brief else f"{_NAMES[kind]}  {formula}"))
+                shown = _function_of(formula) if brief > 2 else formula
+                self._kinds[kind].setText(" " + (shown if brief else f"{_NAMES[kind]}  {formula}"))
             self._write_extent()
             if self._header.sizeHint().width() <= self.width():
                 break
@@ -211,6 +214,11 @@ class BasisPane(FollowsTheme, CentralPane):
         if self._extent.sizeHint() != room:
             # As above: what the header says besides depends on what this leaves of the room.
             self._write_header()
+
+
+def _function_of(formula: str) -> str:
+    """Return the function of a formula, without its factors: of 2·B₁ ∕ h only B₁."""
+    return formula.rpartition("·")[2].partition(" ")[0]
 
 
 def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:

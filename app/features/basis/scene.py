@@ -96,7 +96,7 @@ class BasisScene(QObject):
         self.rail.update()
 
     def set_kinds(self, kinds: frozenset[int]) -> None:
-        """Show these kinds of functions: 0 position, 1 velocity, 2 acceleration."""
+        """Show these kinds of functions: 0 of positions, else those of the derivatives of that order."""
         self.functions.kinds = kinds
         self.functions.update()
         self._report_extent()

@@ -14,7 +14,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import HERMITE_POINTS, POINTS_OR_CURVES, Need
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_COPY_AS
 from ...actions.strips import CANVAS_MENU, POINT_MENU
-from ...document import curve_edits, edits
+from ...document import curve_edits, edits, model
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
 from ...document.words import count_of
@@ -179,22 +179,18 @@ class ClipboardCommands:
     )
     @also(POINT_MENU(32))
     def _copy_derivatives(self) -> None:
-        """Copy the velocity and the acceleration of the selected point."""
+        """Copy the derivatives of the selected point."""
         view, index = self._session.active_view, self._session.selected.point
         if index is None or not view.is_current:
             return
         point = view.source.points[index]
-        jet = Point(
-            0.0,
-            0.0,
-            velocity=view.velocity_of(index, ahead=False),
-            acceleration=view.acceleration_of(index, ahead=False),
-            corner=point.corner,
-            velocity_after=view.velocity_of(index) if point.corner else None,
-            acceleration_after=view.acceleration_of(index) if point.corner else None,
+        before, after = (
+            [view.derivative_of(index, each.order, ahead=ahead) for each in model.DERIVATIVES]
+            for ahead in (False, True)
         )
+        jet = Point(0.0, 0.0, corner=point.corner).with_derivatives(before, after)
         mark = decimal_mark()
-        numbers = (*(jet.velocity or ()), *(jet.acceleration or ()))
+        numbers = [number for vector in before for number in vector or ()]
         data = QMimeData()
         data.setData(DERIVATIVES, msgspec.json.encode(jet))
         data.setText(write_block([[exact_text(number, mark) for number in numbers]]))
@@ -213,7 +209,7 @@ class ClipboardCommands:
     )
     @also(POINT_MENU(33))
     def _paste_derivatives(self) -> None:
-        """Give the selected points the velocity and the acceleration that were copied."""
+        """Give the selected points the derivatives that were copied."""
         session, selected = self._session, self._session.selection
         jet = _derivatives_on_clipboard()
         if jet is None:
@@ -284,10 +280,9 @@ def _derivatives_on_clipboard() -> Point | None:
 
 def _with_derivatives(point: Point, jet: Point) -> Point:
     """Return `point` with the derivatives of `jet`; of a higher order it keeps its own."""
-    changed = replace(point, corner=jet.corner, velocity=jet.velocity, velocity_after=jet.velocity_after)
-    if jet.acceleration is None:
-        return changed
-    return replace(changed, acceleration=jet.acceleration, acceleration_after=jet.acceleration_after)
+    copied = [each for each in model.DERIVATIVES if getattr(jet, each.name) is not None]
+    vectors = {name: getattr(jet, name) for each in copied for name in (each.name, each.after)}
+    return replace(point, corner=jet.corner, **vectors)
 
 
 COMMAND_SETS = (ClipboardCommands,)

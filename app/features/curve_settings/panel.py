@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document import edits
-from ...document.model import AccelerationRule, VelocityRule
-from ...document.words import NamedEnum, count_of, number
+from ...document.model import DERIVATIVES, Derivative
+from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
 from ...view_model.curve_view import CurveView, ParametricCurve
@@ -48,12 +48,11 @@ class CurveSettings(FieldForm):
             "End of the interval",
             "t of the last point (of a closed curve: of its return to the first)",
         )
-        self.velocity_box = _rule_box("velocityRule", "Velocity rule", VelocityRule)
-        self.acceleration_box = _rule_box("accelerationRule", "Acceleration rule", AccelerationRule)
+        self.rule_boxes = {each: _rule_box(each) for each in DERIVATIVES}
         self.reset_button = tool_button(
             "resetAllToEstimated",
-            "Reset all velocities and accelerations to estimated",
-            "Let the rules estimate every velocity and acceleration again",
+            "Reset all derivatives to estimated",
+            "Let the rules estimate every derivative again",
             text="Reset all to estimated",
             icon_size=ICON,
         )
@@ -68,8 +67,7 @@ class CurveSettings(FieldForm):
         self._form = form_of(
             ("Name", self.name_edit),
             ("Interval of t", interval),
-            ("Velocities", self.velocity_box),
-            ("Accelerations", self.acceleration_box),
+            *((each.plural.capitalize(), box) for each, box in self.rule_boxes.items()),
         )
         self.settings = SettingFields(self._form, _SETTINGS_ROW, self)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -82,8 +80,8 @@ class CurveSettings(FieldForm):
         self.name_edit.committed.connect(self._rename)
         self.start_edit.entered.connect(lambda start: self._set_interval(start, self._interval[1]))
         self.end_edit.entered.connect(lambda end: self._set_interval(self._interval[0], end))
-        self.velocity_box.activated.connect(self._set_velocity_rule)
-        self.acceleration_box.activated.connect(self._set_acceleration_rule)
+        for each, box in self.rule_boxes.items():
+            box.activated.connect(partial(self._set_rule, each))
         self.reset_button.clicked.connect(self._reset_all)
         self.settings.chosen.connect(self._choose_setting)
         self.settings.rebuilt.connect(self._watch_settings)
@@ -115,12 +113,10 @@ class CurveSettings(FieldForm):
         self.name_edit.show_text(curve.name)
         for edit, value in zip((self.start_edit, self.end_edit), self._interval, strict=True):
             edit.show_number(value, 6)
-        self.velocity_box.setCurrentIndex(list(VelocityRule).index(curve.velocity_rule))
-        self.acceleration_box.setCurrentIndex(list(AccelerationRule).index(curve.acceleration_rule))
         self.settings.render_view(self._view)
-        derivatives = curve.family.derivatives
-        self._form.setRowVisible(self.velocity_box, derivatives > 0)
-        self._form.setRowVisible(self.acceleration_box, derivatives > 1)
+        for each, box in self.rule_boxes.items():
+            box.setCurrentIndex(list(each.rules).index(getattr(curve, each.rule_field)))
+            self._form.setRowVisible(box, each.order <= curve.family.derivatives)
         self.reset_button.setVisible(bool(orders_set(self._view)))
         self._facts.setText(_facts(self._view))
         # Nothing is wrong with a curve that is yet to be begun.
@@ -144,17 +140,10 @@ class CurveSettings(FieldForm):
         )
         self._render()
 
-    def _set_velocity_rule(self, place: int) -> None:
-        rule = list(VelocityRule)[place]
+    def _set_rule(self, of: Derivative, place: int) -> None:
+        rule = list(of.rules)[place]
         self.edited.emit(
-            "Choose velocity rule", lambda document, curve: edits.set_velocity_rule(document, curve, rule)
-        )
-
-    def _set_acceleration_rule(self, place: int) -> None:
-        rule = list(AccelerationRule)[place]
-        self.edited.emit(
-            "Choose acceleration rule",
-            lambda document, curve: edits.set_acceleration_rule(document, curve, rule),
+            f"Choose {of.name} rule", lambda document, curve: edits.set_rule(document, curve, rule)
         )
 
     def _choose_setting(self, setting: FamilySetting, value: SettingValue) -> None:
@@ -212,9 +201,10 @@ def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
     return NumberEdit(name, label, tip)
 
 
-def _rule_box(name: str, label: str, rules: Iterable[NamedEnum]) -> QComboBox:
+def _rule_box(of: Derivative) -> QComboBox:
+    label = f"{of.name.capitalize()} rule"
     tip = f"{label}: how those that nobody set are estimated"
-    box = choice_box(name, label, tip, (each.label for each in rules))
+    box = choice_box(f"{of.name}Rule", label, tip, (each.label for each in of.rules))
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box

@@ -11,6 +11,7 @@ from ...appearance.colours import point_colours
 from ...appearance.icons import icon
 from ...appearance.theme import LIGHT, Theme
 from ...appearance.themed import FollowsTheme
+from ...document.model import DERIVATIVES
 from ...document.words import number
 from ...plotting.drawing import MARGIN, Stroke, draw_segments
 from ...plotting.layers import Layer
@@ -29,7 +30,7 @@ from ...widgets.tool_buttons import tool_button
 
 _MARGIN = 1.12
 _NUMBERED_UP_TO = 16
-_NAMES = {1: ("c′", "velocity"), 2: ("c″", "acceleration")}
+_NAMES = {each.order: ("c" + "′″‴"[each.order - 1], each.name) for each in DERIVATIVES}
 
 
 class HodographPlot(ToolPlot):

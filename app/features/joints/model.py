@@ -13,13 +13,14 @@ from ...qt.overrides import Guarded
 from ...view_model.analysis.joints import JointKind, JointRow
 from ...widgets.number_text import decimal_mark
 
-COLUMNS = ("Joint", "Class", "c", "c′", "c″", "∠", "κ")
+COLUMNS = ("Joint", "Class", "c", "c′", "c″", "c‴", "∠", "κ")
 _TIPS = (
     "The joint, by the number of its point: ✓ smooth, △ acceleration jumps, ◇ speed jumps, ▲ corner",
     "Parametric continuity C, of the motion; geometric continuity G, of the line, where it says more",
     "Jump of the point",
     "Jump of the velocity: the length of after minus before",
     "Jump of the acceleration: the length of after minus before",
+    "Jump of the jerk: the length of after minus before",
     "Angle between the tangents before and after",
     "Jump of the curvature, after minus before",
 )

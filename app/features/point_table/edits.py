@@ -10,10 +10,10 @@ from curvecore.arrays import FloatArray
 
 from ...document import edits
 from ...document.edits import EditError
-from ...document.model import Document, Point
+from ...document.model import DERIVATIVES, Document, Point
+from ...document.words import enumerated
 from ...view_model.appending import appended_parameter, with_points_appended
 from ...view_model.curve_view import CurveView, view_of
-from ...view_model.jets import explicit_sides
 from ...view_model.point_columns import PARAMETER, POSITION, Column, knot_parameters
 
 
@@ -86,7 +86,8 @@ def _new_point(columns: Sequence[Column], row: FloatArray) -> Point:
     for column, value in zip(columns, row.tolist(), strict=True):
         data.setdefault(-1 if column.order is None else column.order, []).append(value)
     vectors = {order: (pair[0], pair[1]) for order, pair in data.items() if order >= POSITION}
-    return Point(*vectors[POSITION], velocity=vectors.get(1), acceleration=vectors.get(2))
+    given = [vectors.get(each.order) for each in DERIVATIVES]
+    return Point(*vectors[POSITION]).with_derivatives(given, given)
 
 
 def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Point]) -> Document:
@@ -112,7 +113,7 @@ def _append(document: Document, curve: int, view: CurveView, new: Sequence[Point
 
 # Back to the rules
 
-_ORDER_NAMES = {1: "velocity", 2: "acceleration"}
+_ORDER_NAMES = {each.order: each.name for each in DERIVATIVES}
 
 
 def explicit_orders(points: Sequence[Point], indices: Collection[int], orders: Collection[int]) -> set[int]:
@@ -120,7 +121,7 @@ def explicit_orders(points: Sequence[Point], indices: Collection[int], orders: C
     found = set()
     for index in indices:
         for order in orders:
-            if any(side is not None for side in explicit_sides(points[index], order)):
+            if any(points[index].explicit_sides(order)):
                 found.add(order)
     return found
 
@@ -140,18 +141,17 @@ def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -
 
 def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
     """Return "Point 8 keeps its own velocity"."""
-    names = [name for order, name in _ORDER_NAMES.items() if order in orders]
+    kept = [each for each in DERIVATIVES if each.order in orders]
     if len(indices) == 1:
-        return f"Point {indices[0]} keeps its own {' and '.join(names)}"
-    plural = " and ".join({"velocity": "velocities", "acceleration": "accelerations"}[name] for name in names)
-    return f"{len(indices)} points keep their own {plural}"
+        return f"Point {indices[0]} keeps its own {enumerated([each.name for each in kept])}"
+    return f"{len(indices)} points keep their own {enumerated([each.plural for each in kept])}"
 
 
 def reset_name(indices: Collection[int], columns: Sequence[Column]) -> str:
     """Return the name of a reset in the history."""
     names = dict.fromkeys(_ORDER_NAMES.get(column.order or 0, column.name) for column in columns)
-    both = set(_ORDER_NAMES.values()) >= names.keys()
-    what = "derivatives" if both and len(names) > 1 else " and ".join(names)
+    all_are = set(_ORDER_NAMES.values()) >= names.keys()
+    what = "derivatives" if all_are and len(names) > 1 else " and ".join(names)
     if len(indices) == 1:
         return f"Reset {what} of point {next(iter(indices))}"
     return f"Reset {what} of {len(indices)} points"

@@ -67,10 +67,10 @@ class PointCommands:
         "Reset Derivatives to Estimated",
         CURVE_VELOCITIES,
         icon="reset",
-        needs=Need("selected points with a velocity or an acceleration that was set", _has_explicit),
+        needs=Need("selected points with a derivative that was set", _has_explicit),
     )
     def _reset_derivatives(self) -> None:
-        """Let the rules estimate the velocities and accelerations of the selected points again."""
+        """Let the rules estimate the derivatives of the selected points again."""
         session, selected = self._session, self._session.selection
         session.change(
             "Reset derivatives",

@@ -13,7 +13,7 @@ from ...actions.strips import POINT_MENU
 from ...document import edits, words
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
-from ...document.model import Curve, Document, Point
+from ...document.model import Curve, Document, Point, vectors_of
 from ...document.straight_edits import corners_of, ends_of, why_not_straight
 from ...view_model.curve_view import CurveView
 from ...view_model.handles import with_velocities_pulled
@@ -231,8 +231,7 @@ def _tangents(now: Situation) -> set[Tangent]:
 def _tangent_at(point: Point) -> Tangent:
     if point.corner:
         return Tangent.CORNER
-    set_by_hand = point.velocity is not None or point.acceleration is not None
-    return Tangent.SMOOTH if set_by_hand else Tangent.ESTIMATED
+    return Tangent.SMOOTH if any(vectors_of(point)) else Tangent.ESTIMATED
 
 
 COMMAND_SETS = (TangentCommands,)

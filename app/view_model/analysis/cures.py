@@ -54,7 +54,7 @@ class Remedy(NamedTuple):
         result = edits.set_family(document, curve, self.family)
         if not self.family.derivatives:
             return result
-        result = edits.set_velocity_rule(result, curve, self.velocity_rule)
+        result = edits.set_rule(result, curve, self.velocity_rule)
         if self.estimates:
             result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].points)))
         return result

@@ -36,6 +36,10 @@ class JointKind(Enum):
 _RESTS = "The curve stands still here, so that it has no direction: a corner or a cusp may show."
 
 _WORDS = {
+    (
+        3,
+        2,
+    ): "Smooth: velocity, acceleration and jerk go on without a jump; so do direction and curvature.",
     (2, 2): "Smooth: velocity and acceleration go on without a jump, and so do direction and curvature.",
     (1, 2): "The acceleration jumps, the velocity does not. The curvature goes on: the eye sees no joint.",
     (1, 1): "The velocity goes on, the acceleration jumps, and the curvature with it: a mover feels a jerk.",
@@ -44,7 +48,9 @@ _WORDS = {
     (0, 0): "A corner: the direction jumps.",
     (-1, -1): "The curve is broken.",
 }
-_RAISED = str.maketrans("012", "⁰¹²")
+"""What is said of the orders of parametric and geometric continuity, the latter up to curvature."""
+
+_RAISED = str.maketrans("0123", "⁰¹²³")
 
 
 @dataclass(frozen=True)
@@ -60,15 +66,15 @@ class JointRow:
     reach
         The distance to the nearer of its neighbours: how closely to look.
     jumps
-        Sizes of the jumps of c, c' and c''; exactly 0 where there is none beyond rounding.
+        Sizes of the jumps of c, c', c'' and c'''; exactly 0 where there is none beyond rounding.
     angle
         Between the tangents before and after, in degrees; NaN where the curve stands still.
     curvature
         The jump of the curvature; NaN where the curve stands still.
     continuity
-        The orders of parametric and geometric continuity, up to 2; -1 for a break.
+        The orders of parametric and geometric continuity, up to 3; -1 for a break.
     smoothness
-        The same as "C²", "C¹, G²" or "break".
+        The same as "C³", "C¹, G²" or "break".
     kind, words
         The kind that this makes it, and the same in a sentence.
     """
@@ -77,7 +83,7 @@ class JointRow:
     t: float
     place: tuple[float, float]
     reach: float
-    jumps: tuple[float, float, float]
+    jumps: tuple[float, ...]
     angle: float
     curvature: float
     continuity: tuple[int, int]
@@ -118,9 +124,7 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
     assert view.curve is not None
     is_there = view.source.family.interpolates
     x, y = (view.points[point] if is_there else view.curve.evaluate(joint.parameter)).tolist()
-    measured = (joint.point_jump, joint.velocity_jump, joint.acceleration_jump)
-    sizes = (math.hypot(*jump.tolist()) for jump in measured)
-    c, v, a = (0.0 if order <= joint.parametric else size for order, size in enumerate(sizes))
+    sizes = (math.hypot(*jump.tolist()) for jump in joint.jumps)
     continuity = (joint.parametric, max(joint.parametric, joint.geometric))
     kind = _kind(joint)
     return JointRow(
@@ -128,13 +132,13 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
         t=joint.parameter,
         place=(x, y),
         reach=reaches[point],
-        jumps=(c, v, a),
+        jumps=tuple(0.0 if order <= joint.parametric else size for order, size in enumerate(sizes)),
         angle=0.0 if joint.geometric >= 1 else math.degrees(joint.angle),
         curvature=_curvature_jump(joint),
         continuity=continuity,
         smoothness=joint.label.translate(_RAISED),
         kind=kind,
-        words=_RESTS if kind is JointKind.REST else _WORDS[continuity],
+        words=_RESTS if kind is JointKind.REST else _WORDS[continuity[0], min(continuity[1], 2)],
     )
 
 
@@ -193,7 +197,7 @@ def _brief(row: JointRow) -> str:
 
 def as_text(certificate: Certificate) -> str:
     """Return the certificate as a table of text, with tabs, for other programs; numbers are exact."""
-    jumps = [f"jump of {what}" for what in ("c", "c'", "c''")]
+    jumps = [f"jump of {what}" for what in ("c", "c'", "c''", "c'''")]
     lines = [certificate.summary]
     if certificate.rows:
         lines.append("\t".join(["joint", "t", "class", *jumps, "angle (degrees)", "jump of curvature"]))

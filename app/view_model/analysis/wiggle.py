@@ -9,6 +9,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 from curvecore.bezier.polylines import segment_distance
 
+from ...document.model import DERIVATIVES
 from ..basis_view import weights_at
 from ..curve_view import CurveView
 from ..growth import growth_at
@@ -37,7 +38,7 @@ class Pull:
     point
         The point it belongs to.
     order
-        0: its position; 1: its velocity; 2: its acceleration.
+        0: its position; from 1 on: its derivative of that order.
     weight
         For a position its weight, with the derivatives that are estimated from it. For a derivative that
         was set how far it displaces the curve, as a multiple of the
@@ -139,7 +140,7 @@ def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ..
     if view.sides is not None:
         basis = view.basis_curve.basis(np.array([t]))[0]
         for order in range(1, basis.shape[1]):
-            # Velocity and acceleration ahead of the first point, and before the second.
+            # Derivatives ahead of the first point, and before the second.
             for at, ahead in ((knot, True), (knot + 1, False)):
                 if not is_explicit(view.source.points[view.owner(at)], order, ahead=ahead):
                     continue
@@ -198,7 +199,7 @@ def _given_words(pulls: tuple[Pull, ...]) -> str:
     strongest = next((pull for pull in pulls if pull.order > 0), None)
     if strongest is None or strongest.weight < _FAR_WEIGHT:
         return ""
-    name = ("", "velocity", "acceleration")[strongest.order]
+    name = DERIVATIVES[strongest.order - 1].name
     carries = f"carries the curve {short(strongest.weight)} times their distance"
     return f"; the {name} set at point {strongest.point} {carries}"
 

@@ -1,4 +1,4 @@
-"""The lengths of the derivatives over t: speed, acceleration and jerk."""
+"""The lengths of the derivatives over t: speed, acceleration, jerk and snap."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..plot import Plot
 
 
 def _length_of(order: int, title: str, symbol: str, tip: str) -> Plot:
-    """Return the plot of the length of a derivative."""
+    """Return the plot of the length of a derivative; they stand before the others, in their order."""
     return Plot(
         name=title.lower(),
         text=title,
@@ -16,7 +16,7 @@ def _length_of(order: int, title: str, symbol: str, tip: str) -> Plot:
         icon=f"plot-{title.lower()}",
         title=f"{title} {symbol}",
         symbol=symbol,
-        place=10 * order,
+        place=9 * order,
         orders=(order,),
         values=lambda sampled: vector_lengths(sampled.derivatives[order]),
     )
@@ -25,3 +25,4 @@ def _length_of(order: int, title: str, symbol: str, tip: str) -> Plot:
 SPEED = _length_of(1, "Speed", "|c′|", "Plot the speed |c′| over t, below the basis functions")
 ACCELERATION = _length_of(2, "Acceleration", "|c″|", "Plot the size of the acceleration |c″| over t")
 JERK = _length_of(3, "Jerk", "|c‴|", "Plot |c‴| over t: how fast the acceleration changes")
+SNAP = _length_of(4, "Snap", "|c⁗|", "Plot |c⁗| over t: how fast the jerk changes")
