@@ -127,6 +127,9 @@ def _estimate(
     closed: bool,
 ) -> None:
     """Estimate from corner to corner; a closed curve is unrolled and goes on where it ends."""
+    if not closed and not corners:
+        after[:] = before[:] = estimate(points, parameters)
+        return
     count = len(points) - closed
     period = parameters[-1] - parameters[0]
     is_endless = closed and not corners
