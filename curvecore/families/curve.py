@@ -524,6 +524,11 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         tolerance : float
             Largest distance at equal parameters, greater than 0.
 
+        Returns
+        -------
+        ParametricCurve
+            The curve of this family.
+
         Raises
         ------
         CurveError
