@@ -5,7 +5,8 @@ from __future__ import annotations
 from curvecore import CurveError, lagrange_to_bezier
 
 from ..document.edits import EditError
-from ..document.words import number
+from ..document.model import Curve
+from ..document.words import count_of, number
 from ..families import Family
 from .curve_view import CurveView, view_of
 from .measure import dense, is_kept, largest_distance
@@ -39,7 +40,14 @@ def converted(view: CurveView, family: Family) -> Reshaped:
             f"As {family.a_curve} it would be up to {number(residual, 2)} away: too much is lost by rounding."
         )
     left_rule = made.is_manual and not view.source.is_manual
-    return Reshaped(made, residual, left_rule=left_rule, note=_growth(view, family))
+    note = _growth(view, family) or _corners_made(view.source, made)
+    return Reshaped(made, residual, left_rule=left_rule, note=note)
+
+
+def _corners_made(before: Curve, made: Curve) -> str:
+    """Say how many points had to become corners: where a derivative jumps that the family's does not."""
+    new = sum(point.corner for point in made.points) - sum(point.corner for point in before.points)
+    return f"{count_of(new, 'point')} became {'a corner' if new == 1 else 'corners'}." if new > 0 else ""
 
 
 def _growth(view: CurveView, family: Family) -> str:

@@ -512,7 +512,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return self.bezier_pieces()
 
     @classmethod
-    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+    def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
         """Return a curve of this family that is another one, written with other data.
 
         Parameters
