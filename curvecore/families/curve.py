@@ -512,6 +512,26 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         return self.bezier_pieces()
 
     @classmethod
+    def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
+        """Return a curve of this family that keeps within a distance of another one.
+
+        Here the other one itself, by `same_shape_as`; a family that can follow any curve overrides it.
+
+        Parameters
+        ----------
+        curve : ParametricCurve
+            Of any family.
+        tolerance : float
+            Largest distance at equal parameters, greater than 0.
+
+        Raises
+        ------
+        CurveError
+            If it can be none of this family, or no way to it is known.
+        """
+        return cls.same_shape_as(curve)
+
+    @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
         """Return a curve of this family that is another one, written with other data.
 
