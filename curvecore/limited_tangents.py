@@ -38,7 +38,33 @@ def monotone_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     coordinate of the Hermite curve rises and falls where its data do. The same as SciPy's
     ``PchipInterpolator``.
 
-    Parameters, result and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Velocities per unit of t.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    akima_velocities : Less strict.
+    bessel_velocities, natural_spline_velocities : Rules that are linear in the points.
+
+    Examples
+    --------
+    >>> from curvecore import monotone_velocities
+    >>> monotone_velocities([[0], [1], [1], [4]], [0, 1, 2, 3]).round(9).tolist()
+    [[1.5], [0.0], [0.0], [4.5]]
     """
     steps = steps_of(points, parameters)
     if len(steps.slope) == 1:
@@ -52,8 +78,10 @@ def monotone_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike)
 
     Parameters
     ----------
-    points, parameters : array_like, shape (n, dim) and (n,)
-        As for `monotone_velocities`.
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
     moves : array_like, shape (n, k)
         Each column moves a coordinate of every point.
 
@@ -61,6 +89,17 @@ def monotone_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike)
     -------
     ndarray, shape (n, dim, k)
         ``[i, d, j]`` is the change of coordinate d of velocity i by the moves of column j of that coordinate.
+
+    See Also
+    --------
+    monotone_velocities : The rule.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import monotone_changes
+    >>> monotone_changes([[0], [1], [3]], [0, 1, 2], np.eye(3))[1, 0].round(9).tolist()
+    [-0.888888889, 0.666666667, 0.222222222]
     """
     steps = steps_of(points, parameters)
     change = _slope_changes(steps, moves)
@@ -89,7 +128,33 @@ def akima_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     sequence. Where both weights vanish the mean of both slopes counts. The rule of 1970 [3]_, the same as
     SciPy's ``Akima1DInterpolator``; on unequal spacing the slopes are weighted alike.
 
-    Parameters, result and errors are those of `finite_difference_velocities`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        Velocities per unit of t.
+
+    Raises
+    ------
+    CurveError
+        For points or parameters that are no curve's.
+
+    See Also
+    --------
+    monotone_velocities : More strict.
+    bessel_velocities, natural_spline_velocities : Rules that are linear in the points.
+
+    Examples
+    --------
+    >>> from curvecore import akima_velocities
+    >>> akima_velocities([[0], [1], [2], [3], [0]], [0, 1, 2, 3, 4]).round(9).tolist()
+    [[1.0], [1.0], [1.0], [1.0], [-5.0]]
     """
     slope = _with_outer(steps_of(points, parameters).slope)
     share = _akima_share(slope)
@@ -99,7 +164,30 @@ def akima_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
 def akima_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike) -> FloatArray:
     """Return what small moves of the points do to `akima_velocities`, to first order.
 
-    Parameters and result are those of `monotone_changes`.
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+    moves : array_like, shape (n, k)
+        Each column moves a coordinate of every point.
+
+    Returns
+    -------
+    ndarray, shape (n, dim, k)
+        ``[i, d, j]`` is the change of coordinate d of velocity i by the moves of column j of that coordinate.
+
+    See Also
+    --------
+    akima_velocities : The rule.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import akima_changes
+    >>> akima_changes([[0], [1], [2], [4], [7]], [0, 1, 2, 3, 4], np.eye(5))[2, 0].round(9).tolist()
+    [0.0, -1.0, 1.0, 0.0, 0.0]
     """
     steps = steps_of(points, parameters)
     slope = _with_outer(steps.slope)[:, :, None]

@@ -99,6 +99,17 @@ def chebyshev_roots(n: int) -> FloatArray:
     -------
     ndarray, shape (n,)
         (1 - cos((2 i + 1) a) / cos(a)) / 2 with a = pi / (2 n), symmetric about 1/2.
+
+    See Also
+    --------
+    chebyshev : Points of the second kind.
+    uniform : Equal spacing.
+
+    Examples
+    --------
+    >>> from curvecore import chebyshev_roots
+    >>> chebyshev_roots(5).round(9).tolist()
+    [0.0, 0.190983006, 0.5, 0.809016994, 1.0]
     """
     count = integer(n, "n", 2)
     step = math.pi / (2 * count)

@@ -181,15 +181,30 @@ def catmull_rom_changes(
 
     Parameters
     ----------
-    points, parameters, alpha
-        As for `catmull_rom_velocities`.
+    points : array_like, shape (n, dim)
+        p_i; n >= 2; their distances space the knots.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
     moves : array_like, shape (n, k)
         Each column moves a coordinate of every point.
+    alpha : float, optional
+        At least 0; 0 uniform, 1/2 centripetal, 1 chordal knots.
 
     Returns
     -------
     ndarray, shape (n, 1, k)
         The changes, the same for every coordinate.
+
+    See Also
+    --------
+    catmull_rom_velocities : The rule.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import catmull_rom_changes
+    >>> catmull_rom_changes([[0], [1], [2]], [0, 1, 2], np.eye(3))[1, 0].round(9).tolist()
+    [-0.5, 0.0, 0.5]
     """
     return catmull_rom_velocities(moves, parameters, alpha, knots_of=points)[:, None]
 

@@ -198,7 +198,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
 
 
 def set_family(document: Document, curve: int, family: Family) -> Document:
-    """Draw the same points with another family; its settings are the defaults."""
+    """Draw the same points with another family; going back gives the same curve back."""
     return document.with_curve(curve, document.curves[curve].with_family(family))
 
 

@@ -315,6 +315,8 @@ class Curve(Value, frozen=True, dict=True):
         Whether it is drawn, and whether it is safe from changes.
     settings
         Those of the family's settings that are not at their defaults.
+    other_settings
+        The same of other families, which the curve had before and may have again.
     """
 
     name: str
@@ -329,10 +331,16 @@ class Curve(Value, frozen=True, dict=True):
     visible: bool = True
     locked: bool = False
     settings: ChosenSettings = NO_SETTINGS
+    other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
 
     def with_family(self, family: Family) -> Curve:
-        """Return this curve with another family, whose settings are the defaults."""
-        return self if family == self.family else replace(self, family=family, settings=NO_SETTINGS)
+        """Return this curve with another family, and the settings that it had when it was of that one."""
+        if family == self.family:
+            return self
+        own = ((self.family, self.settings),) if self.settings else ()
+        others = tuple(each for each in self.other_settings if each[0] != family)
+        settings = family.without_defaults(dict(self.other_settings).get(family, NO_SETTINGS))
+        return replace(self, family=family, settings=settings, other_settings=(*others, *own))
 
     @property
     def settings_in_effect(self) -> ChosenSettings:

@@ -198,11 +198,17 @@ class Family:
         return {setting: chosen.get(setting.name, setting.default) for setting in self.settings}
 
     def without_defaults(self, chosen: Mapping[str, SettingValue]) -> ChosenSettings:
-        """Return what was chosen, without defaults; of a family that is not there all of it."""
+        """Return what was chosen of its settings, without defaults; of a family that is not there all of it.
+
+        One that was changed while its curves are open may no longer have, or allow, what was chosen.
+        """
         if self.is_missing:
             return ChosenSettings(chosen)
-        defaults = {setting.name: setting.default for setting in self.settings}
-        return ChosenSettings((name, value) for name, value in chosen.items() if value != defaults.get(name))
+        known = {setting.name: setting for setting in self.settings}
+        kept = (
+            (name, value) for name, value in chosen.items() if name in known and known[name].allows(value)
+        )
+        return ChosenSettings((name, value) for name, value in kept if value != known[name].default)
 
     @property
     def takes_shapes(self) -> bool:
@@ -225,6 +231,18 @@ class Family:
             raise CurveError(self.problem)
         return self._curve_class.same_shape_as(curve)
 
+    def near(self, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
+        """Return a curve of this family within a tolerance of another one.
+
+        Raises
+        ------
+        CurveError
+            If it can be none, or no way to it is known.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        return self._curve_class.near(curve, tolerance)
+
     def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
         """Return the settings of a curve, open or closed, of which these were chosen."""
         fixed = {each.name: each.when_closed for each in self.settings if each.when_closed is not None}
@@ -241,16 +259,17 @@ class Family:
         Parameters
         ----------
         settings
-            Values of its `settings`, by their names; the defaults where none is given.
+            Values of its `settings`, by their names; the defaults where none, or one that it does not allow,
+            is given.
 
         Raises
         ------
         CurveError
-            If the data give no curve, a setting is none of the family's, or the family is not there.
+            If the data give no curve, or the family is not there.
         """
         if self._curve_class is None:
             raise CurveError(self.problem)
-        return self._curve_class.from_jets(jets, parameters, **settings)
+        return self._curve_class.from_jets(jets, parameters, **self.without_defaults(settings))
 
     def fit(
         self,

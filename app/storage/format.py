@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from itertools import count
 from typing import Literal
 
 import msgspec
@@ -30,7 +31,7 @@ from .all_within import all_within
 from .coding import from_plain, to_plain
 from .migration import can_migrate, migrated
 from .repeated_keys import repeated_key
-from .setting_check import setting_problem
+from .setting_check import settings_problem, without_default_settings
 
 FORMAT = "curvebench"
 VERSION = 1
@@ -101,7 +102,7 @@ def encode(document: Document) -> bytes:
 def _curve_pieces(curve: Curve) -> Iterator[bytes]:
     """Yield the curve as JSON, indented, with one line per member and per point."""
     # Through Raw, the members keep the order and the omitted defaults that msgspec gives them.
-    without_points = _ENCODER.encode(replace(curve, points=()))
+    without_points = _ENCODER.encode(without_default_settings(replace(curve, points=())))
     members = msgspec.json.decode(without_points, type=dict[str, msgspec.Raw])
     yield b"    {\n"
     for index, (key, value) in enumerate(members.items()):
@@ -159,13 +160,16 @@ def decode(data: bytes) -> Document:
     _refuse_repeated_keys(data, file.curves if header.version == VERSION else ())
     document = Document(file.curves, file.image)
     validate(document)
-    if any(curve.settings for curve in document.curves):
-        document = replace(document, curves=tuple(map(_without_default_settings, document.curves)))
+    if any(curve.settings or curve.other_settings for curve in document.curves):
+        document = replace(document, curves=tuple(map(_with_settings_checked, count(), document.curves)))
     return document
 
 
-def _without_default_settings(curve: Curve) -> Curve:
-    return replace(curve, settings=curve.family.without_defaults(curve.settings))
+def _with_settings_checked(index: int, curve: Curve) -> Curve:
+    """Return a curve without defaults among its settings; raise FormatError unless its family has them."""
+    if problem := settings_problem(curve):
+        raise FormatError(f"curves[{index}].{problem}")
+    return without_default_settings(curve)
 
 
 def version_of(data: bytes) -> int | None:
@@ -285,8 +289,6 @@ def _validate_curve(curve: Curve, place: str) -> None:
         raise FormatError(
             f'{place}.colour must be written as "#rrggbb" in lower case, not {_quoted(curve.colour)}'
         )
-    if curve.settings and (problem := setting_problem(curve.family, curve.settings)):
-        raise FormatError(f"{place}.settings{problem}")
     if not all_within(curve.points):
         for index, point in enumerate(curve.points):
             for key, value in _numbers(point):

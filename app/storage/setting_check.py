@@ -5,11 +5,38 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 
-from ..document.model import MAX_MAGNITUDE
+from msgspec.structs import replace
+
+from ..document.model import MAX_MAGNITUDE, Curve
 from ..families import Family
 
 
-def setting_problem(family: Family, settings: Mapping[str, object]) -> str:
+def settings_problem(curve: Curve) -> str:
+    """Return what is wrong with the settings of a curve, with their place; empty where nothing is."""
+    if problem := _problem(curve.family, curve.settings):
+        return f"settings{problem}"
+    seen = {curve.family}
+    for index, (family, settings) in enumerate(curve.other_settings):
+        place = f"other_settings[{index}]"
+        if family in seen:
+            return f"{place} must be of a family that has none before it, not {family}"
+        seen.add(family)
+        if problem := _problem(family, settings):
+            return f"{place}[1]{problem}"
+    return ""
+
+
+def without_default_settings(curve: Curve) -> Curve:
+    """Return the curve with those settings alone that are not their families' defaults."""
+    others = ((family, family.without_defaults(settings)) for family, settings in curve.other_settings)
+    return replace(
+        curve,
+        settings=curve.family.without_defaults(curve.settings),
+        other_settings=tuple(each for each in others if each[1]),
+    )
+
+
+def _problem(family: Family, settings: Mapping[str, object]) -> str:
     """Return what is wrong with settings, to follow their place in the file; empty where nothing is.
 
     Of a family that is missing nobody knows which it has: names and values that one might are kept.

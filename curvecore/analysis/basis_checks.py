@@ -31,6 +31,20 @@ class SumDefect(NamedTuple):
     t : float
     total : float
         Their sum there.
+
+    See Also
+    --------
+    sum_defect : The function that returns it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import BasisCurve, Scheme, sum_defect
+    >>> class Doubled(BasisCurve):
+    ...     interpolates = False
+    ...     scheme = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
+    >>> sum_defect(Doubled([[0], [1]], [0, 1])).total
+    2.0
     """
 
     t: float
@@ -45,6 +59,21 @@ class CardinalDefect(NamedTuple):
     function, parameter : int
         i and j of B_i(t_j).
     value : float
+
+    See Also
+    --------
+    cardinal_defect : The function that returns it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import BasisCurve, Scheme, cardinal_defect
+    >>> class Doubled(BasisCurve):
+    ...     interpolates = False
+    ...     scheme = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
+    >>> defect = cardinal_defect(Doubled([[0], [1]], [0, 1]))
+    >>> defect.value, defect.wanted
+    (2.0, 1)
     """
 
     function: int
@@ -66,6 +95,20 @@ class Miss(NamedTuple):
         i.
     distance : float
         Between c(t_i) and p_i.
+
+    See Also
+    --------
+    worst_miss : The function that returns it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import BasisCurve, Scheme, worst_miss
+    >>> class Doubled(BasisCurve):
+    ...     interpolates = False
+    ...     scheme = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
+    >>> worst_miss(Doubled([[0], [1]], [0, 1])).distance
+    1.0
     """
 
     point: int
@@ -81,6 +124,19 @@ class SlopeDefect(NamedTuple):
     t : float
     said, found : float
         B_i'(t), and the slope of the values around t; both per unit of t.
+
+    See Also
+    --------
+    slope_defect : The function that returns it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import BasisCurve, Scheme, slope_defect
+    >>> class Wrong(BasisCurve):
+    ...     scheme = Scheme("wrong", lambda t, x, order: np.stack([1 - t, t], axis=1), has_orders=True)
+    >>> round(slope_defect(Wrong([[0], [1]], [0, 1])).found, 6)
+    -1.0
     """
 
     function: int
@@ -104,9 +160,14 @@ def sum_defect(curve: ParametricCurve) -> SumDefect | None:
     SumDefect or None
         Off by more than 1e-9 and than 128 u times the sum of sizes, u = 2**-53.
 
+    See Also
+    --------
+    SumDefect : What it returns.
+    basis_defects : All that is measured.
+
     Examples
     --------
-    >>> from curvecore import LagrangeCurve, uniform
+    >>> from curvecore import LagrangeCurve, sum_defect, uniform
     >>> sum_defect(LagrangeCurve([[0, 0], [1, 2], [3, 1]], uniform(3))) is None
     True
     """
@@ -123,7 +184,29 @@ def sum_defect(curve: ParametricCurve) -> SumDefect | None:
 
 
 def cardinal_defect(curve: ParametricCurve) -> CardinalDefect | None:
-    """Return which B_i0(t_j) is farthest from 1 for i = j, else 0; None where none is off by over 1e-9."""
+    """Return which B_i0(t_j) is farthest from 1 for i = j, else from 0.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of any family.
+
+    Returns
+    -------
+    CardinalDefect or None
+        None where none is off by over 1e-9.
+
+    See Also
+    --------
+    CardinalDefect : What it returns.
+    basis_defects : All that is measured.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, cardinal_defect
+    >>> cardinal_defect(LagrangeCurve([[0, 0], [1, 2], [3, 1]], [0, 1, 2])) is None
+    True
+    """
     found = curve.basis(curve.parameters)[:, :, 0]
     off = np.abs(found - np.eye(len(found)))
     parameter, function = np.unravel_index(int(off.argmax()), off.shape)
@@ -133,11 +216,26 @@ def cardinal_defect(curve: ParametricCurve) -> CardinalDefect | None:
 
 
 def worst_miss(curve: ParametricCurve) -> Miss | None:
-    """Return which point the curve misses by most; None where it passes all, to 1e-9 of their size.
+    """Return which point the curve misses by most.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of any family.
+
+    Returns
+    -------
+    Miss or None
+        None where it passes all, to 1e-9 of their size.
+
+    See Also
+    --------
+    Miss : What it returns.
+    basis_defects : All that is measured.
 
     Examples
     --------
-    >>> from curvecore import HermiteCurve
+    >>> from curvecore import HermiteCurve, worst_miss
     >>> worst_miss(HermiteCurve([[0, 0], [1, 0]], [[1, 1], [1, -1]], [0, 1])) is None
     True
     """
@@ -152,10 +250,29 @@ def worst_miss(curve: ParametricCurve) -> Miss | None:
 
 
 def slope_defect(curve: ParametricCurve) -> SlopeDefect | None:
-    """Return where a B_i0' is least the slope of B_i0; None where the two agree to a thousandth.
+    """Return where a B_i0' is least the slope of B_i0.
 
-    Measured in the middle of each stretch between breaks and parameters, at 64 of them at most, against the
-    slope of the polynomial through seven values around it.
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Measured in the middle of each stretch between breaks and parameters, at 64 of them at most, against
+        the slope of the polynomial through seven values around it.
+
+    Returns
+    -------
+    SlopeDefect or None
+        None where the two agree to a thousandth.
+
+    See Also
+    --------
+    SlopeDefect : What it returns.
+    basis_defects : All that is measured.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, slope_defect
+    >>> slope_defect(HermiteCurve([[0], [1]], [[0], [0]], [0, 1])) is None
+    True
     """
     ends = np.union1d(curve.breaks, curve.parameters)
     picked = np.unique(np.linspace(0, len(ends) - 2, min(len(ends) - 1, 64)).astype(int))
@@ -200,6 +317,16 @@ class BasisDefects(NamedTuple):
     cardinal : CardinalDefect or None
     miss : Miss or None
     slope : SlopeDefect or None
+
+    See Also
+    --------
+    basis_defects : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, basis_defects
+    >>> list(basis_defects(LagrangeCurve([[0, 0], [1, 2], [3, 1]], [0, 1, 2])))
+    [None, None, None, None]
     """
 
     total: SumDefect | None
@@ -216,9 +343,24 @@ def basis_defects(curve: ParametricCurve) -> BasisDefects:
     curve : ParametricCurve
         Of any family; of up to some hundred points, for it takes arrays of 640 n numbers.
 
+    Returns
+    -------
+    BasisDefects
+        None for what is as it should be.
+
     Raises
     ------
     CurveError
         If a function is not finite somewhere.
+
+    See Also
+    --------
+    sum_defect, cardinal_defect, worst_miss, slope_defect : One of them.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, basis_defects
+    >>> basis_defects(LagrangeCurve([[0, 0], [1, 2], [3, 1]], [0, 1, 2])).slope is None
+    True
     """
     return BasisDefects(sum_defect(curve), cardinal_defect(curve), worst_miss(curve), slope_defect(curve))

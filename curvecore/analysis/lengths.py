@@ -273,10 +273,10 @@ def equal_arc_length_parameters(curve: ParametricCurve, count: int, tolerance: f
     Examples
     --------
     >>> from curvecore import LagrangeCurve, equal_arc_length_parameters
-    >>> curve = LagrangeCurve([[0, 0], [1, 0], [4, 0]], [0, 1, 2])
+    >>> curve = LagrangeCurve([[0, 1], [1, 1], [4, 1]], [0, 1, 2])
     >>> t = equal_arc_length_parameters(curve, 3, 1e-9)
     >>> curve(t).round(6).tolist()
-    [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0]]
+    [[0.0, 1.0], [2.0, 1.0], [4.0, 1.0]]
     """
     number = integer(count, "count", 2)
     table = ArcLength(curve, tolerance)

@@ -167,9 +167,16 @@ def _sampled(curve: ParametricCurve, tolerance: float) -> BezierPieces:
     orders = np.arange(degree + 1, _POINTS, dtype=np.float64)
     # |T_k'| <= k**2 on an interval of length 2.
     slope_error = 2.0 * (np.maximum(rest - noise[:, None], 0.0) @ np.square(orders) + degree * noise)
-    ends = np.ldexp(curve.evaluate(parameters), -base)
-    controls[:, 0], controls[:, -1] = ends[:-1], ends[1:]
+    for column, ends in ((0, parameters[:-1]), (-1, _from_inside(curve, parameters[1:]))):
+        controls[:, column] = np.ldexp(curve.evaluate(ends), -base)
     return _scaled(controls, parameters, 2.0 * error, 2.0 * slope_error, base)
+
+
+def _from_inside(curve: ParametricCurve, ends: FloatArray) -> FloatArray:
+    """Return ends of intervals at which to evaluate: where the curve may jump, the places before."""
+    if curve.is_continuous:
+        return ends
+    return np.where(np.isin(ends, curve.breaks[1:-1]), np.nextafter(ends, -np.inf), ends)
 
 
 def _chebyshev(curve: ParametricCurve, parameters: FloatArray) -> tuple[FloatArray, float, int]:
@@ -178,7 +185,7 @@ def _chebyshev(curve: ParametricCurve, parameters: FloatArray) -> tuple[FloatArr
     Both are in units of a power of two, whose exponent is returned too.
     """
     t = parameters[:-1, None] + np.diff(parameters)[:, None] * chebyshev(_POINTS)
-    t = np.minimum(t, parameters[1:, None])
+    t = np.minimum(t, _from_inside(curve, parameters[1:])[:, None])
     sampled = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
     _, base = np.frexp(np.abs(sampled).max())
     sampled = np.ldexp(sampled, -base)

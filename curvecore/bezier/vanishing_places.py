@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, read_only
+from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.double_double import DoubleDouble
 from curvecore.families.hermite_forms import hermite_form
 
@@ -33,8 +33,12 @@ class VanishingPlaces(NamedTuple):
 
     Attributes
     ----------
-    from_right, from_left : DoubleDouble, shape (P,)
-        1 - s and s of every place, ascending in s.
+    places : ndarray, shape (P,)
+        Ascending.
+    inner : ndarray of int, shape (k,)
+        Which of them are no ends of the segment.
+    shares : DoubleDouble, shape (2, 1, k)
+        1 - s and s of these.
     cuts : ndarray, shape (P - 1,)
         The middles between neighbours.
     coefficients : ndarray, shape (K, P, 2 R)
@@ -42,8 +46,9 @@ class VanishingPlaces(NamedTuple):
         in the order of their derivatives, then those of the right end; K = 2 R - order.
     """
 
-    from_right: DoubleDouble
-    from_left: DoubleDouble
+    places: FloatArray
+    inner: IntArray
+    shares: DoubleDouble
     cuts: FloatArray
     coefficients: FloatArray
 
@@ -60,9 +65,11 @@ def vanishing_places(width: int, order: int) -> VanishingPlaces:
         for j in range(2 * width - order)
     ]
     cuts = [float(a + b) / 2.0 for a, b in pairwise(places)]
+    inner = [i for i, place in enumerate(places) if 0 < place < 1]
     return VanishingPlaces(
-        _parts([1 - place for place in places]),
-        _parts(places),
+        read_only(np.array([float(place) for place in places])),
+        np.array(inner, dtype=np.intp),
+        _parts([[1 - places[i] for i in inner], [places[i] for i in inner]]),
         read_only(np.array(cuts)),
         read_only(np.array(coefficients)),
     )
@@ -102,7 +109,10 @@ def _roots(width: int, k: int, order: int) -> set[Fraction]:
     return found
 
 
-def _parts(exact: list[Fraction]) -> DoubleDouble:
-    high = [float(each) for each in exact]
-    low = [float(each - Fraction(part)) for each, part in zip(exact, high, strict=True)]
-    return DoubleDouble(read_only(np.array(high)), read_only(np.array(low)))
+def _parts(exact: list[list[Fraction]]) -> DoubleDouble:
+    high = [[float(each) for each in row] for row in exact]
+    low = [
+        [float(each - Fraction(part)) for each, part in zip(*rows, strict=True)]
+        for rows in zip(exact, high, strict=True)
+    ]
+    return DoubleDouble(*(read_only(np.array(part).reshape(2, 1, -1)) for part in (high, low)))

@@ -40,14 +40,15 @@ class Derivative(OfCurve):
     Examples
     --------
     >>> from curvecore import Derivative, LagrangeCurve
-    >>> velocity = Derivative(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]))
-    >>> velocity([0, 1, 2]).tolist()
-    [[0.0, 4.0], [2.0, 0.0], [4.0, -4.0]]
+    >>> velocity = Derivative(LagrangeCurve([[1, 0], [2, 2], [5, 1]], [0, 1, 2]))
+    >>> velocity([0.5, 1]).round(9).tolist()
+    [[1.0, 2.0], [2.0, 0.5]]
     """
 
     __slots__ = ("_order",)
 
     title = "Derivative"
+    is_continuous = False
 
     _order: int
 

@@ -46,9 +46,9 @@ class Calculus:
         Examples
         --------
         >>> from curvecore import LagrangeCurve
-        >>> velocity = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]).derivative()
-        >>> velocity(1).tolist()
-        [2.0, 0.0]
+        >>> velocity = LagrangeCurve([[0, 0], [1, 2], [4, 1]], [0, 1, 2]).derivative()
+        >>> velocity(1).round(9).tolist()
+        [2.0, 0.5]
         >>> velocity.degree
         1
         """
@@ -165,9 +165,9 @@ class Calculus:
         --------
         >>> from curvecore import LagrangeCurve
         >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
-        >>> curve.solve(1.0).tolist()
+        >>> curve.solve(1.0).round(9).tolist()
         [1.0]
-        >>> curve.solve(1.5, axis=1).tolist()
+        >>> curve.solve(1.5, axis=1).round(9).tolist()
         [0.5, 1.5]
         """
         return calculus.solutions(self._this, value, axis, discontinuity)
@@ -200,7 +200,7 @@ class Calculus:
         --------
         >>> from curvecore import LagrangeCurve
         >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
-        >>> curve.roots(axis=1).tolist()
+        >>> curve.roots(axis=1).round(9).tolist()
         [0.0, 2.0]
         >>> curve.derivative().roots(axis=1).tolist()
         [1.0]
@@ -233,7 +233,7 @@ class Calculus:
         >>> from curvecore import LagrangeCurve
         >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
         >>> polynomial = curve.to_bpoly()
-        >>> polynomial(0.5).tolist()
+        >>> polynomial(0.5).round(9).tolist()
         [0.25, 1.5]
         """
         return calculus.to_bpoly(self._this)

@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, finite_number, integer
-from curvecore.bezier.bernstein_algebra import sign_changes
+from curvecore.arrays import FloatArray, IntArray, finite_number, integer
+from curvecore.bezier.bernstein_algebra import sign_changes, values
 from curvecore.bezier.control_points import sorted_distinct
-from curvecore.bezier.pieces import bezier_pieces, parameters_at
+from curvecore.bezier.pieces import BezierPieces, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import UNIT_ROUNDOFF
@@ -51,42 +51,48 @@ def solutions(curve: ParametricCurve, value: float, axis: int, discontinuity: bo
         raise CurveError(f"axis must be less than {curve.jets.shape[2]}, the dim of the curve, not {column}")
     # A curve is linear in its data: its coordinate is the curve of theirs.
     coordinate = curve.with_jets(curve.jets[:, :, column : column + 1])
-    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        stretches = [_stretches(piece, wanted) for piece in coordinate.pieces]
+    with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
+        parts = [(piece, bezier_pieces(piece, _TOLERANCE)) for piece in coordinate.pieces]
+        stretches = [_stretches(piece, pieces, wanted) for piece, pieces in parts]
+        found = [_crossed(*part, each, wanted) for part, each in zip(parts, stretches, strict=True)]
         whole = _Stretches._make(np.concatenate(column) for column in zip(*stretches, strict=True))
-        found = [_reached(whole), _crossed(coordinate, whole, wanted)]
+        found.append(_reached(whole))
         if discontinuity:
             found.append(whole.starts[1:][whole.after[:-1] * whole.before[1:] < 0.0])
     return sorted_distinct(np.concatenate(found))
 
 
-def _stretches(curve: ParametricCurve, value: float) -> _Stretches:
-    pieces = bezier_pieces(curve, _TOLERANCE)
-    slopes = pieces.slopes[:, :, 0]
-    turns = sign_changes(slopes, pieces.slope_error)
+def _stretches(curve: ParametricCurve, pieces: BezierPieces, value: float) -> _Stretches:
+    turns = sign_changes(pieces.slopes[:, :, 0], pieces.slope_error)
     knots = np.concatenate((pieces.starts, parameters_at(pieces, turns.piece, turns.place), pieces.ends[-1:]))
     knots = sorted_distinct(knots)
     starts, ends = knots[:-1], knots[1:]
     # From inside: at a break the piece to the right counts.
     inside = np.where(np.isin(ends, curve.breaks[1:-1]), np.nextafter(ends, -np.inf), ends)
-    return _Stretches(starts, ends, _signs(curve, starts, value), _signs(curve, inside, value))
+    if curve.bezier_pieces() is None:
+        sizes = _sizes(curve, starts), _sizes(curve, inside)
+    else:
+        # No function reaches further than the control points beside it.
+        hull = np.ldexp(np.abs(pieces.controls[:, :, 0]).max(axis=1), pieces.exponent)
+        sizes = (hull[_piece_of(pieces, starts)],) * 2
+    before, after = (_signs(curve, t, value, size) for t, size in zip((starts, inside), sizes, strict=True))
+    return _Stretches(starts, ends, before, after)
 
 
-def _signs(curve: ParametricCurve, t: FloatArray, value: float) -> FloatArray:
+def _piece_of(pieces: BezierPieces, t: FloatArray) -> IntArray:
+    return np.clip(np.searchsorted(pieces.starts, t, side="right") - 1, 0, None)
+
+
+def _signs(curve: ParametricCurve, t: FloatArray, value: float, sizes: FloatArray) -> FloatArray:
     """Return the signs of c(t) - value, 0 where rounding may have changed them."""
     off = curve.evaluate(t)[:, 0] - value
-    noise = UNIT_ROUNDOFF * (_ROUNDING * _sizes(curve, t) + 2.0 * abs(value))
+    noise = UNIT_ROUNDOFF * (_ROUNDING * sizes + 2.0 * abs(value))
     return np.where(np.abs(off) > noise, np.sign(off), 0.0)
 
 
 def _sizes(curve: ParametricCurve, t: FloatArray) -> FloatArray:
     """Return sum |B_ir(t) d_ir|, (m,)."""
     data = np.abs(curve.jets[:, :, 0])
-    if curve.is_local:
-        segment, values = curve.local_basis(t)
-        ends = np.stack((data[segment], data[segment + 1]), axis=1)
-        result: FloatArray = (np.abs(values) * ends).sum(axis=(1, 2))
-        return result
     step = max(_AT_ONCE // data.size, 1)
     parts = [np.abs(curve.basis(t[i : i + step])).reshape(-1, data.size) for i in range(0, len(t), step)]
     return np.concatenate([part @ data.ravel() for part in parts])
@@ -102,23 +108,35 @@ def _reached(whole: _Stretches) -> FloatArray:
     return reached
 
 
-def _crossed(curve: ParametricCurve, whole: _Stretches, value: float) -> FloatArray:
-    """Return where the value is crossed inside stretches: Newton's method, halving where it is slow."""
-    crossing = whole.before * whole.after < 0.0
-    low, high, rising = whole.starts[crossing], whole.ends[crossing], whole.after[crossing] > 0.0
+def _crossed(curve: ParametricCurve, pieces: BezierPieces, stretches: _Stretches, value: float) -> FloatArray:
+    """Return where the value is crossed inside stretches.
+
+    Newton's method with the slopes of the Bezier pieces, and halving where it is slow: behind the last small
+    step nothing more is left than rounding.
+    """
+    crossing = stretches.before * stretches.after < 0.0
+    low, high, rising = stretches.starts[crossing], stretches.ends[crossing], stretches.after[crossing] > 0.0
+    piece = _piece_of(pieces, low)
+    slopes = np.ldexp(pieces.slopes[piece, :, 0], pieces.exponent)
+    start, length = pieces.starts[piece], (pieces.ends - pieces.starts)[piece]
     t = 0.5 * (low + high)
     last = high - low
+    small = 8.0 * np.spacing(np.abs(curve.breaks[[0, -1]]).max())
+    open_ = np.arange(len(t))
     for _ in range(_STEPS):
-        off, slope = curve.evaluate(t)[:, 0] - value, curve.evaluate(t, 1)[:, 0]
-        is_behind = (off > 0.0) == rising
-        high, low = np.where(is_behind, t, high), np.where(is_behind, low, t)
-        with np.errstate(divide="ignore"):
-            following = t - off / slope
-        is_good = (following >= low) & (following <= high) & (np.abs(following - t) < 0.5 * last)
-        following = np.where(is_good, following, 0.5 * (low + high))
-        following = np.where(off == 0.0, t, following)
-        last = np.abs(following - t)
-        t = following
-        if (last <= np.spacing(np.abs(t))).all():
+        if not open_.size:
             break
+        at = t[open_]
+        off = curve.evaluate(at)[:, 0] - value
+        slope = values(slopes[open_], (at - start[open_]) / length[open_]) / length[open_]
+        is_behind = (off > 0.0) == rising[open_]
+        high[open_], low[open_] = np.where(is_behind, at, high[open_]), np.where(is_behind, low[open_], at)
+        following = at - off / slope
+        is_good = (following >= low[open_]) & (following <= high[open_])
+        is_good &= np.abs(following - at) < 0.5 * last[open_]
+        following = np.where(is_good, following, 0.5 * (low + high)[open_])
+        following = np.where(off == 0.0, at, following)
+        last[open_] = np.abs(following - at)
+        t[open_] = following
+        open_ = open_[last[open_] > small]
     return t

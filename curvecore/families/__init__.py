@@ -7,6 +7,7 @@
 - ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
   for any parameters.  ``rational_series``: their derivatives.
 - ``bezier_curve``, ``b_spline``: curves over control points, which they do not pass.
+- ``bernstein_window``: Bezier curves of high degree, by the functions that count.
 - ``same_shape``: the data that write a curve of one family as one of another.
 - ``basis_curve``: a curve of which nothing is known but its basis functions.
 - ``chain``: curves end to end: corners.

@@ -14,6 +14,7 @@ from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
 from curvecore.errors import CurveError
+from curvecore.families.bernstein_window import windowed_values
 from curvecore.families.curve import Interpolant, ParametricCurve
 from curvecore.families.same_shape import pieces_of
 from curvecore.parametrization import chebyshev, uniform, with_one_more
@@ -31,6 +32,9 @@ _MULTIPLIED = 128
 Their roundings, half a unit each and of either sign, come to some sqrt(128) / 3 units.
 """
 
+_IN_RANGE = 1000
+"""Powers of numbers between 0.7 and 1.4 up to this one are neither too large nor too small."""
+
 _FACTORED = 3
 """Order up to which derivatives of the functions are products; above, differences of such."""
 
@@ -47,7 +51,7 @@ class BezierCurve(ParametricCurve):
     Parameters
     ----------
     points : array_like, shape (n, dim)
-        The control points p_i, finite; 2 <= n <= 2000, dim >= 1. Copied.
+        The control points p_i, finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
 
@@ -64,9 +68,10 @@ class BezierCurve(ParametricCurve):
     Notes
     -----
     With u = 2**-53, values and derivatives up to the third differ from the exact ones by at most
-    c u sum |B_i^(order)(t)| |p_i|, c at most 25 for n <= 60, inside the domain and outside: x and 1 - x enter
-    with 106 bits, for their powers multiply what is lost. Results beyond the floating point range become
-    the largest finite number of their sign. Between 0 and 1 the functions are positive.
+    c u sum |B_i^(order)(t)| |p_i|, c at most 25 for n <= 60, inside the domain and outside: x and 1 - x
+    enter with 106 bits, for their powers multiply what is lost. A value takes O(n) operations. Results
+    beyond the floating point range become the largest finite number of their sign. In the domain the
+    functions are positive.
 
     References
     ----------
@@ -86,6 +91,7 @@ class BezierCurve(ParametricCurve):
     place = 70
     functions = "Bernstein functions"
     interpolates = False
+    most_points = None
 
     @property
     def degree(self) -> int:
@@ -105,6 +111,21 @@ class BezierCurve(ParametricCurve):
         return np.append(first + (last - first) * (np.arange(n - 1) / (n - 1)), last)
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        first, last = self.domain
+        inside = (t > first) & (t < last)
+        if order or self.degree <= _MULTIPLIED or not inside.any():
+            return self._summed(t, order)
+        at = _Coordinates.of(t[inside], first, last)
+        x, y = (DoubleDouble(each.high[:, 0], each.low[:, 0]) for each in (at.x, at.y))
+        curve = np.empty((t.size, self.points.shape[1]))
+        _, exponent = np.frexp(np.abs(self.points).max(axis=0))
+        with np.errstate(under="ignore"):
+            curve[inside] = np.ldexp(windowed_values(np.ldexp(self.points, -exponent), x, y), exponent)
+        curve[~inside] = self._summed(t[~inside], 0)
+        return curve
+
+    def _summed(self, t: FloatArray, order: int) -> FloatArray:
+        """Return the curve as the sum of all functions times the points."""
         curve = np.empty((t.size, self.points.shape[1]))
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
@@ -267,7 +288,7 @@ def _rest(at: _Coordinates, i: np.ndarray, degree: int, order: int) -> FloatArra
 
 
 def _falling(i: np.ndarray, count: int) -> FloatArray:
-    """Return i (i - 1) ..., `count` factors, exact up to 2000**3; 0 where i < count."""
+    """Return i (i - 1) ..., `count` factors, exact up to 2**53; 0 where i < count."""
     factors: FloatArray = np.ones(len(i))
     for k in range(count):
         factors = factors * np.maximum(i - k, 0)
@@ -286,24 +307,24 @@ def _small_power(base: DoubleDouble, exponent: np.ndarray, most: int) -> DoubleD
 def _power(base: DoubleDouble, exponent: np.ndarray) -> Scaled:
     """Return powers of (m, 1) numbers of 106 bits to whole exponents (n,), shape (m, n).
 
-    (a + b)**i is a**i (1 + i b / a) to all digits, and a is brought between 0.7 and 1.4: up to i = 2000 its
-    powers stay in range.
+    (a + b)**i is a**i (1 + i b / a) to all digits.
     """
     mantissa, shift = np.frexp(base.high)
+    # Between 0.7 and 1.4, so that powers stay in range for long.
     low = np.abs(mantissa) < np.sqrt(0.5)
-    mantissa, shift = np.where(low, 2.0 * mantissa, mantissa), shift - low
+    mantissa, shift = np.where(low, 2.0 * mantissa, mantissa), (shift - low).astype(np.int64)
     with np.errstate(divide="ignore"):
-        correction = np.where(base.high == 0.0, 0.0, base.low / base.high)
+        correction = 1.0 + exponent * np.where(base.high == 0.0, 0.0, base.low / base.high)
     most = int(exponent.max(initial=0))
     if most <= _MULTIPLIED:
         table = np.ones((len(mantissa), most + 1))
         table[:, 1:] = mantissa
         powers = np.multiply.accumulate(table, axis=1)[:, exponent]
-    else:
-        powers, carried = np.frexp(np.power(mantissa, exponent.astype(np.float64)))
-        shift = shift[:, 0, None] * exponent + carried
-        return Scaled(powers * (1.0 + exponent * correction), shift.astype(np.int64))
-    return Scaled(powers * (1.0 + exponent * correction), shift.astype(np.int64) * exponent)
+        return Scaled(powers * correction, shift * exponent)
+    steps, rest = np.divmod(exponent, _IN_RANGE)
+    step, per_step = np.frexp(np.power(mantissa, float(_IN_RANGE)))
+    powers, carried = np.frexp(np.power(step, steps) * np.power(mantissa, rest.astype(np.float64)))
+    return Scaled(powers * correction, shift * exponent + per_step * steps + carried)
 
 
 class _Binomials(NamedTuple):

@@ -55,7 +55,7 @@ class Chain(ParametricCurve):
     >>> corner = Chain([before, after])
     >>> corner
     Chain(pieces=2, n=3, dim=2, domain=(0, 2))
-    >>> corner([0.5, 1.5]).tolist()
+    >>> corner([0.5, 1.5]).round(9).tolist()
     [[0.5, 0.0], [1.0, 0.5]]
     >>> corner.jets.shape
     (4, 2, 2)

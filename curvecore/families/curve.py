@@ -159,6 +159,8 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
         Whether curves run through their points: B_ir(t_j) is 1 for i = j and r = 0, else 0.
+    is_continuous : bool
+        Whether no B_ir jumps at a break.
     is_local : bool
         Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
     is_one_polynomial : bool
@@ -206,6 +208,7 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
     place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
+    is_continuous: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
     is_calm: ClassVar[bool] = False
@@ -507,6 +510,26 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
             For a change of basis; None where the curve is no polynomial, or one through too many points.
         """
         return self.bezier_pieces()
+
+    @classmethod
+    def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
+        """Return a curve of this family that keeps within a distance of another one.
+
+        Here the other one itself, by `same_shape_as`; a family that can follow any curve overrides it.
+
+        Parameters
+        ----------
+        curve : ParametricCurve
+            Of any family.
+        tolerance : float
+            Largest distance at equal parameters, greater than 0.
+
+        Raises
+        ------
+        CurveError
+            If it can be none of this family, or no way to it is known.
+        """
+        return cls.same_shape_as(curve)
 
     @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:

@@ -62,9 +62,9 @@ class LagrangeCurve(ParametricCurve):
     >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
     >>> curve
     LagrangeCurve(n=3, dim=2, domain=(0, 2))
-    >>> curve(0.5).tolist()
+    >>> curve(0.5).round(9).tolist()
     [0.25, 1.5]
-    >>> curve.basis(0.5)[:, 0].tolist()
+    >>> curve.basis(0.5)[:, 0].round(9).tolist()
     [0.375, 0.75, -0.125]
     >>> curve.degree
     2

@@ -33,7 +33,8 @@ from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
 
-_ALL = 8  # segments a parameter, up to which all are expanded and kept
+_ALL = 64  # segments, up to which it pays to expand all of them for a single parameter
+_DENSE = 4  # parameters a segment, from which on it pays to expand more
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
@@ -217,27 +218,24 @@ class PiecewiseHermite(ParametricCurve):
         """Evaluate by expansions or through the control points, where that is possible."""
         if not t.size or order > self.degree or not self._is_inside(t):
             return None
+        segments = len(self._parameters) - 1
         # Of quintics and above, control points are both the faster and the more accurate way to values.
-        if order or self.degree == 3:
-            pieces = self._taylor_pieces(t, order)
+        if (order or self.degree == 3) and (segments <= _ALL or t.size >= _DENSE * segments):
+            pieces = self._taylor_pieces(order)
             return None if pieces is None else pieces.evaluate(t)
+        if order:
+            return None
         columns = self._weighted_controls()
         # Near the end of the floating point range the general method is the safe one.
         if np.abs(columns).max() >= LIMIT:
             return None
         return evaluate_inside(t, self._segments(t), self._parameters, columns)
 
-    def _taylor_pieces(self, t: FloatArray, order: int) -> TaylorPieces | None:
-        """Return the expansions of the order-th derivative, of few parameters those that they need."""
+    def _taylor_pieces(self, order: int) -> TaylorPieces | None:
         if self._expansions is None:
             self._expansions = {}
-        joints, jets = self._parameters, self._jets
         if order not in self._expansions:
-            if len(joints) > _ALL * (t.size + _ALL):
-                chosen = np.unique(self._segments(t))
-                return taylor_pieces(
-                    joints[chosen], joints[chosen + 1], jets[chosen], jets[chosen + 1], order
-                )
+            joints, jets = self._parameters, self._jets
             self._expansions[order] = taylor_pieces(joints[:-1], joints[1:], jets[:-1], jets[1:], order)
         return self._expansions[order]
 

@@ -45,9 +45,9 @@ class QuinticHermiteCurve(PiecewiseHermite):
     >>> curve = QuinticHermiteCurve([[0], [1]], [[0], [0]], [[0], [0]], [0, 1])
     >>> curve
     QuinticHermiteCurve(n=2, dim=1, domain=(0, 1))
-    >>> curve([0, 0.5, 1]).tolist()
+    >>> curve([0, 0.5, 1]).round(9).tolist()
     [[0.0], [0.5], [1.0]]
-    >>> curve(0.5, order=1).tolist()
+    >>> curve(0.5, order=1).round(9).tolist()
     [1.875]
     """
 

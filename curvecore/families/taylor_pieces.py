@@ -118,10 +118,6 @@ def taylor_pieces(
         Jets there.
     order : int
         From 0 to 2 R - 1.
-
-    Notes
-    -----
-    All is done element by element, so that a segment gets the same numbers with others or alone.
     """
     from curvecore.bezier.vanishing_places import vanishing_places  # noqa: PLC0415 - 2 ms for fractions
 
@@ -172,19 +168,19 @@ def _expand_at_doubles(
 
     Returns these doubles, (k, P).
     """
-    s = places.from_left.high
-    a, b = starts[:, None], ends[:, None]
-    origins = a + (b - a) * s
-    origins[:, s == 1.0] = b
-    inner = np.flatnonzero((s > 0.0) & (s < 1.0))
+    joints = np.stack([starts, ends])[:, :, None]
+    h = joints[1] - joints[0]
+    origins: FloatArray = joints[0] + h * places.places
+    origins[:, places.places == 1.0] = joints[1]
+    inner = places.inner
     if inner.size and len(coefficients) > 1:
         near = origins[:, inner]
         # How far that lies behind the place, from exact distances: for some, by less than a rounding.
-        from_right, from_left = (DoubleDouble(each.high[inner], each.low[inner]) for each in places[:2])
-        behind = add(multiply(difference(near, a), from_right), multiply(difference(near, b), from_left))
+        high, low = multiply(difference(near, joints), places.shares)
+        behind = add(DoubleDouble(high[0], low[0]), DoubleDouble(high[1], low[1]))
         exact = difference(near, behind.high)
         origins[:, inner] = exact.high
-        _shift(coefficients, inner, (behind.low - exact.low) / (b - a))
+        _shift(coefficients, inner, (behind.low - exact.low) / h)
     return origins
 
 

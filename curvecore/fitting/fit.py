@@ -66,7 +66,9 @@ _EXACT = 16
 _MANY = 1500
 """Data among which the number of points is searched; all of them count in the end."""
 
-_MOST_UNKNOWNS = 1500
+_MOST = 500
+"""Points beyond which none are searched for: those are not few any more."""
+
 _STEPS = 2
 
 
@@ -85,6 +87,19 @@ class Fit(NamedTuple):
         The root of the mean of the squared distances.
     worst : int
         The index of the datum of the largest distance.
+
+    See Also
+    --------
+    fit : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import HermiteCurve, fit
+    >>> found = fit([[0, 0], [1, 1], [2, 2], [3, 3]], HermiteCurve, 2)
+    >>> found.curve
+    HermiteCurve(n=2, dim=2, domain=(0, 1))
+    >>> round(found.deviation, 9), len(found.parameters)
+    (0.0, 4)
     """
 
     curve: ParametricCurve
@@ -148,11 +163,25 @@ def fit(
         If the data are no points, coincide, or are too few for so many points; if neither or both of count
         and tolerance are given, or the functions of so many points cannot be told apart at the data.
 
+    See Also
+    --------
+    Fit : What it returns.
+    least_squares_curve : With given parameters, in one step.
+
     Notes
     -----
     Distances are measured to the foot of a perpendicular near the datum: no datum is farther away from the
     curve. The fewest points are searched by doubling and halving, guided by the order of the approximation,
     error ~ h^p; they are the fewest for the joints that were tried.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from curvecore import HermiteCurve, fit
+    >>> angle = np.linspace(0, np.pi, 200)
+    >>> found = fit(np.column_stack([np.cos(angle), np.sin(angle)]), HermiteCurve, tolerance=1e-3)
+    >>> found.deviation <= 1e-3, len(found.curve.points) < 10
+    (True, True)
     """
     if (count is None) == (tolerance is None):
         raise CurveError("either count or tolerance must be given")
@@ -294,8 +323,8 @@ class _Fitter:
         self.least = max(2, 2 - closed + len([corner for corner in corners if corner]))
         room = (len(data.points) - 1) // order
         # Beyond so many points one polynomial is no longer determined by evenly spaced data.
-        determined = 2 * isqrt(len(data.points)) if family.is_one_polynomial else _MOST_UNKNOWNS // order
-        bound = family.most_points or _MOST_UNKNOWNS
+        determined = 2 * isqrt(len(data.points)) if family.is_one_polynomial else _MOST
+        bound = family.most_points or _MOST
         self.most = max(min(room, determined, bound - 1) + 1 - closed, 2)
 
     def attempt(self, count: int, before: _Attempt | None = None, enough: float = 0.0) -> _Attempt:

@@ -12,6 +12,8 @@ from curvecore import (
     FloaterHormannCurve,
     HermiteCurve,
     LagrangeCurve,
+    akima_velocities,
+    monotone_velocities,
 )
 
 
@@ -142,3 +144,38 @@ class FloaterHormannFace(Face):
 
     def _curve(self, x, y):
         return FloaterHormannCurve(y, x, degree=self.degree)
+
+
+class RuleFace(Face):
+    """A cubic Hermite curve with estimated velocities: what PCHIP and Akima interpolators are."""
+
+    rule = None
+
+    def __init__(self, x, y, axis=0, extrapolate=None):
+        super().__init__(x, y, axis=axis, extrapolate=extrapolate)
+
+    def _curve(self, x, y):
+        return HermiteCurve(y, type(self).rule(y, x), x)
+
+
+class PchipFace(RuleFace):
+    """PchipInterpolator."""
+
+    rule = staticmethod(monotone_velocities)
+
+
+def pchip_interpolate(xi, yi, x, der=0, axis=0):
+    face = PchipFace(xi, yi, axis)
+    return face(x, der) if np.ndim(der) == 0 else [face(x, order) for order in der]
+
+
+class AkimaFace(RuleFace):
+    """Akima1DInterpolator, which has no values outside its points unless it is asked for them."""
+
+    extrapolates = False
+    rule = staticmethod(akima_velocities)
+
+    def __init__(self, x, y, axis=0, *, method="akima", extrapolate=None):
+        if method != "akima":
+            raise NotImplementedError(f"`method`={method} is unsupported.")
+        super().__init__(x, y, axis, extrapolate)

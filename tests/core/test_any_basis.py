@@ -1,5 +1,8 @@
 """Curves of which nothing is known but a basis: all that follows from it, against what is known otherwise."""
 
+from importlib import import_module
+from pkgutil import iter_modules
+
 import numpy as np
 import pytest
 
@@ -9,6 +12,7 @@ from curvecore import (
     CurveError,
     FrozenFlattening,
     LagrangeCurve,
+    ParametricCurve,
     Scheme,
     arc_length,
     bezier_stretch,
@@ -17,6 +21,7 @@ from curvecore import (
     cubic_path,
     curvature,
     ensemble,
+    families,
     flatten_pieces,
     inflections,
     joint_report,
@@ -79,6 +84,48 @@ def twins(points):
 
 
 WHERE = np.linspace(0.01, 0.97, 37)
+
+
+def _families_of_points():
+    """The core's families whose data are points alone."""
+    modules = [import_module(f"curvecore.families.{each.name}") for each in iter_modules(families.__path__)]
+    found = {each for module in modules for each in vars(module).values() if isinstance(each, type)}
+    named = (
+        each
+        for each in found
+        if issubclass(each, ParametricCurve) and isinstance(vars(each).get("name"), str)
+    )
+    return sorted((each for each in named if not each.derivatives), key=lambda each: each.name)
+
+
+@pytest.mark.parametrize("kind", _families_of_points(), ids=lambda kind: kind.name)
+def test_every_family_seen_through_its_functions_alone_is_the_same_curve(kind, points):
+    """What the core knows of it besides makes it faster, not another one."""
+
+    def like(parameters):
+        return kind(np.zeros((len(parameters), 1)), parameters)
+
+    t = np.array([0.0, 0.15, 0.4, 0.55, 0.8, 1.0])
+    scheme = Scheme(
+        kind.name,
+        lambda places, parameters: like(parameters).basis(places)[:, :, 0],
+        breaks=lambda parameters: like(parameters).breaks,
+    )
+    known, bare = kind(points, t), BasisCurve(points, t, scheme)
+    assert bare.passes_points is kind.interpolates
+    assert np.abs(bare.evaluate(WHERE) - known.evaluate(WHERE)).max() < 1e-13
+    for order, digits in ((1, 8), (2, 6)):
+        exact = known.evaluate(WHERE, order)
+        # At places that are no breaks: 0.55 of WHERE is one to the last bit for splines.
+        clear = np.abs(WHERE[:, None] - known.breaks).min(axis=1) > 1e-9
+        found = bare.evaluate(WHERE, order)
+        assert np.abs(found - exact)[clear].max() < 10.0**-digits * np.abs(exact).max()
+    assert bounding_box(bare).minimum == pytest.approx(bounding_box(known).minimum, abs=1e-7)
+    assert arc_length(bare, 1e-6).value == pytest.approx(arc_length(known, 1e-6).value, abs=3e-6)
+    assert lebesgue_constant(bare) == pytest.approx(lebesgue_constant(known), rel=1e-6)
+    dense = np.linspace(0.0, 1.0, 201)
+    pieces = flatten_pieces(bare, 1e-3)
+    assert max(_distance(point, pieces.points) for point in known.evaluate(dense)) <= 1e-3
 
 
 def test_values_and_points(twins):

@@ -314,6 +314,29 @@ def test_a_jump_across_the_value_counts_if_it_shall():
     assert step.roots(discontinuity=False).tolist() == []
 
 
+def test_derivatives_of_what_has_kinks_are_solved_from_both_sides_of_them():
+    """At a break the piece behind it counts: a polygon's slope was followed by 300 wild pieces."""
+
+    def hats(t, parameters, order):
+        piece = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(parameters) - 2)
+        rows, h = np.arange(len(t)), np.diff(parameters)[piece]
+        s = (t - parameters[piece]) / h
+        result = np.zeros((len(t), len(parameters)))
+        result[rows, piece] = (1.0 - s, -1.0 / h)[order] if order < 2 else 0.0
+        result[rows, piece + 1] = (s, 1.0 / h)[order] if order < 2 else 0.0
+        return result
+
+    scheme = Scheme("hats", hats, lambda parameters: parameters, has_orders=True)
+    polygon = BasisCurve([[0.0], [4.0], [0.0], [1.0]], [0, 1, 2, 4], scheme)
+    slope = polygon.derivative()
+    assert slope.roots().tolist() == [1.0, 2.0]
+    assert slope.roots(discontinuity=False).tolist() == []
+    assert slope.solve(0.5, discontinuity=False).tolist() == [2.0, 4.0]
+    assert bounding_box(slope)[:2] == pytest.approx(np.array([[-4.0], [4.0]]), rel=1e-9)
+    line = LagrangeCurve([[0.0], [2.0]], [0, 1]).derivative()
+    assert line.solve(2.0).tolist() == [0.0, 1.0]
+
+
 def test_one_coordinate_far_larger_than_another_hides_nothing():
     t = uniform(5)
     curve = LagrangeCurve(np.column_stack([1e12 * t, (t - 0.25) * (t - 0.75) * 1e-9]), t)

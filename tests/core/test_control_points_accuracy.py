@@ -12,7 +12,7 @@ import pytest
 from flint import fmpq
 from scipy.interpolate import BPoly, BSpline
 
-from curvecore import BezierCurve, BSplineCurve, CurveError
+from curvecore import BezierCurve, BSplineCurve
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
 LIMIT = 25.0
@@ -100,6 +100,22 @@ def test_bernstein_functions_of_high_degree(exact, rng, n):
                 computed = Fraction(float(curve.basis(t)[i, 0]))
                 assert abs(computed / value - 1) < LIMIT * 2.0**-53
     assert np.abs(curve.basis(rng.random(20) * 3.0).sum(axis=1) - 1.0).max() < 1e-14
+
+
+@pytest.mark.parametrize(("n", "places"), [(200, (1e-9, 1e-3, 0.7, 1.9, 2.9999)), (1200, (1.3,))])
+def test_values_of_high_degree(rng, n, places):
+    """Only the functions that count are summed there: a few hundred of any number."""
+    curve = BezierCurve(rng.standard_normal((n, 1)), np.linspace(0.0, 3.0, n))
+    points = [Fraction(p) for p in curve.points[:, 0].tolist()]
+    for t in places:
+        x = Fraction(t) / 3
+        above, below = x.numerator, x.denominator
+        rest = below - above
+        terms = [comb(n - 1, i) * above**i * rest ** (n - 1 - i) * points[i] for i in range(n)]
+        whole = below ** (n - 1)
+        off = abs(Fraction(float(curve.evaluate(t)[0])) - sum(terms) / whole)
+        # A running product of a hundred factors before those that count most.
+        assert off <= 50 * sum(map(abs, terms)) / whole / 2**53
 
 
 @pytest.mark.parametrize("order", [4, 5, 7])
@@ -227,8 +243,3 @@ def test_joints(rng, make):
         knots = np.isin(curve.parameters[1:-1], curve.breaks)
         assert ((error[:, 3] > 1e-6 * ahead.scale[1:, 3]) == knots).all()
     assert (ahead.values[0, 0] == curve.points[0]).all()
-
-
-def test_too_many_control_points_of_one_polynomial():
-    with pytest.raises(CurveError, match="2000 points"):
-        BezierCurve.from_jets(np.zeros((2001, 1, 2)), np.arange(2001.0))

@@ -1,12 +1,16 @@
 """Docstrings of all public names: their sections, and their examples run."""
 
+import ast
 import doctest
 import inspect
 import re
+from importlib import import_module
+from pathlib import Path
 
 import pytest
 
 import curvecore
+from curvecore import calculus
 
 OBJECTS = {name: getattr(curvecore, name) for name in curvecore.__all__}
 NAMES = {name: each for name, each in OBJECTS.items() if inspect.isclass(each) or inspect.isfunction(each)}
@@ -53,6 +57,17 @@ def described_in(section):
     """The names of which a section of parameters says something."""
     heads = re.findall(r"^\*{0,2}(\w[\w, *]*?)(?: : .*)?$", section, flags=re.MULTILINE)
     return {name.strip(" *") for head in heads for name in head.split(",")}
+
+
+@pytest.mark.parametrize("package", [curvecore, calculus], ids=lambda each: each.__name__)
+def test_the_names_are_those_of_the_stub(package):
+    """They are read from its lines, as one statement each."""
+    stub = ast.parse(Path(package.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
+    statements = [each for each in stub.body if isinstance(each, ast.ImportFrom)]
+    assert sorted(alias.asname for each in statements for alias in each.names) == package.__all__
+    for each in statements:
+        (alias,) = each.names
+        assert getattr(package, alias.name) is getattr(import_module(each.module), alias.name)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -15,25 +15,38 @@ cubic), smoothing splines, radial basis functions, grids, AAA.
 import inspect
 from importlib import import_module
 from itertools import product
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import scipy
 
 from .scipy_faces import (
+    AkimaFace,
     CubicHermiteFace,
     CubicSplineFace,
     Face,
     FloaterHormannFace,
+    PchipFace,
     PolynomialFace,
+    pchip_interpolate,
     polynomial_interpolate,
 )
 
 pytest.importorskip("scipy.interpolate.tests.test_polyint", reason="this SciPy comes without its tests")
 
-_POLYINT, _INTERPOLATE, _RATIONAL = (
-    import_module(f"scipy.interpolate.tests.{name}")
-    for name in ("test_polyint", "test_interpolate", "test_bary_rational")
-)
+
+def _module(name):
+    """A module of SciPy's tests; an empty one where this SciPy has none of the name."""
+    try:
+        return import_module(f"scipy.interpolate.tests.{name}")
+    except ModuleNotFoundError:
+        return SimpleNamespace()
+
+
+_POLYINT = _module("test_polyint")
+_INTERPOLATE = _module("test_interpolate")
+_RATIONAL = _module("test_bary_rational")
 FACES = {
     "KroghInterpolator": PolynomialFace,
     "BarycentricInterpolator": PolynomialFace,
@@ -43,6 +56,10 @@ FACES = {
     "CubicSpline": CubicSplineFace,
     "make_interp_spline": CubicSplineFace,
     "FloaterHormannInterpolator": FloaterHormannFace,
+    "PchipInterpolator": PchipFace,
+    "pchip": PchipFace,
+    "pchip_interpolate": pchip_interpolate,
+    "Akima1DInterpolator": AkimaFace,
 }
 FUNCTIONS = (
     "test_shapes",
@@ -56,8 +73,10 @@ FUNCTIONS = (
 CLASSES = {
     "TestKrogh": _POLYINT,
     "TestBarycentric": _POLYINT,
+    "TestPCHIP": _POLYINT,
     "TestCubicSpline": _POLYINT,
     "TestZeroSizeArrays": _POLYINT,
+    "TestAkima1DInterpolator": _INTERPOLATE,
     "TestFloaterHormann": _RATIONAL,
 }
 _COMPLEX = "points are real"
@@ -76,6 +95,9 @@ NOT_APPLIED = {
     "TestBarycentric.test_append": _UNCHANGING,
     "TestCubicSpline.test_dtypes": _COMPLEX,
     "TestCubicSpline.test_incorrect_inputs": "asks for refusals of conditions of its own",
+    "TestAkima1DInterpolator.test_eval_mod": "asks for the modified rule of Akima",
+    "TestAkima1DInterpolator.test_extend": _UNCHANGING,
+    "TestAkima1DInterpolator.test_no_overflow": "asks for the modified rule, too; the other half is below",
     "TestFloaterHormann.test_iv": "asks for SciPy's words; those of the core are tried in test_validation.py",
     "TestFloaterHormann.test_uniform_grid": "asks for the weights, which a curve keeps to itself",
     "TestFloaterHormann.test_complex": _COMPLEX,
@@ -155,8 +177,15 @@ def test_scipy(case):
 def test_every_test_that_is_left_out_is_there_and_has_a_reason():
     """A name that SciPy gave up would hide here; older SciPys lack some."""
     assert all(NOT_APPLIED.values())
-    if "TestBarycentric.test_repeated_node" in TESTS:
+    if tuple(map(int, scipy.__version__.split(".")[:2])) >= (1, 17):
         assert set(NOT_APPLIED) <= set(TESTS)
+
+
+def test_a_large_jump_leaves_akima_finite():
+    """The data of SciPy's test_no_overflow."""
+    x = np.arange(1, 10)
+    y = 1e6 * np.sqrt(np.finfo(float).max) * np.heaviside(x - 4, 0.5)
+    assert np.isfinite(AkimaFace(x, y)(x)).all()
 
 
 @pytest.mark.usefixtures("faces")

@@ -16,8 +16,10 @@ from msgspec.structs import replace
 from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import ThemeMode
-from app.families import HERMITE
+from app.families import FAMILIES, HERMITE
+from app.families.family_file import families_of_files
 from app.features.lessons.commands import LessonCommands
+from app.features.own_families.template import template
 from app.settings.preferences import Preferences
 from app.testing import Editor
 
@@ -38,7 +40,7 @@ class Bot:
 def main() -> None:
     """Draw every picture of the README."""
     app = QApplication(sys.argv)
-    for picture in (first_sketch, analysis, laboratory):
+    for picture in (first_sketch, analysis, laboratory, own_family):
         with tempfile.TemporaryDirectory() as folder:
             preferences = Preferences(Path(folder) / "settings.ini")
             editor = Editor(Bot(), preferences=preferences, size=(1280, 860))
@@ -72,6 +74,20 @@ def analysis(app: QApplication, editor: Editor) -> None:
         editor.trigger(name)
     editor.fit()
     take(app, editor, "analysis", ThemeMode.LIGHT)
+
+
+def own_family(app: QApplication, editor: Editor) -> None:
+    """The template of a family with a factor left out, as its file is used."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "my_lagrange.py"
+        path.write_text(template(path).replace("np.delete(parameters, i)", "np.delete(parameters, i)[:-1]"))
+        with families_of_files(FAMILIES, [str(path)]):
+            editor.window.actions_by_name.declare_again()
+            editor.choose_family("my_lagrange")
+            editor.fit()
+            take(app, editor, "own-family", ThemeMode.DARK)
+            editor.choose_family(HERMITE)
+        editor.window.actions_by_name.declare_again()
 
 
 def laboratory(app: QApplication, editor: Editor) -> None:

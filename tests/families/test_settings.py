@@ -6,12 +6,13 @@ import pickle
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from app.document import edits
 from app.document.model import Document, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, ChosenSettings
-from app.storage.format import FormatError, decode, encode
+from app.storage.format import FormatError, decode, encode, validate
 from app.view_model.curve_view import view_of
 from curvecore import Chain, CurveError, LagrangeCurve
 from tests.own_families import EVERY
@@ -36,7 +37,8 @@ def jets():
 
 
 def make(family, **settings):
-    return family.make(jets(), [0.0, 1.0, 2.0, 3.0], settings)
+    made = family.make(jets(), [0.0, 1.0, 2.0, 3.0])
+    return type(made).from_jets(made.jets, made.parameters, **settings)
 
 
 # Curves of the core
@@ -134,10 +136,22 @@ def test_an_edit_refuses_what_the_family_does(document):
         edits.set_family_setting(document, 0, "speed", 1)
 
 
-def test_another_family_begins_with_its_defaults(document, swaying):
+def test_another_family_begins_with_its_defaults_and_going_back_gives_the_same_curve(document, swaying):
     chosen = edits.set_family_setting(document, 0, "amount", 5)
     assert edits.set_family(chosen, 0, swaying) == chosen
-    assert edits.set_family(chosen, 0, LAGRANGE).curves[0].settings is NO_SETTINGS
+    away = edits.set_family(chosen, 0, LAGRANGE)
+    assert away.curves[0].settings is NO_SETTINGS
+    assert decode(encode(away)) == away
+    rational = edits.set_family_setting(
+        edits.set_family(away, 0, FAMILIES.named("floater_hormann")), 0, "degree", 1
+    )
+    assert decode(encode(rational)) == rational
+    back = edits.set_family(rational, 0, swaying)
+    assert back.curves[0].settings == chosen.curves[0].settings
+    assert dict(edits.set_family(back, 0, FAMILIES.named("floater_hormann")).curves[0].settings) == {
+        "degree": 1
+    }
+    assert edits.set_family(away, 0, swaying) == chosen
 
 
 def test_the_view_follows_the_settings(document):
@@ -163,6 +177,20 @@ def test_chosen_settings_are_values():
     assert chosen != ChosenSettings({"amount": 4, "side": "left"})
     assert pickle.loads(pickle.dumps(chosen)) == copy.deepcopy(chosen) == chosen
     assert pickle.loads(pickle.dumps(NO_SETTINGS)) is ChosenSettings({}) is NO_SETTINGS
+
+
+def test_a_family_that_lost_a_setting_draws_edits_and_saves_its_curves(document, swaying):
+    """As when its file is written anew while the document is open."""
+    chosen = edits.set_family_setting(document, 0, "amount", 5)
+    stale = replace(
+        chosen.curves[0], settings=ChosenSettings({"speed": 3, "amount": 50, "first_side": "right"})
+    )
+    assert view_of(stale).curve.chosen == {"amount": 2, "first_side": "right"}
+    open_document = Document((stale,))
+    validate(open_document)
+    assert dict(decode(encode(open_document)).curves[0].settings) == {"first_side": "right"}
+    mended = edits.set_family_setting(open_document, 0, "amount", 7)
+    assert dict(mended.curves[0].settings) == {"first_side": "right", "amount": 7}
 
 
 # Files
@@ -210,6 +238,37 @@ def test_files_are_strict(document, text, words):
     with pytest.raises(FormatError) as problem:
         decode(with_settings(document, text))
     assert str(problem.value) == words
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (
+            '[["floater_hormann", {"degree": 99}]]',
+            "[0][1].degree must be a whole number from 0 to 10, not 99",
+        ),
+        ('[["hermite", {"x": 1}]]', '[0][1] has a key that hermite does not know: "x"'),
+        (
+            '[["tests_swaying", {"amount": 1}]]',
+            "[0] must be of a family that has none before it, not tests_swaying",
+        ),
+        ("[1]", "[0] must be a list, not a whole number"),
+        ('[["hermite"]]', "[0] must be a list of 2 numbers"),
+    ],
+)
+def test_files_are_strict_about_other_families(document, text, words):
+    data = with_settings(document, "{}").replace(b'"settings": {}', f'"other_settings": {text}'.encode())
+    with pytest.raises(FormatError) as problem:
+        decode(data)
+    assert str(problem.value).startswith("curves[0].other_settings")
+    assert words in str(problem.value)
+
+
+def test_what_a_missing_family_had_is_kept_for_it(document):
+    away = edits.set_family(edits.set_family_setting(document, 0, "amount", 5), 0, LAGRANGE)
+    text = encode(away).replace(b"tests_swaying", b"not_here")
+    assert b'"other_settings": [["not_here", {"amount": 5}]]' in text
+    assert encode(decode(text)) == text
 
 
 def test_a_missing_family_keeps_its_settings(document):

@@ -106,20 +106,21 @@ def test_it_is_offered_wherever_families_are(editor):
         editor.key(Qt.Key.Key_Escape)
 
 
-def test_its_key_chooses_it_and_undo_takes_it_back(editor, own):
+def test_its_key_chooses_it_and_undo_takes_it_back(editor, name):
+    editor.choose_family("hermite" if name == "lagrange" else "lagrange")
     before = editor.session.document
-    key = editor.action(FAMILIES.named(own).action_name).shortcut().toString()
-    if place_of(own) <= 9:
-        assert key == str(place_of(own))
+    key = editor.action(FAMILIES.named(name).action_name).shortcut().toString()
+    if place_of(name) <= 9:
+        assert key == str(place_of(name))
         QTest.keyClicks(editor.window.canvas, key)
     else:
         # There are no more digits.
         assert key == ""
-        editor.choose_family(own)
+        editor.choose_family(name)
     editor.settle()
-    assert editor.curve.family.name == own
+    assert editor.curve.family.name == name
     assert editor.action(editor.curve.family.action_name).isChecked()
-    assert editor.session.undo_stack.undoText() == f"Switch to {FAMILIES.named(own).title}"
+    assert editor.session.undo_stack.undoText() == f"Switch to {FAMILIES.named(name).title}"
     assert is_true(editor)
     editor.trigger("undo")
     assert editor.session.document == before
@@ -152,8 +153,8 @@ def test_a_point_is_dragged_under_every_rule(drawn, name, kind):
     assert is_true(editor)
 
 
-def test_what_is_seen_during_a_drag_is_the_curve(drawn, own):
-    editor = drawn(own)
+def test_what_is_seen_during_a_drag_is_the_curve(drawn, name):
+    editor = drawn(name)
     editor.press(editor.point(2))
     for step in range(1, 6):
         editor.move((2.5 + 0.1 * step, 1.0 + 0.15 * step))
@@ -163,8 +164,8 @@ def test_what_is_seen_during_a_drag_is_the_curve(drawn, own):
     assert editor.point(2) == POINTS[2]
 
 
-def test_several_points_are_turned_scaled_and_nudged(drawn, own):
-    editor = drawn(own)
+def test_several_points_are_turned_scaled_and_nudged(drawn, name):
+    editor = drawn(name)
     editor.select([1, 2, 3])
     editor.drag(editor.grip(1, 1), (5.0, 4.0))
     assert is_true(editor)
@@ -193,8 +194,18 @@ def test_the_curve_is_bent_and_follows_the_pointer(drawn, own, kind, keys):
     assert now[2] < found.parameter < now[3]
 
 
-def test_parameters_are_dragged_and_typed_on_the_rail(drawn, own):
-    editor = drawn(own)
+def test_every_family_is_bent_and_follows_the_pointer(drawn, name):
+    editor = drawn(name)
+    t = 0.4 * editor.parameters[2] + 0.6 * editor.parameters[3]
+    x, y = editor.session.active_view.curve.evaluate(t)
+    target = (float(x) + 0.6, float(y) - 0.5)
+    editor.bend(t, target)
+    assert is_true(editor)
+    assert NearestPoint(editor.session.active_view).within(target, 1.0).distance < 1.5 * editor.pixel
+
+
+def test_parameters_are_dragged_and_typed_on_the_rail(drawn, name):
+    editor = drawn(name)
     editor.drag_parameter(2, 0.45)
     assert editor.curve.is_manual
     assert editor.parameters[2] == pytest.approx(0.45, abs=0.01)
@@ -236,6 +247,22 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     assert "has no velocities at its points" in editor.action("straightSegment").toolTip()
     assert not editor.action("tangentCorner").isEnabled()
     assert editor.session.document == before
+
+
+def test_converted_to_cubics_it_keeps_its_shape_and_splits(drawn, own):
+    editor = drawn(own)
+    before = editor.session.active_view.curve
+    editor.trigger("convertToHermite")
+    assert editor.curve.family.name == "hermite"
+    assert "largest change" in editor.status
+    t = np.linspace(0.0, 1.0, 301)
+    assert np.abs(editor.session.active_view.curve.evaluate(t) - before.evaluate(t)).max() < 1e-3
+    editor.scrub(0.5)
+    editor.trigger("splitCurve")
+    assert len(editor.session.document.curves) == 2
+    editor.trigger("undo")
+    editor.trigger("undo")
+    assert editor.curve.family.name == own
 
 
 def test_functions_that_lose_their_digits_are_drawn_and_measured(drawn):
@@ -310,8 +337,8 @@ def test_two_of_them_are_joined_or_it_is_said_why_not(drawn, own):
         assert is_true(editor)
 
 
-def test_the_way_back_is_the_same_curve(drawn, own):
-    editor = drawn(own)
+def test_the_way_back_is_the_same_curve(drawn, name):
+    editor = drawn(name)
     before = editor.session.active_view.curve.evaluate(0.25)
     editor.trigger("reverseCurve")
     assert editor.session.active_view.curve.evaluate(0.75) == pytest.approx(before, abs=1e-12)
@@ -334,11 +361,11 @@ def test_the_table_shows_and_takes_its_numbers(drawn, own):
     assert editor.point(2) == POINTS[2]
 
 
-def test_it_is_saved_and_opened_as_it_was(drawn, own, tmp_path):
-    editor = drawn(own)
-    path = tmp_path / "own.curve.json"
+def test_it_is_saved_and_opened_as_it_was(drawn, name, tmp_path):
+    editor = drawn(name)
+    path = tmp_path / "name.curve.json"
     editor.session.save(path)
-    assert json.loads(path.read_text())["curves"][0]["family"] == own
+    assert json.loads(path.read_text())["curves"][0]["family"] == name
     before = editor.session.document
     editor.new()
     editor.session.open(path)
@@ -419,8 +446,8 @@ def texts_of(panel):
     return found
 
 
-def test_a_motion_runs_along_it(drawn, own):
-    editor = drawn(own)
+def test_a_motion_runs_along_it(drawn, name):
+    editor = drawn(name)
     editor.trigger("playMotion")
     editor.settle()
     editor.trigger("stopMotion")

@@ -136,6 +136,17 @@ def test_the_fields_are_those_of_the_family(swaying):
     assert slider(swaying).value() == 5
 
 
+def test_going_back_to_the_family_gives_the_same_curve_back(swaying):
+    enter(swaying, amount(swaying), "7")
+    before = swaying.session.active_view.curve.evaluate(0.3)
+    swaying.choose_family(LAGRANGE)
+    swaying.choose_family("tests_swaying")
+    assert chosen(swaying) == {"amount": 7}
+    assert (swaying.session.active_view.curve.evaluate(0.3) == before).all()
+    swaying.settle()
+    assert amount(swaying).text() == "7"
+
+
 def test_a_refusal_after_the_family_has_changed_finds_no_field_that_is_gone(swaying):
     enter(swaying, amount(swaying), "5")
     swaying.choose_family(LAGRANGE)

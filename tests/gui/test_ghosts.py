@@ -103,7 +103,7 @@ def test_of_a_drag_the_legend_has_no_figures(editor):
     assert editor.window.canvas.drawing.annotations.legend.rows == row
 
 
-def test_a_ghost_of_the_own_family_keeps_its_settings(editor):
+def test_a_ghost_has_the_settings_that_the_curve_has_or_had_of_its_family(editor):
     family = FAMILIES.named("floater_hormann")
     curve = replace(make_curve(RUNGE, family=family), settings=ChosenSettings({"degree": 1}))
     editor.session.commit(Document((curve,)), "Runge")
@@ -112,6 +112,8 @@ def test_a_ghost_of_the_own_family_keeps_its_settings(editor):
     (uniform,) = shown(editor).values()
     assert uniform.curve.chosen == {"degree": 1}
     editor.choose_family(LAGRANGE)
+    assert shown(editor)[Ghost(family=family)].curve.chosen == {"degree": 1}
+    editor.session.commit(Document((make_curve(RUNGE),)), "Another")
     assert shown(editor)[Ghost(family=family)].curve.chosen == {"degree": 3}
 
 

@@ -173,7 +173,7 @@ def test_it_is_offered_wherever_families_are(using):
     family = FAMILIES.named(NAME)
     action = using.action(family.action_name)
     last = using.action(FAMILIES[-2].action_name)
-    # Behind the family before it, in the menu and in the toolbar.
+    # Behind the family before it, in the menu and in that of the toolbar.
     places = [each for each in last.associatedObjects() if isinstance(each, QMenu | QToolBar)]
     assert places
     for place in places:
@@ -381,11 +381,12 @@ def test_a_file_of_the_command_line_is_watched_too(qtbot, path, save, tried_here
 
 def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_stay(using, save, path, qtbot):
     save(template(path).replace('"my_lagrange"', '"other"').replace('"my lagrange"', '"other one"'))
-    toolbar = using.window.findChild(QToolBar, "mainToolbar")
+    further = using.window.findChild(QMenu, "familiesMenu")
     qtbot.waitUntil(lambda: "familyOther" in using.window.actions_by_name, timeout=WAIT_MS)
     using.settle()
     assert "familyMyLagrange" not in using.window.actions_by_name
-    assert "My lagrange" not in [action.text() for action in toolbar.actions()]
+    assert "My lagrange" not in [action.text() for action in further.actions()]
+    assert "Other one" in [action.text() for action in further.actions()]
     assert using.session.active_view.is_current
     using.drag_point(2, (3.0, 2.0))
     assert using.session.active_view.is_current

@@ -58,7 +58,7 @@ PLATES = Overlay(
     settings=(SIZE, CORNERS),
     follows_scrub=True,
     brings_scrub=True,
-    legend=lambda settings: [(PLATE, f"Plate with {settings.value(CORNERS):.0f} corners")],
+    legend=lambda _view, settings: [(PLATE, f"Plate with {settings.value(CORNERS):.0f} corners")],
 )
 MIDDLES = Overlay(
     name="middles",

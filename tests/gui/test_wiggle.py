@@ -192,7 +192,8 @@ def test_the_explanation_follows_a_drag_and_the_scrub_line(runge, qtbot):
     runge.trigger("selectTool")
     settled(runge, qtbot)
     swing = panel(runge).words.text()
-    x, y = runge.point(10)
+    # Which of the two ends swings more is a matter of the last digit: this point moves both.
+    x, y = runge.point(5)
     runge.press((x, y))
     runge.move((x, y + 1.0))
     assert panel(runge).words.text() != swing

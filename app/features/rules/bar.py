@@ -17,8 +17,7 @@ STEPS = 100
 """Positions of the slider from α 0 to 1."""
 
 _TIP = "The rule that gives the parameters t"
-_WIDEST = 16_777_215  # QWIDGETSIZE_MAX: no limit
-_SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 64
+_SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 56
 
 
 class ParametrizationBar(ToolbarWidget):
@@ -73,24 +72,26 @@ class ParametrizationBar(ToolbarWidget):
     def set_compact(self, compact: bool) -> None:
         self._is_compact = compact
         self._label.setVisible(not compact)
-        self.slider.setFixedWidth(_COMPACT_SLIDER_WIDTH if compact else _SLIDER_WIDTH)
         self._share_room()
 
     def _share_room(self) -> None:
-        """In a narrow window, give long names of rules without an α the room of the slider."""
-        has_alpha = self.slider.isEnabled()
-        self.box.setMaximumWidth(self._compact_width() if self._is_compact and has_alpha else _WIDEST)
+        """Give the long names, which are those of rules without an α, room of the slider."""
+        has_alpha, width = self.slider.isEnabled(), self.box.sizeHint().width()
+        self.box.setFixedWidth(width - self._excess if has_alpha else width)
+        slider = _COMPACT_SLIDER_WIDTH if self._is_compact else _SLIDER_WIDTH
+        self.slider.setFixedWidth(slider if has_alpha else max(slider - self._excess, 1))
         for part in (self.slider, self._alpha):
             part.setVisible(has_alpha or not self._is_compact)
 
-    def _compact_width(self) -> int:
-        """Return the width that shows all names whole but those that end in parentheses."""
-        names = [kind.label for kind in ParametrizationKind]
-        whole, rest = (
-            max(map(self.box.fontMetrics().horizontalAdvance, each))
-            for each in ([name for name in names if "(" not in name], names)
+    @property
+    def _excess(self) -> int:
+        """Pixels by which the longest name is longer than that of any rule with an α."""
+        labels = {kind: kind.label for kind in ParametrizationKind}
+        short = [label for kind, label in labels.items() if _has_alpha(kind)]
+        long, short_enough = (
+            max(map(self.box.fontMetrics().horizontalAdvance, each)) for each in (labels.values(), short)
         )
-        return self.box.sizeHint().width() - rest + whole
+        return long - short_enough
 
     def render_view(self, view: CurveView) -> None:
         """Show the rule of `view`."""
@@ -104,7 +105,7 @@ class ParametrizationBar(ToolbarWidget):
         alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
         if not self.slider.isSliderDown():
             self.slider.setValue(round(alpha * STEPS))
-        has_alpha = rule.kind.alpha is not None or rule.kind is ParametrizationKind.POWER
+        has_alpha = _has_alpha(rule.kind)
         self.slider.setEnabled(has_alpha)
         self._alpha.setEnabled(has_alpha)
         self._share_room()
@@ -122,3 +123,7 @@ class ParametrizationBar(ToolbarWidget):
     def _end_drag(self) -> None:
         self._render_again()
         self.drag_changed.emit(False)
+
+
+def _has_alpha(kind: ParametrizationKind) -> bool:
+    return kind.alpha is not None or "alpha" in kind.takes

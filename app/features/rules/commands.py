@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QAction
+
 from ... import view_model
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, widget_at
 from ...actions.needs import UNLOCKED_CURVE, Need
@@ -44,7 +46,8 @@ class RuleCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._actions = context.session, context.actions
-        self._bar = ParametrizationBar()
+        self._bar, self._families = ParametrizationBar(), FamilyButton()
+        self._actions.redeclared.connect(self._offer_further)
         self._bar.kind_chosen.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
@@ -57,8 +60,16 @@ class RuleCommands:
     @widget_at(TOOLBAR(45))
     def build_families(self) -> ToolbarWidget:
         """Return the button of the toolbar for further families."""
+        self._families.offer(self._further())
+        return self._families
+
+    def _offer_further(self) -> None:
+        self._families.offer(self._further())
+
+    def _further(self) -> list[tuple[QAction, str]]:
+        """Return the actions of families without a button of their own, with a short word for each."""
         further = [each for group in self._actions.in_strip(FAMILIES_MENU).values() for each in group]
-        return FamilyButton([(each, self._actions.words_of(each, short=True)) for each in further])
+        return [(each, self._actions.words_of(each, short=True)) for each in further]
 
     def render(self, view: CurveView) -> None:
         """Show the rule of `view` in the bar."""

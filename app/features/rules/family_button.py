@@ -16,40 +16,44 @@ from ...widgets.controls import named
 from ...widgets.toolbar_widget import ToolbarWidget
 
 _WORD, _TIP = "Families", "Further families of curves"
-_ICON, _BESIDES = 20, 36
-"""Pixels along the sides of the icon, and of what stands beside icon and word."""
+_ICON, _ARROW, _BESIDES = 20, 22, 36
+"""Pixels along the sides of the icon, and of what stands beside it alone, and beside icon and word."""
 
 
 class FamilyButton(FollowsTheme, ToolbarWidget):
-    """Chooses one of the further families, and shows the one in use.
+    """Chooses one of the further families, and shows the one in use."""
 
-    Parameters
-    ----------
-    further
-        Their actions, each with a short word for the button.
-    """
-
-    def __init__(self, further: Sequence[tuple[QAction, str]]) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self._words = dict(further)
+        self._words: dict[QAction, str] = {}
         self._is_compact = False
         self.button = named(QToolButton(), "familiesButton", _TIP)
         self.button.setCheckable(True)
         self.button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.button.setIconSize(QSize(_ICON, _ICON))
-        self.button.setMenu(self._make_menu())
+        self._menu = self._make_menu()
+        self.button.setMenu(self._menu)
         row_of(self.button, margins=(0, 0, 0, 0), parent=self)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
-        for action in self._words:
-            action.changed.connect(self._show)
-        self.button.setVisible(bool(further))
         self.follow_theme()
+
+    def offer(self, further: Sequence[tuple[QAction, str]]) -> None:
+        """Offer the actions of these families, each with a short word for the button, and no others.
+
+        One that is gone has left the menu by itself.
+        """
+        for action, _word in further:
+            if action not in self._words:
+                self._menu.addAction(action)
+                action.changed.connect(self._show)
+        self._words = dict(further)
+        self.button.setVisible(bool(further))
+        self._show()
 
     def _make_menu(self) -> QMenu:
         menu = QMenu(self.button)
         menu.setObjectName("familiesMenu")
         menu.setToolTipsVisible(True)
-        menu.addActions(list(self._words))
         return menu
 
     def set_theme(self, theme: Theme) -> None:
@@ -73,4 +77,4 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         )
         metrics = button.fontMetrics()
         widest = max(metrics.horizontalAdvance(each) for each in (_WORD, *self._words.values()))
-        button.setFixedWidth(_ICON + _BESIDES + (0 if self._is_compact else widest))
+        button.setFixedWidth(_ICON + (_ARROW if self._is_compact else _BESIDES + widest))

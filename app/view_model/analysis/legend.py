@@ -65,7 +65,7 @@ def legend_rows(
     rows = [
         LegendRow(style, text, is_muted=each not in busy and id(style) not in drawn)
         for each in shown
-        for style, text in each.legend(settings)
+        for style, text in each.legend(view, settings)
     ]
     # What is known later stands last, so that nothing moves when it comes.
     for each in shown:

@@ -61,7 +61,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     brings_scrub
         Whether a scrub line appears with it.
     legend
-        Its entries in the legend.
+        Its entries in the legend, for a curve and the settings.
     finds
         The figures that it may find: explained where they are drawn.
     """
@@ -80,7 +80,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     settings: tuple[OverlaySetting, ...] = ()
     follows_scrub: bool = False
     brings_scrub: bool = False
-    legend: Callable[[AnalysisSettings], Sequence[Entry]] = lambda _settings: ()
+    legend: Callable[[CurveView, AnalysisSettings], Sequence[Entry]] = lambda _view, _settings: ()
     finds: Sequence[Entry] = ()
 
     @property

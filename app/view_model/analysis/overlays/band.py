@@ -16,6 +16,7 @@ import numpy as np
 import curvecore
 from curvecore.arrays import BoolArray, FloatArray
 
+from ...curve_view import CurveView
 from ...line_styles import LineStyle, Sign
 from ...parameter_slopes import parameter_moves
 from ...plane import to_the_left, unit_tangents
@@ -161,9 +162,11 @@ def _largest(t: FloatArray, radii: FloatArray) -> tuple[float, float]:
     return best, best_t
 
 
-def _legend(settings: AnalysisSettings) -> list[Entry]:
-    # Errors of the parameters are added up as first changes; of the points nothing is left out.
-    worst = "Worst case to first order" if settings.value(PARAMETER_ERROR) else "Worst case"
+def _legend(view: CurveView, settings: AnalysisSettings) -> list[Entry]:
+    # Errors of the parameters are added up as first changes; of the points nothing is left out, unless a
+    # rule is not linear in them.
+    is_first_order = settings.value(PARAMETER_ERROR) or view.linearised
+    worst = "Worst case to first order" if is_first_order else "Worst case"
     return [(AREA, f"{worst}, {errors_text(settings)}")]
 
 

@@ -80,5 +80,5 @@ BEZIER = Overlay(
     layer=40,
     draw=_bezier,
     settles=_is_one_polynomial,
-    legend=lambda _settings: [(SIDES, "Bézier polygon")],
+    legend=lambda _view, _settings: [(SIDES, "Bézier polygon")],
 )

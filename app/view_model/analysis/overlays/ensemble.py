@@ -63,5 +63,7 @@ ENSEMBLE = Overlay(
     draw=_disturbed_curves,
     settles=lambda _view: True,
     settings=(COUNT, POINT_ERROR, PARAMETER_ERROR, SEED),
-    legend=lambda settings: [(LINES, f"{settings.value(COUNT):.0f} random cases, {errors_text(settings)}")],
+    legend=lambda _view, settings: [
+        (LINES, f"{settings.value(COUNT):.0f} random cases, {errors_text(settings)}")
+    ],
 )

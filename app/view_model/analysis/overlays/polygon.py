@@ -24,5 +24,5 @@ POLYGON = Overlay(
     place=80,
     layer=30,
     draw=_polygon,
-    legend=lambda _settings: [(SIDES, "Polygon of the points")],
+    legend=lambda _view, _settings: [(SIDES, "Polygon of the points")],
 )

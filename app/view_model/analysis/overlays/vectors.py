@@ -84,7 +84,7 @@ def _overlay(
         draw=partial(_vectors, order, style, scale, f"|{symbol}|"),
         settings=(scale,),
         follows_scrub=True,
-        legend=lambda _settings: [(style, f"{name} {symbol}")],
+        legend=lambda _view, _settings: [(style, f"{name} {symbol}")],
     )
 
 
