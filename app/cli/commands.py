@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from .. import cli, exchange
+from ..document.limits import EditError
 from ..document.words import enumerated
 from ..exchange.drawing.animation import FILMS, Film, first_round, write_film
 from ..exchange.errors import ExchangeError
@@ -24,9 +25,11 @@ from ..exchange.formats import FORMATS, can_import, endings_of
 from ..exchange.reading import ImportOptions, import_file
 from ..exchange.table.family_word import FamilyWord, read_family_word
 from ..exchange.writing import export
-from ..families import FAMILIES
+from ..families import FAMILIES, HERMITE
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from ..tasks.progress import Report, part
+from ..view_model.curve_view import view_of
+from ..view_model.least_squares import Fitted, fitted_to_curve
 from ..view_model.motion_settings import Pace, Repeat
 from .command_line import common_options
 from .documents import load_document
@@ -166,13 +169,15 @@ def _render_film(options: argparse.Namespace) -> int:
 
 def _family_of(options: argparse.Namespace) -> FamilyWord:
     try:
-        return read_family_word(" ".join([options.family, *options.setting]))
+        return read_family_word(" ".join([options.family or HERMITE.name, *options.setting]))
     except ValueError as problem:
         raise RefusalError(f"--setting must be of {problem}.") from None
 
 
 def _convert(options: argparse.Namespace) -> int:
     word = _family_of(options)
+    # What is fitted is near all rows, whatever the family: the curve through them is not that.
+    read = FamilyWord(HERMITE) if _wants_fit(options) else word
 
     with _told_on_terminals() as report:
         source = import_file(
@@ -181,22 +186,61 @@ def _convert(options: argparse.Namespace) -> int:
                 tolerance=options.tolerance,
                 thin=options.thin,
                 corners=options.corners,
-                family=word.family,
-                settings=word.settings,
+                family=read.family,
+                settings=read.settings,
                 columns=columns_to_read(options),
                 missing=options.missing,
                 only=options.only,
             ),
-            report=part(report, 0.0, 0.5),
+            report=part(report, 0.0, 0.4),
         )
+        document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
         wanted = replace(
-            picture_options(options, source.document), own=own_options(options), report=part(report, 0.5, 1.0)
+            picture_options(options, document), own=own_options(options), report=part(report, 0.7, 1.0)
         )
-        written = export(source.document, options.output, wanted)
-    _tell((*source.remarks, *_on_groups(source, options.only), *written.remarks))
-    total = exchange.parts.rounded_up(source.deviation + written.deviation)
+        written = export(document, options.output, wanted)
+    said = (f"“{fit.curve.name}”: {fit.words}" for fit in fits)
+    _tell((*source.remarks, *_on_groups(source, options.only), *said, *written.remarks))
+    off = max((fit.deviation for fit in fits), default=0.0)
+    total = exchange.parts.rounded_up(source.deviation + off + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
+
+
+def _wants_fit(options: argparse.Namespace) -> bool:
+    return options.fit is not None or options.fit_tolerance is not None
+
+
+def _fitted(
+    document: Document, options: argparse.Namespace, word: FamilyWord, report: Report
+) -> tuple[Document, list[Fitted]]:
+    """Return the document with fewer points, where that was asked for, and what came of each curve."""
+    if not _wants_fit(options):
+        if options.keep_times:
+            raise RefusalError("--keep-times goes with --fit or --fit-tolerance.")
+        return document, []
+    fits = []
+    share = 1.0 / len(document.curves)
+    for place, curve in enumerate(document.curves):
+        model = replace(curve, family=word.family, settings=word.settings) if options.family else curve
+        try:
+            fit = fitted_to_curve(
+                view_of(curve),
+                model,
+                count=options.fit,
+                tolerance=options.fit_tolerance,
+                keeps_times=options.keep_times,
+                report=part(report, place * share, (place + 1) * share),
+            )
+        except EditError as problem:
+            raise RefusalError(f"“{curve.name}”: {problem}") from None
+        if options.fit_tolerance is not None and fit.deviation > options.fit_tolerance:
+            raise RefusalError(
+                f"“{curve.name}”: no {model.family.title} curve within {options.fit_tolerance:g} was found; "
+                f"the nearest has {fit.words} Try another --family, or a larger tolerance."
+            )
+        fits.append(fit)
+    return replace(document, curves=tuple(fit.curve for fit in fits)), fits
 
 
 def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:

@@ -122,6 +122,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         "'line2d_*'; may be given more than once",
     )
     _add_table_options(convert)
+    _add_fit_options(convert)
     add_picture_options(convert)
     for option in _own():
         try:
@@ -219,8 +220,8 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
     add(
         "--family",
         choices=[family.name for family in FAMILIES],
-        default=HERMITE.name,
-        help="of a curve through the rows of a table (default: %(default)s)",
+        help=f"of a curve through the rows of a table (default: {HERMITE.name}), or of those that --fit and "
+        "--fit-tolerance make (default: that of each curve)",
     )
     add(
         "--setting",
@@ -243,6 +244,32 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         default="refuse",
         help="of rows without numbers: leave them out, or end the curve there (default: %(default)s)",
     )
+
+
+def _add_fit_options(convert: argparse.ArgumentParser) -> None:
+    group = convert.add_argument_group(
+        "fewer points", "Curves of few points near those that were read, by least squares."
+    )
+    choice = group.add_mutually_exclusive_group()
+    choice.add_argument("--fit", type=_two_or_more, metavar="K", help="each curve of K points")
+    choice.add_argument(
+        "--fit-tolerance",
+        type=positive_number,
+        metavar="X",
+        help="each curve of as few points as come within X of all that was read",
+    )
+    group.add_argument(
+        "--keep-times",
+        action="store_true",
+        help="with these: every place keeps its t, as of a motion; else only the shape counts",
+    )
+
+
+def _two_or_more(text: str) -> int:
+    """Return the number of points that was typed."""
+    if (count := whole_number(text)) < 2:
+        raise argparse.ArgumentTypeError("a curve has two points or more")
+    return count
 
 
 def columns_to_read(options: argparse.Namespace) -> str:

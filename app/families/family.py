@@ -231,6 +231,18 @@ class Family:
             raise CurveError(self.problem)
         return self._curve_class.same_shape_as(curve)
 
+    def near(self, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
+        """Return a curve of this family within a tolerance of another one.
+
+        Raises
+        ------
+        CurveError
+            If it can be none, or no way to it is known.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        return self._curve_class.near(curve, tolerance)
+
     def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
         """Return the settings of a curve, open or closed, of which these were chosen."""
         fixed = {each.name: each.when_closed for each in self.settings if each.when_closed is not None}

@@ -20,10 +20,13 @@ class DebouncedTask(TaskOwner):
         The result of what was asked last.
     busy_changed
         Whether a result is being waited for.
+    progressed
+        The share that is done, 0 to 1, and a word for what is being done.
     """
 
     ready = Signal(object)
     busy_changed = Signal(bool)
+    progressed = Signal(float, str)
 
     def __init__(self, parent: QObject | None = None, *, settle_ms: int = SETTLE_MS) -> None:
         super().__init__(parent)
@@ -51,7 +54,7 @@ class DebouncedTask(TaskOwner):
         compute = self._compute
         if compute is not None and self._task is None and not self._timer.isActive():
             self._compute = None
-            self._task = Task(compute, self._end)
+            self._task = Task(compute, self._end, self.progressed.emit)
 
     def _end(self, task: Task) -> None:
         self._task = None

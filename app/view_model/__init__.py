@@ -24,6 +24,7 @@ A curve changed:
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.
 - ``reshape``, ``split_join``: other points for the same curve, two curves of one.
   ``smoothness``, ``straight``: corners, straight segments.  ``measure``: the change of shape.
+- ``least_squares``: curves of few points near many.
 - ``pasting``: points carried from one curve to another.
 - ``point_columns``: the columns of the point table.
 

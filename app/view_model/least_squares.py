@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import chain, pairwise
+from math import ceil
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,12 @@ from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError
 from ..document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
+from ..document.words import count_of, number
 from ..tasks.progress import Report, silent
+from .curve_view import CurveView
+
+_MANY = 1000
+"""Places on a curve that are enough to say what it looks like."""
 
 _DERIVATIVES = ("velocity", "acceleration")
 """The fields of a point that hold its derivatives, in order."""
@@ -40,6 +46,79 @@ class Fitted(NamedTuple):
     deviation: float
     root_mean_square: float
     place: Vector
+
+    @property
+    def words(self) -> str:
+        """How many points there are, and how near they come."""
+        points = count_of(len(self.curve.points), "point")
+        mean = number(self.root_mean_square, 2)
+        return f"{points}; largest deviation {number(self.deviation, 3)}, root mean square {mean}."
+
+
+class Data(NamedTuple):
+    """What a curve is fitted to.
+
+    Attributes
+    ----------
+    points
+        (m, 2).
+    times
+        Their parameters, (m,).
+    """
+
+    points: FloatArray
+    times: FloatArray
+
+
+def data_of(view: CurveView) -> Data:
+    """Return what a curve shows: its points and, where these are few and the curve calm, places between.
+
+    A curve whose functions reach far may swing between its points as nobody meant it to.
+
+    Raises
+    ------
+    EditError
+        If there is no curve.
+    """
+    if not view.is_current:
+        raise EditError(view.problem)
+    assert view.curve is not None
+    t = view.parameters
+    if view.source.family.is_local and len(t) < _MANY:
+        share = np.arange(ceil(_MANY / len(t))) / ceil(_MANY / len(t))
+        t = np.append((t[:-1, None] + share * np.diff(t)[:, None]).reshape(-1), t[-1])
+        return Data(view.curve.evaluate(t), t)
+    return Data(view.at_knots, t)
+
+
+def fitted_to_curve(
+    view: CurveView,
+    model: Curve,
+    *,
+    count: int | None = None,
+    tolerance: float | None = None,
+    keeps_times: bool = False,
+    report: Report = silent,
+) -> Fitted:
+    """Return a curve of few points near another, over its interval, of the family and style of `model`.
+
+    `keeps_times` leaves every place its t, so that a motion stays the same; else only the shape counts.
+
+    Raises
+    ------
+    EditError
+        If there is no such curve.
+    """
+    data = data_of(view)
+    rule = replace(model.parametrization, start=float(data.times[0]), end=float(data.times[-1]))
+    return fitted(
+        replace(model, parametrization=rule),
+        data.points,
+        count=count,
+        tolerance=tolerance,
+        times=data.times if keeps_times else None,
+        report=report,
+    )
 
 
 def fitted(

@@ -14,6 +14,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray, IntArray
+from curvecore.families.chain import joint_of_row
 
 from ..document.curve_edits import reverse_curve
 from ..document.edits import EditError, freeze_parameters, stretched
@@ -147,14 +148,18 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     family = family or source.family
     is_closed = source.is_closed and family.can_close
     count = len(curve.parameters) - is_closed
+    corners = _corners_of(curve, is_closed=is_closed)
     places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
-    points = [replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=False) for (x, y), t in places]
+    points = [
+        replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners)
+        for index, ((x, y), t) in enumerate(places)
+    ]
     start, end = curve.domain
     rule = replace(source.parametrization, start=start, end=end)
     made = replace(
         source.with_family(family), points=tuple(points[:count]), parametrization=rule, closed=is_closed
     )
-    made = with_jet_values(made, _given(curve, count))
+    made = with_jet_values(made, _given(curve, len(made.points), has_corner=0 in corners))
     if not source.is_manual and (after := view_of(made)).is_current:
         assert after.curve is not None
         t = dense(curve.parameters)
@@ -164,11 +169,27 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     return replace(made, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
 
 
-def _given(curve: ParametricCurve, count: int) -> Iterator[JetValue]:
-    """Yield the derivatives at the first `count` points, as what the person sets."""
-    for index, jet in enumerate(curve.jets[:count]):
+def _corners_of(curve: ParametricCurve, *, is_closed: bool) -> set[int]:
+    """Return the points at which derivatives before and after are others: where pieces of a chain meet."""
+    joints = joint_of_row(curve)
+    found = set(joints[1:][np.diff(joints) == 0].tolist())
+    first, last = curve.jets[0, 1:], curve.jets[-1, 1:]
+    scale = np.abs(curve.jets[:, 1:]).max(axis=(0, 2))[:, None] if len(first) else 0.0
+    return found | {0} if is_closed and (np.abs(first - last) > 1e-10 * scale).any() else found
+
+
+def _given(curve: ParametricCurve, count: int, *, has_corner: bool) -> Iterator[JetValue]:
+    """Yield the derivatives at points, as what the person sets.
+
+    Of a closed curve, whose last row is its first point again, those before that are of a corner there.
+    """
+    joints = joint_of_row(curve).tolist()
+    for row, (joint, jet) in enumerate(zip(joints, curve.jets, strict=True)):
+        if joint == count and not has_corner:
+            continue
+        ahead = row + 1 < len(joints) and joints[row + 1] != joint
         for order, derivative in enumerate(jet[1:], start=1):
-            yield JetValue(index, order, True, _vector(derivative))
+            yield JetValue(joint % count, order, ahead, _vector(derivative))
 
 
 def _place_between(view: CurveView, t: float) -> int:

@@ -72,7 +72,7 @@ def split(view: CurveView, t: float) -> Split:
     if not family.is_one_polynomial and not is_kept(made.residual, parts):
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
-            f"{number(made.residual, 2)} away. Choose {titles_with_derivatives()} first."
+            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, keeping the shape."
         )
     return made
 

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import stacked_jets
+from curvecore.bezier.control_points import cubic_path
+from curvecore.errors import CurveError
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite_basis import CUBIC
 from curvecore.families.piecewise_hermite import PiecewiseHermite
+
+_SMOOTH = 1e-6
+"""Share of the largest velocity by which those on both sides of a joint may differ, by differences."""
 
 
 class HermiteCurve(PiecewiseHermite):
@@ -62,3 +69,19 @@ class HermiteCurve(PiecewiseHermite):
 
     def __init__(self, points: ArrayLike, velocities: ArrayLike, parameters: ArrayLike) -> None:
         self._keep(stacked_jets(points, velocities=velocities), parameters)
+
+    @classmethod
+    def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
+        """Return cubic pieces with a curve's points and velocities at their ends; see `ParametricCurve`."""
+        if curve.exact_pieces() is not None:
+            return cls.same_shape_as(curve)
+        path = cubic_path(curve, tolerance)
+        ends, spacing = path.control_points, np.diff(path.parameters)[:, None]
+        ahead, behind = 3.0 * (ends[:, 1] - ends[:, 0]) / spacing, 3.0 * (ends[:, 3] - ends[:, 2]) / spacing
+        turns = np.abs(behind[:-1] - ahead[1:])
+        if (turns > _SMOOTH * np.abs(ahead).max()).any():
+            raise CurveError(
+                f"its direction jumps at t = {path.parameters[1:-1][turns.max(axis=1).argmax()]:g}"
+            )
+        points = np.concatenate((ends[:, 0], ends[-1:, 3]))
+        return cls(points, np.concatenate((ahead, behind[-1:])), path.parameters)

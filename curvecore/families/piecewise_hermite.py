@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Self
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,17 +10,19 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import (
     FloatArray,
     IntArray,
+    end_to_end,
     integer,
     parameter_row,
     read_only,
     unit_values,
 )
 from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
+from curvecore.families.chain import Chain
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import end_derivative_terms, slopes_of
 from curvecore.families.records import JOINT_ORDERS, Interpolant, JointDerivatives, LocalBasis, Slopes
-from curvecore.families.same_shape import joint_jets, pieces_of
+from curvecore.families.same_shape import BezierChain, joint_jets, pieces_of, smooth_stretches
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
@@ -147,10 +149,17 @@ class PiecewiseHermite(ParametricCurve):
         return segment, moves
 
     @classmethod
-    def same_shape_as(cls, curve: ParametricCurve) -> Self:
-        """Return the curve with the same derivatives at the breaks of another of at most its degree."""
-        chain = pieces_of(curve, 2 * cls.derivatives + 1, cls.title)
-        return cls.from_jets(joint_jets(chain, cls.derivatives, cls.title), chain.breaks)
+    def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
+        """Return the curve with the same derivatives at the breaks of another of at most its degree.
+
+        A `Chain` where one of them jumps.
+        """
+        chains = [pieces_of(piece, 2 * cls.derivatives + 1, cls.title) for piece in curve.pieces]
+        controls = np.concatenate([chain.controls for chain in chains])
+        whole = BezierChain(controls, end_to_end(chain.breaks for chain in chains))
+        parts = smooth_stretches(whole, cls.derivatives)
+        curves = [cls.from_jets(joint_jets(part, cls.derivatives, cls.title), part.breaks) for part in parts]
+        return curves[0] if len(curves) == 1 else Chain(curves)
 
     def evaluate_segments(self, s: ArrayLike) -> FloatArray:
         """Return the curve at the same relative places of every segment.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar
 
 from curvecore.arrays import FloatArray
 from curvecore.errors import CurveError
@@ -41,7 +41,32 @@ class PolynomialFacts:
         return self.bezier_pieces()
 
     @classmethod
-    def same_shape_as(cls, curve: ParametricCurve) -> Self:
+    def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
+        """Return a curve of this family that keeps within a distance of another one.
+
+        Here the other one itself, by `same_shape_as`; a family that can follow any curve overrides it.
+
+        Parameters
+        ----------
+        curve : ParametricCurve
+            Of any family.
+        tolerance : float
+            Largest distance at equal parameters, greater than 0.
+
+        Returns
+        -------
+        ParametricCurve
+            A curve of this family, or several end to end.
+
+        Raises
+        ------
+        CurveError
+            If it can be none of this family, or no way to it is known.
+        """
+        return cls.same_shape_as(curve)
+
+    @classmethod
+    def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
         """Return a curve of this family that is another one, written with other data.
 
         Parameters

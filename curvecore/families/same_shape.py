@@ -11,12 +11,13 @@ References
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import comb, perm
 from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import BoolArray, FloatArray
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
@@ -72,20 +73,36 @@ def joint_jets(chain: BezierChain, derivatives: int, wanted: str) -> FloatArray:
     CurveError
         If one of them jumps.
     """
+    for order, jumps in enumerate(_jumps(chain, derivatives)):
+        if jumps.any():
+            what = ("the curve", "its velocity", "its acceleration", "its jerk")[min(order, 3)]
+            t = float(chain.breaks[1 + int(np.argmax(jumps))])
+            raise CurveError(f"{what} jumps at t = {t:.6g}, where that of a {wanted} curve goes on")
+    return np.concatenate([_end_jets(chain, derivatives, 0), _end_jets(chain, derivatives, 1)[-1:]])
+
+
+def smooth_stretches(chain: BezierChain, derivatives: int) -> list[BezierChain]:
+    """Divide a chain at the joints where the curve goes on and one of its first derivatives jumps."""
+    breaks, *jumps = _jumps(chain, derivatives)
+    cuts = np.flatnonzero(np.any(jumps, axis=0) & ~breaks) + 1
+    ends = [0, *cuts.tolist(), len(chain.controls)]
+    return [
+        BezierChain(chain.controls[start:end], chain.breaks[start : end + 1]) for start, end in pairwise(ends)
+    ]
+
+
+def _jumps(chain: BezierChain, derivatives: int) -> list[BoolArray]:
+    """Return at which joints each derivative jumps, by its order, (k - 1,)."""
     ahead, behind = _end_jets(chain, derivatives, 0), _end_jets(chain, derivatives, 1)
+    steps, found = np.diff(chain.breaks), []
     for order in range(derivatives + 1):
         before, after = behind[:-1, order], ahead[1:, order]
         jump = np.abs(after - before).max(axis=1, initial=0.0)
-        steps = np.diff(chain.breaks)
         # Rounding of the control points, seen through divisions by both lengths.
         noise = np.abs(chain.controls).max() / np.minimum(steps[:-1], steps[1:]) ** order
         scale = np.abs(np.concatenate([before, after])).max(initial=0.0)
-        jumps = np.flatnonzero(jump > _RESIDUE * scale + 64.0 * perm(5, order) * 2.0**-53 * noise)
-        if jumps.size:
-            what = ("the curve", "its velocity", "its acceleration", "its jerk")[min(order, 3)]
-            t = float(chain.breaks[1 + jumps[0]])
-            raise CurveError(f"{what} jumps at t = {t:.6g}, where that of a {wanted} curve goes on")
-    return np.concatenate([ahead, behind[-1:]])
+        found.append(jump > _RESIDUE * scale + 64.0 * perm(7, order) * 2.0**-53 * noise)
+    return found
 
 
 def _end_jets(chain: BezierChain, derivatives: int, end: int) -> FloatArray:

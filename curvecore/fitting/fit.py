@@ -66,7 +66,9 @@ _EXACT = 16
 _MANY = 1500
 """Data among which the number of points is searched; all of them count in the end."""
 
-_MOST_UNKNOWNS = 1500
+_MOST = 500
+"""Points beyond which none are searched for: those are not few any more."""
+
 _STEPS = 2
 
 
@@ -321,8 +323,8 @@ class _Fitter:
         self.least = max(2, 2 - closed + len([corner for corner in corners if corner]))
         room = (len(data.points) - 1) // order
         # Beyond so many points one polynomial is no longer determined by evenly spaced data.
-        determined = 2 * isqrt(len(data.points)) if family.is_one_polynomial else _MOST_UNKNOWNS // order
-        bound = family.most_points or _MOST_UNKNOWNS
+        determined = 2 * isqrt(len(data.points)) if family.is_one_polynomial else _MOST
+        bound = family.most_points or _MOST
         self.most = max(min(room, determined, bound - 1) + 1 - closed, 2)
 
     def attempt(self, count: int, before: _Attempt | None = None, enough: float = 0.0) -> _Attempt:

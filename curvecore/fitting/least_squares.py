@@ -20,6 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -109,10 +110,10 @@ def least_squares_curve(
     sides = _Sides(family, own, corners, closed)
     guess = sides.guess(places, at)
     problem = _Problem(make, own, sides, guess)
-    rows = problem.rows(at, places)
-    ends = None if closed else problem.rows(own[[0, -1]], places[[0, -1]], reduced=False)
+    blocks = problem.blocks(at, places)
+    ends = None if closed else problem.blocks(own[[0, -1]], places[[0, -1]])
     try:
-        return sides.curve(make, guess, _solved(rows, ends, guess.shape[3], sides.end_positions))
+        return sides.curve(make, guess, _solved(blocks, ends, sides.count, sides.end_positions))
     except np.linalg.LinAlgError:
         raise CurveError(
             f"points and parameters give no curve of {family.name}: they are too far apart"
@@ -202,7 +203,7 @@ class _Sides:
 
 
 class _Problem:
-    """Rows of the linear problem: the functions at the data, and what the guess leaves."""
+    """The linear problem: the functions at the data, and what the guess leaves."""
 
     def __init__(self, make: Make, knots: FloatArray, sides: _Sides, guess: FloatArray) -> None:
         self._sides, self._dim = sides, guess.shape[-1]
@@ -212,73 +213,129 @@ class _Problem:
         self._curve = make(jets, knots)
         self._guess = guess
 
-    def rows(self, t: FloatArray, points: FloatArray, *, reduced: bool = True) -> FloatArray:
-        """Return [A | b], (rows, count + dim): A x = b where the curve passes through the data."""
-        columns, size = self._sides.columns, self._sides.count
+    def blocks(self, t: FloatArray, points: FloatArray) -> list[_Block]:
+        """Return [A | b] by segments, or as one: A x = b where the curve passes through the data."""
+        columns = self._sides.columns
         if not self._curve.is_local:
             basis = self._curve.basis(t).reshape(len(t), -1)
-            rows = self._placed(columns[:-1, 0].reshape(-1), columns[-1, 0], basis)
-            rows[:, :size] *= self._sides.scale
-            rows[:, size:] = points - basis @ self._guess[:, 0].reshape(basis.shape[1], -1)
-            return rows
-        parts = []
+            off = points - basis @ self._guess[:, 0].reshape(basis.shape[1], -1)
+            return [self._block(columns[:-1, 0].reshape(-1), columns[-1, 0], basis, off)]
+        blocks = []
         segment, values = self._curve.local_basis(t)
         order = np.argsort(segment, kind="stable")
         found, starts = np.unique(segment[order], return_index=True)
         for j, members in zip(found.tolist(), np.split(order, starts[1:]), strict=True):
-            own = np.concatenate([columns[j, 1], columns[j + 1, 0]])
             basis = values[members].reshape(len(members), -1)
             jets = np.concatenate([self._guess[j, 1], self._guess[j + 1, 0]])
-            part = np.hstack([basis * self._sides.scale[own], points[members] - basis @ jets])
-            if reduced and len(part) > part.shape[1]:
-                part = _triangular(part)
-            rows = self._placed(columns[j, 1], columns[j + 1, 0], part[:, : len(own)])
-            rows[:, size:] = part[:, len(own) :]
-            parts.append(rows)
-        return np.concatenate(parts)
+            off = points[members] - basis @ jets
+            blocks.append(self._block(columns[j, 1], columns[j + 1, 0], basis, off))
+        return blocks
 
-    def _placed(self, first: IntArray, last: IntArray, values: FloatArray) -> FloatArray:
-        """Return rows with the values where their unknowns are, `first` and `last`; these may be the same."""
-        rows = np.zeros((len(values), self._sides.count + self._dim))
-        rows[:, first] = values[:, : len(first)]
-        rows[:, last] += values[:, len(first) :]
-        return rows
+    def _block(self, first: IntArray, last: IntArray, basis: FloatArray, off: FloatArray) -> _Block:
+        """Return rows of the unknowns at both ends; a closed curve of one segment has them twice."""
+        own, place = np.unique(np.concatenate([first, last]), return_inverse=True)
+        values = np.zeros((len(basis), len(own) + self._dim))
+        values[:, place[: len(first)]] = basis[:, : len(first)]
+        values[:, place[len(first) :]] += basis[:, len(first) :]
+        values[:, : len(own)] *= self._sides.scale[own]
+        values[:, len(own) :] = off
+        return _Block(own, values)
 
 
-def _solved(rows: FloatArray, ends: FloatArray | None, dim: int, pivots: tuple[int, int]) -> FloatArray:
-    """Return the unknowns, (count, dim), that solve the rows as well as can be, and the ends exactly."""
-    count = rows.shape[1] - dim
-    moves = np.zeros((count, dim))
-    own = list(pivots)
-    if ends is None or abs(np.linalg.det(ends[:, own])) < _NEGLIGIBLE:
-        moves[:] = _least_squares(rows, dim)
-        return moves
-    others = np.setdiff1d(np.arange(count), own)
-    # The two end positions by all others: x_own = rest_b - rest_A x_others.
-    rest = np.linalg.solve(ends[:, own], np.delete(ends, own, axis=1))
-    reduced = np.delete(rows, own, axis=1)
-    touched = np.flatnonzero(rows[:, own].any(axis=1))
-    reduced[touched] -= rows[touched][:, own] @ rest
-    if len(others):
-        moves[others] = _least_squares(reduced, dim)
-    moves[own] = rest[:, len(others) :] - rest[:, : len(others)] @ moves[others]
+class _Block(NamedTuple):
+    """Rows of a linear problem in which only some of the unknowns have a part.
+
+    Attributes
+    ----------
+    columns : ndarray of int, shape (w,)
+        The unknowns.
+    values : ndarray, shape (rows, w + dim)
+        [A | b].
+    """
+
+    columns: IntArray
+    values: FloatArray
+
+    def spread(self, columns: IntArray) -> FloatArray:
+        """Return the values for more unknowns, those of this block among them."""
+        width = len(self.columns)
+        values = np.zeros((len(self.values), len(columns) + self.values.shape[1] - width))
+        order = np.argsort(columns)
+        values[:, order[np.searchsorted(columns, self.columns, sorter=order)]] = self.values[:, :width]
+        values[:, len(columns) :] = self.values[:, width:]
+        return values
+
+
+def _solved(
+    blocks: list[_Block], ends: list[_Block] | None, count: int, pivots: tuple[int, int]
+) -> FloatArray:
+    """Return the unknowns, (count, dim), that solve the blocks as well as can be, and the ends exactly."""
+    everything, own = np.arange(count), list(pivots)
+    rows = None if ends is None else np.concatenate([each.spread(everything) for each in ends])
+    if rows is None or abs(np.linalg.det(rows[:, own])) < _NEGLIGIBLE:
+        return _least_squares(blocks, count)
+    # The two end positions by all others: x_own = held_b - held_A x.
+    held = np.linalg.solve(rows[:, own], rows)
+    held[:, own] = 0.0
+    moves = _least_squares([_without(each, own, held) for each in blocks], count)
+    moves[own] = held[:, count:] - held[:, :count] @ moves
     return moves
 
 
-def _least_squares(rows: FloatArray, dim: int) -> FloatArray:
-    """Return x of least |A x - b|, and of these the least x, for rows [A | b]."""
-    count = rows.shape[1] - dim
-    if len(rows) > rows.shape[1]:
-        rows = _triangular(rows)
-    matrix, right = rows[:, :count], rows[:, count:]
+def _without(block: _Block, own: list[int], held: FloatArray) -> _Block:
+    """Put what holds the unknowns `own` in their place: row k of `held` says x_own[k] + A x = b."""
+    inside = [k for k, column in enumerate(own) if column in block.columns]
+    if not inside:
+        return block
+    reached = np.flatnonzero(
+        held[inside, : held.shape[1] - (block.values.shape[1] - len(block.columns))].any(axis=0)
+    )
+    columns = np.union1d(block.columns, reached)
+    values = block.spread(columns)
+    width = len(columns)
+    for k in inside:
+        place = int(np.searchsorted(columns, own[k]))
+        factor = values[:, place].copy()
+        values[:, :width] -= factor[:, None] * held[k, columns]
+        values[:, width:] -= factor[:, None] * held[k, held.shape[1] - values.shape[1] + width :]
+    kept = ~np.isin(columns, own)
+    return _Block(columns[kept], values[:, np.append(kept, np.full(values.shape[1] - width, True))])
+
+
+def _least_squares(blocks: list[_Block], count: int) -> FloatArray:
+    """Return x of least |A x - b|; unknowns in no block are 0.
+
+    Block by block: an unknown that no later block has is expressed by those that are left. Each step is as
+    small as a segment, so that the whole is linear in their number.
+    """
+    dim = blocks[0].values.shape[1] - len(blocks[0].columns)
+    last_in = np.zeros(count, dtype=np.intp)
+    for index, block in enumerate(blocks):
+        last_in[block.columns] = index
+    left = _Block(np.empty(0, dtype=np.intp), np.empty((0, dim)))
+    steps: list[tuple[_Block, int]] = []
+    for index, block in enumerate(blocks):
+        columns = np.union1d(left.columns, block.columns)
+        columns = columns[np.argsort(last_in[columns] > index, kind="stable")]
+        ends_here = int((last_in[columns] <= index).sum())
+        rows = np.concatenate([left.spread(columns), block.spread(columns)])
+        if len(rows) > 1:
+            rows = np.asarray(np.linalg.qr(rows, mode="r"), dtype=np.float64)
+        steps.append((_Block(columns, rows[:ends_here]), ends_here))
+        left = _Block(columns[ends_here:], rows[ends_here : len(columns), ends_here:])
+    found = np.zeros((count, dim))
+    for (columns, rows), ends_here in reversed(steps):
+        width = len(columns)
+        right = rows[:, width:] - rows[:, ends_here:width] @ found[columns[ends_here:]]
+        found[columns[:ends_here]] = _triangular(rows[:, :ends_here], right)
+    return found
+
+
+def _triangular(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """Solve an upper triangular system; where it does not tell all unknowns, by the least ones."""
     diagonal = np.abs(np.diagonal(matrix))
-    if len(matrix) >= count and diagonal.min() > 1e-6 * diagonal.max():
-        return np.asarray(np.linalg.solve(matrix[:count], right[:count]))
-    if not np.isfinite(rows).all():
+    if matrix.shape[0] == matrix.shape[1] and diagonal.min(initial=1.0) > 1e-6 * diagonal.max(initial=0.0):
+        return np.asarray(np.linalg.solve(matrix, right))
+    if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise np.linalg.LinAlgError
     return np.asarray(np.linalg.lstsq(matrix, right, rcond=_ROUNDING)[0])
-
-
-def _triangular(rows: FloatArray) -> FloatArray:
-    """Return R of rows = Q R: its rows have the same lengths and angles as all of them together."""
-    return np.asarray(np.linalg.qr(rows, mode="r"), dtype=np.float64)

@@ -11,6 +11,7 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     chebyshev,
     natural_spline_velocities,
 )
@@ -111,11 +112,41 @@ def test_a_cubic_hermite_curve_is_quintic_where_nothing_jumps():
     assert np.abs(HermiteCurve.same_shape_as(made).jets - smooth.jets).max() < 1e-12
 
 
-@pytest.mark.parametrize("make", [QuinticHermiteCurve, BSplineCurve])
-def test_what_jumps_is_told(make):
+def test_what_jumps_is_told():
     curve = HermiteCurve(points(4), points(4, 9), [0.0, 1.0, 2.5, 3.0])
     with pytest.raises(CurveError, match="its acceleration jumps at t = 1, where that of a"):
-        make.same_shape_as(curve)
+        BSplineCurve.same_shape_as(curve)
+
+
+@pytest.mark.parametrize("make", [QuinticHermiteCurve, SepticHermiteCurve])
+def test_where_a_derivative_jumps_pieces_meet_in_a_chain(make):
+    t = np.array([0.0, 1.0, 2.5, 3.0])
+    velocities = natural_spline_velocities(points(4), t)
+    velocities[1] += (0.3, -0.2)
+    curve = HermiteCurve(points(4), velocities, t)
+    made = make.same_shape_as(curve)
+    # The acceleration jumps at the changed velocity's own joint and at both beside it, if they are inside.
+    assert [piece.domain for piece in made.pieces] == [(0.0, 1.0), (1.0, 2.5), (2.5, 3.0)]
+    assert off(curve, made) < 1e-14
+    assert all(type(piece) is make for piece in made.pieces)
+    back = HermiteCurve.same_shape_as(made)
+    assert off(curve, back) < 1e-14
+    # Its velocity does not jump.
+    assert type(back) is HermiteCurve
+
+
+def test_a_spline_is_a_chain_of_septics_and_a_septic_of_low_degree_is_a_spline():
+    t, p = times(6), points(6)
+    spline = HermiteCurve(p, natural_spline_velocities(p, t), t)
+    made = SepticHermiteCurve.same_shape_as(spline)
+    # Its third derivative jumps at every joint.
+    assert len(made.pieces) == 5
+    assert off(spline, made) < 1e-14
+    polynomial = LagrangeCurve(p, t)
+    septic = SepticHermiteCurve.same_shape_as(polynomial)
+    assert septic.points.shape == (2, 2)
+    assert off(polynomial, septic) < 1e-13
+    assert off(LagrangeCurve.same_shape_as(septic), polynomial) < 1e-12
 
 
 def test_other_reasons():

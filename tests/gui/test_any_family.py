@@ -249,6 +249,22 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     assert editor.session.document == before
 
 
+def test_converted_to_cubics_it_keeps_its_shape_and_splits(drawn, own):
+    editor = drawn(own)
+    before = editor.session.active_view.curve
+    editor.trigger("convertToHermite")
+    assert editor.curve.family.name == "hermite"
+    assert "largest change" in editor.status
+    t = np.linspace(0.0, 1.0, 301)
+    assert np.abs(editor.session.active_view.curve.evaluate(t) - before.evaluate(t)).max() < 1e-3
+    editor.scrub(0.5)
+    editor.trigger("splitCurve")
+    assert len(editor.session.document.curves) == 2
+    editor.trigger("undo")
+    editor.trigger("undo")
+    assert editor.curve.family.name == own
+
+
 def test_functions_that_lose_their_digits_are_drawn_and_measured(drawn):
     """The curve was refused: “must be 1 at parameter 2, not 1.000000008”."""
     editor = drawn("tests_gaussian")

@@ -69,12 +69,14 @@ def all_are_seen(editor):
         (3, 1280, "Quintic Hermite", [BOTH] * 3),
         (3, 1024, "Quintic", [TEXT] * 3),
         (3, 1000, "Quintic", [BOTH, ICON, ICON]),
+        (3, 960, "Quintic", [ICON] * 3),
         (4, 1440, "Quintic Hermite", [BOTH] * 3),
         (4, 1280, "Quintic", [BOTH] * 3),
         (4, 1024, "Quintic", [BOTH, ICON, ICON]),
         (8, 1440, "Quintic Hermite", [BOTH] * 3),
         (8, 1280, "Quintic", [BOTH] * 3),
         (8, 1024, "Quintic", [BOTH, ICON, ICON]),
+        (8, 960, "Quintic", [ICON] * 3),
     ],
 )
 def test_it_says_as_much_as_there_is_room_for(editor_with, count, width, words, style):
@@ -87,11 +89,11 @@ def test_it_says_as_much_as_there_is_room_for(editor_with, count, width, words, 
     assert all_are_seen(editor)
 
 
-@pytest.mark.parametrize(("count", "width"), [(3, 900), (4, 900), (8, 960)])
+@pytest.mark.parametrize(("count", "width"), [(3, 900), (4, 900), (8, 920)])
 def test_the_families_and_the_rule_are_seen_where_not_all_has_room(editor_with, count, width):
     editor = editor_with(count, width)
     assert editor.window.toolbar.sizeHint().width() > editor.window.toolbar.width() == width
-    assert styles(editor) == [BOTH, ICON, ICON]
+    assert styles(editor) == [ICON] * 3
     assert all_are_seen(editor)
     assert button_of(editor, "fitView").isVisible()
     box = editor.window.findChild(QComboBox, "parametrizationBox")

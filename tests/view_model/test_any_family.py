@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
-from app.families import FAMILIES, titles
+from app.families import FAMILIES, HERMITE, titles
 from app.view_model.analysis.cost import cost_of
 from app.view_model.analysis.cures import cures_of
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
@@ -36,6 +36,7 @@ from app.view_model.analysis.wiggle import explain
 from app.view_model.appending import with_closed
 from app.view_model.basis_view import basis_view, weights_at
 from app.view_model.bend import Bend
+from app.view_model.convert import converted
 from app.view_model.curve_view import view_of
 from app.view_model.goals import MEASURES, parse_goal, result_of
 from app.view_model.growth import growth_of_points
@@ -206,6 +207,23 @@ def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
         if FAMILIES.named(name).derivatives or FAMILIES.named(name).is_one_polynomial:
             assert moved < 1e-11
         assert made.sentence.startswith("Shape kept" if moved < 1e-11 else "The shape is another")
+
+
+def test_what_cannot_be_split_is_followed_by_cubics_which_can(own):
+    """Radial basis functions, for one: no part of such a curve is one of its family."""
+    view = view_of(curve_of(own))
+    made = converted(view, HERMITE)
+    size = np.ptp(view.points, axis=0).max()
+    after = view_of(made.curve)
+    t = np.linspace(*view.curve.domain, 4001)
+    away = np.abs(after.curve.evaluate(t) - view.curve.evaluate(t)).max()
+    assert away <= 1.5e-4 * size
+    assert made.residual == pytest.approx(away, rel=0.5, abs=1e-9 * size)
+    assert len(made.curve.points) < 200
+    middle = float(after.parameters[[0, -1]].mean())
+    for part in map(view_of, split(after, middle).curves):
+        at = np.linspace(*part.curve.domain, 801)
+        assert np.abs(part.curve.evaluate(at) - after.curve.evaluate(at)).max() < 1e-10
 
 
 @pytest.mark.parametrize("t", [1.9, "a point"])

@@ -107,7 +107,28 @@ def test_corners_stand_in_the_way():
     before = view(FAMILIES.named("hermite"))
     cornered = view_of(with_corners(before, [2]))
     with pytest.raises(EditError, match="with corners between them"):
-        converted(cornered, FAMILIES.named("quintic_hermite"))
+        converted(cornered, FAMILIES.named("b_spline"))
+
+
+@pytest.mark.parametrize("name", ["quintic_hermite", "septic_hermite"])
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("corners", [[], [2], [0, 3]])
+def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners):
+    """With corners where a derivative jumps that the family's own curves do not let jump."""
+    before = view(FAMILIES.named("hermite"), manual=True, closed=closed)
+    source = edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 9.0)).curves[0]
+    before = view_of(source)
+    inner = [index for index in corners if closed or index]
+    if inner:
+        before = view_of(with_corners(before, inner))
+    made = converted(before, FAMILIES.named(name))
+    after = view_of(made.curve)
+    assert after.source.is_closed is closed
+    assert apart(before, after) < 1e-13
+    assert "became" in made.note
+    back = converted(after, FAMILIES.named("hermite")).curve
+    assert apart(before, view_of(back)) < 1e-13
+    assert [point.corner for point in back.points] == [False] * 6
 
 
 def test_closed_curves_stay_closed_where_they_can():

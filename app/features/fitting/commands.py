@@ -2,12 +2,44 @@
 
 from __future__ import annotations
 
-from ...actions.declaration import Action, action_for_each
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from curvecore.arrays import FloatArray
+
+from ...actions.declaration import Action, action, action_for_each
 from ...actions.keymap import action_name
-from ...actions.sections import EDIT_PENCIL
+from ...actions.needs import UNLOCKED_CURVE
+from ...actions.sections import CURVE_POINTS, EDIT_PENCIL
+from ...canvas.trace_layer import Trace
+from ...document.curve_edits import replace_curve
+from ...document.limits import EditError
+from ...document.model import Vector
+from ...document.words import count_of, number
 from ...state.window_state import WindowState
+from ...tasks.debounced_task import DebouncedTask
+from ...tasks.progress import Report
 from ...tools.pencil_detail import PencilDetail
+from ...view_model.curve_view import CurveView, view_of
+from ...view_model.least_squares import Fitted, fitted_to_curve
+from ...view_model.line_styles import CURE_STYLE, LineStyle
+from ...view_model.plane import size_of
 from ...workbench.context import WindowContext
+from ...workbench.docks import LatePanel
+from .. import fitting
+
+if TYPE_CHECKING:
+    from .panel import FitPanel, FitWish
+
+_GROUP = "fewer_points"
+_SHARE = 0.002
+"""The tolerance that is offered first, as a share of the size of a curve."""
+
+FAR_STYLE = LineStyle("warning", width=2.0)
 
 
 class PencilCommands:
@@ -38,4 +70,147 @@ class PencilCommands:
         self._context.session.say(f"Pencil: {detail.label}.")
 
 
-COMMAND_SETS = (PencilCommands,)
+class FitCommands(QObject):
+    """Fits a curve of fewer points to the active one, and shows it until it is wanted or not."""
+
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._context, self._session = context, context.session
+        self._panel: FitPanel | None = None
+        self._asked: tuple[CurveView, FitWish] | None = None
+        self._found: Fitted | None = None
+        self._problem = ""
+        self._task = DebouncedTask(self)
+        self._task.ready.connect(self._take)
+        self._task.progressed.connect(self._show_share)
+        self._dock = context.docks["fitDock"]
+        self._is_seen = False
+        self._dock.visibilityChanged.connect(self._follow_visibility)
+
+    @LatePanel("fitDock", "Fewer Points", on_demand=True)
+    def build_panel(self, parent: QWidget) -> QWidget:
+        """Return the content of the dock; called when it is first looked at."""
+        self._panel = fitting.panel.FitPanel(parent)
+        self._panel.wished.connect(self._ask)
+        self._panel.applied.connect(self._apply)
+        self._panel.cancelled.connect(self._cancel)
+        return self._panel
+
+    @action(
+        "fitFewerPoints",
+        "Fit to Fewer Points…",
+        CURVE_POINTS,
+        icon="fewer-points",
+        needs=UNLOCKED_CURVE,
+    )
+    def _open(self) -> None:
+        """Replace the curve by one of fewer points near it, of any family; it is shown first."""
+        view = self._session.active_view
+        self._dock.bring_up()
+        assert self._panel is not None
+        self._panel.begin(view.source.family, float(f"{_SHARE * size_of(view.points):.1g}"))
+        self._is_seen = True
+        self._ask()
+
+    def follow(self, _view: CurveView) -> None:
+        """Fit anew where the curve is another one."""
+        if self._panel is not None and self._is_seen:
+            self._ask()
+
+    def close(self) -> None:
+        """End what is being computed."""
+        self._task.close()
+
+    def _follow_visibility(self, visible: bool) -> None:
+        self._is_seen = visible
+        if not visible:
+            self._forget()
+        elif self._panel is not None:
+            self._ask()
+
+    def _forget(self) -> None:
+        self._task.give_up()
+        self._asked = self._found = None
+        self._show()
+
+    def _ask(self) -> None:
+        assert self._panel is not None
+        view, wish = self._session.active_view, self._panel.wish
+        if isinstance(wish, str) or not view.is_current:
+            self._forget()
+            self._panel.render_result(
+                wish if isinstance(wish, str) else view.problem, can_apply=False, busy=False
+            )
+            return
+        if self._asked is not None and self._asked[0].source == view.source and self._asked[1] == wish:
+            return
+        self._asked, self._found, self._problem = (view, wish), None, ""
+        self._task.ask(partial(_fitted, view, wish))
+        self._show()
+
+    def _take(self, result: Fitted | str) -> None:
+        self._found, self._problem = (None, result) if isinstance(result, str) else (result, "")
+        self._show()
+
+    def _show_share(self, share: float, _word: str) -> None:
+        if self._panel is not None:
+            self._panel.progress.show_share(share)
+
+    def _show(self) -> None:
+        """Show the curve that would be, where it is farthest off, and what is to be said of it."""
+        found, traces = self._found, []
+        if found is not None:
+            line = view_of(found.curve).polyline
+            traces.append(Trace((line,), CURE_STYLE, found.words.partition(";")[0]))
+            far = _cross(found.place, 0.01 * size_of(line))
+            traces.append(Trace(far, FAR_STYLE, f"farthest: {number(found.deviation, 3)}"))
+        self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Fewer points")
+        if self._panel is not None:
+            busy = self._asked is not None and found is None and not self._problem
+            words = self._words(found) if found is not None else self._problem or ("Fitting…" if busy else "")
+            self._panel.render_result(words, can_apply=found is not None, busy=busy)
+
+    def _words(self, found: Fitted) -> str:
+        assert self._asked is not None
+        view, wish = self._asked
+        text = f"{count_of(len(view.source.points), 'point')} become {found.words}"
+        if wish.tolerance is not None and found.deviation > wish.tolerance:
+            text += f" No {wish.family.title} curve was found nearer."
+        return text
+
+    def _apply(self) -> None:
+        found, place = self._found, self._session.active_index
+        if found is None:
+            return
+        curve = found.curve
+        if self._session.change(
+            "Fit to fewer points", lambda document: replace_curve(document, place, curve)
+        ):
+            self._session.say(found.words)
+            self._dock.close()
+
+    def _cancel(self) -> None:
+        self._dock.close()
+
+
+def _fitted(view: CurveView, wish: FitWish, report: Report) -> Fitted | str:
+    try:
+        return fitted_to_curve(
+            view,
+            view.source.with_family(wish.family),
+            count=wish.count,
+            tolerance=wish.tolerance,
+            keeps_times=wish.keeps_times,
+            report=report,
+        )
+    except EditError as problem:
+        return str(problem)
+
+
+def _cross(place: Vector, size: float) -> list[FloatArray]:
+    """Return two strokes across a place."""
+    at = np.array(place)
+    return [np.array([at - way, at + way]) for way in size * np.array([[1.0, 1.0], [1.0, -1.0]])]
+
+
+COMMAND_SETS = (PencilCommands, FitCommands)

@@ -1,0 +1,142 @@
+"""Fewer points for a curve: family, number or tolerance, and what comes of it."""
+
+from __future__ import annotations
+
+import msgspec
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+
+from ...document.words import NamedEnum
+from ...families import FAMILIES, Family
+from ...qt.labels import Label
+from ...widgets.boxes import column_of, form_of, row_of
+from ...widgets.controls import ThinProgress, check_box, choice_box, push_button
+from ...widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
+
+_DIGITS = 6
+
+
+class Goal(NamedEnum):
+    """What is given."""
+
+    WITHIN = "within", "Within a distance"
+    COUNT = "count", "Number of points"
+
+
+class FitWish(msgspec.Struct, frozen=True):
+    """What a person asks for: one of the two is given."""
+
+    family: Family
+    count: int | None
+    tolerance: float | None
+    keeps_times: bool
+
+
+class FitPanel(QScrollArea):
+    """Form of a fit.
+
+    Signals
+    -------
+    wished
+        Something else is asked for.
+    applied, cancelled
+        The result is wanted; nothing of it is.
+    """
+
+    wished = Signal()
+    applied = Signal()
+    cancelled = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("fitPanel")
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._families = list(FAMILIES)
+        titles = [family.label for family in self._families]
+        self.family = choice_box("fitFamily", "Family", "Family of the curve with fewer points", titles)
+        goals = [goal.label for goal in Goal]
+        self.goal = choice_box("fitGoal", "What is given", "A largest distance, or a number of points", goals)
+        tip = "How far the curve may be from the one there is, at most"
+        self.tolerance = RangedDoubleSpinBox("fitTolerance", "Largest distance", tip, (1e-6, 1e9))
+        self.tolerance.setDecimals(_DIGITS)
+        self.tolerance.setStepType(RangedDoubleSpinBox.StepType.AdaptiveDecimalStepType)
+        self.count = RangedSpinBox("fitCount", "Points", "How many points the curve gets", (2, 500))
+        words = "Leave every place its t, as of a motion; else only the shape counts"
+        self.keeps_times = check_box("fitTimes", "Keep the times", words)
+        self.result = Label(name="fitResult", wordWrap=True)
+        self.progress = ThinProgress("fitProgress", "How far the fit has come")
+        self.apply_button = push_button("applyFit", "Replace the Curve", "One step, and undo takes it back")
+        self.cancel_button = push_button("cancelFit", "Cancel", "Leave the curve as it is")
+        self._lay_out()
+        self._connect()
+
+    def _lay_out(self) -> None:
+        page = QWidget()
+        form = form_of(
+            ("Family", self.family),
+            ("Given", self.goal),
+            ("Distance", self.tolerance),
+            ("Points", self.count),
+            ("", self.keeps_times),
+        )
+        buttons = row_of(self.apply_button, self.cancel_button, 1, spacing=8)
+        parts = (form, self.result, self.progress, buttons, 1)
+        column_of(*parts, margins=(10, 10, 8, 10), spacing=10, parent=page)
+        self._form = form
+        self.setWidget(page)
+
+    def _connect(self) -> None:
+        self.family.activated.connect(self.wished)
+        self.goal.activated.connect(self._change_goal)
+        for box in (self.tolerance, self.count):
+            box.valueChanged.connect(self._number_changed)
+        self.keeps_times.clicked.connect(self.wished)
+        self.apply_button.clicked.connect(self.applied)
+        self.cancel_button.clicked.connect(self.cancelled)
+
+    def _change_goal(self) -> None:
+        self._show_goal()
+        self.wished.emit()
+
+    def _number_changed(self) -> None:
+        if not self._is_rendering:
+            self.wished.emit()
+
+    _is_rendering = False
+
+    def _show_goal(self) -> None:
+        is_count = self.goal.currentIndex() == list(Goal).index(Goal.COUNT)
+        self._form.setRowVisible(self.count, is_count)
+        self._form.setRowVisible(self.tolerance, not is_count)
+
+    @property
+    def wish(self) -> FitWish | str:
+        """What is asked for, or why that is not possible."""
+        is_count = self.goal.currentIndex() == list(Goal).index(Goal.COUNT)
+        if problem := str(self.count.problem if is_count else self.tolerance.problem):
+            return problem
+        return FitWish(
+            self._families[self.family.currentIndex()],
+            self.count.value() if is_count else None,
+            None if is_count else self.tolerance.value(),
+            self.keeps_times.isChecked(),
+        )
+
+    def begin(self, family: Family, tolerance: float) -> None:
+        """Begin with the family of a curve, and a tolerance that suits its size."""
+        self._is_rendering = True
+        if family in self._families:
+            self.family.setCurrentIndex(self._families.index(family))
+        self.tolerance.setValue(tolerance)
+        self._is_rendering = False
+        self._show_goal()
+
+    def render_result(self, words: str, *, can_apply: bool, busy: bool) -> None:
+        """Show what came of it, or why nothing did."""
+        self.result.setText(words)
+        self.apply_button.setEnabled(can_apply)
+        self.progress.setVisible(busy)
+        if not busy:
+            self.progress.reset()

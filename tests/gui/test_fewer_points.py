@@ -1,0 +1,115 @@
+"""Fit to Fewer Points: a curve of few points near the active one, shown before it takes its place."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox
+
+from app.document.model import Document, make_curve
+from app.families import FAMILIES
+from app.testing import Editor
+
+X = np.linspace(0.0, 6.0, 400)
+ROWS = np.stack([X, np.sin(X)], axis=1)
+
+
+@pytest.fixture
+def editor(qtbot):
+    editor = Editor(qtbot)
+    many = make_curve([tuple(row) for row in ROWS.tolist()], family=FAMILIES.named("hermite"))
+    editor.session.change("Import", lambda _: Document((many,)))
+    return editor
+
+
+def panel(editor):
+    return editor.window.findChild(object, "fitPanel")
+
+
+def opened(editor):
+    editor.trigger("fitFewerPoints")
+    editor.settle()
+    editor.wait_for_rest()
+    return panel(editor)
+
+
+def wait(editor, qtbot):
+    qtbot.waitUntil(panel(editor).apply_button.isEnabled, timeout=20_000)
+
+
+def test_it_is_shown_and_then_takes_the_place_of_the_curve(editor, qtbot):
+    before = editor.session.document
+    form = opened(editor)
+    wait(editor, qtbot)
+    assert editor.session.document is before
+    assert form.result.text().startswith("400 points become ")
+    groups = editor.window.canvas.drawing.annotations.trace_layer.groups
+    assert len(groups["fewer_points"][0]) == 2
+    QTest.mouseClick(form.apply_button, Qt.MouseButton.LeftButton)
+    curve = editor.session.active_curve
+    assert len(curve.points) < 10
+    assert curve.name == before.curves[0].name
+    core = editor.session.active_view.curve
+    gaps = np.linalg.norm(ROWS[:, None] - core.evaluate(np.linspace(*core.domain, 4000))[None], axis=2).min(
+        axis=1
+    )
+    assert gaps.max() <= form.tolerance.value() + 1e-3
+    assert editor.session.undo_stack.undoText() == "Fit to fewer points"
+    assert "fewer_points" not in groups
+    editor.trigger("undo")
+    assert editor.session.document == before
+
+
+def test_cancel_leaves_no_trace(editor, qtbot):
+    before, count = editor.session.document, editor.session.undo_stack.count()
+    form = opened(editor)
+    wait(editor, qtbot)
+    QTest.mouseClick(form.cancel_button, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.session.document is before
+    assert editor.session.undo_stack.count() == count
+    assert "fewer_points" not in editor.window.canvas.drawing.annotations.trace_layer.groups
+    assert not form.isVisible()
+
+
+def test_number_and_family_are_chosen(editor, qtbot):
+    form = opened(editor)
+    wait(editor, qtbot)
+    for box, index in ((form.goal, 1), (form.family, form.family.findText("Lagrange"))):
+        choose(box, index)
+    form.count.setFocus()
+    form.count.selectAll()
+    QTest.keyClicks(form.count, "9")
+    QTest.keyClick(form.count, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: "become 9 points" in form.result.text(), timeout=20_000)
+    QTest.mouseClick(form.apply_button, Qt.MouseButton.LeftButton)
+    curve = editor.session.active_curve
+    assert (curve.family.name, len(curve.points)) == ("lagrange", 9)
+
+
+def choose(box: QComboBox, index: int) -> None:
+    """Choose an entry with the keys."""
+    box.setFocus()
+    while box.currentIndex() != index:
+        QTest.keyClick(box, Qt.Key.Key_Down if box.currentIndex() < index else Qt.Key.Key_Up)
+
+
+def test_what_is_impossible_is_said(editor, qtbot):
+    form = opened(editor)
+    wait(editor, qtbot)
+    choose(form.goal, 1)
+    form.count.setFocus()
+    form.count.selectAll()
+    QTest.keyClicks(form.count, "900")
+    QTest.keyClick(form.count, Qt.Key.Key_Return)
+    assert form.result.text() == "Points: from 2 to 500."
+    assert not form.apply_button.isEnabled()
+
+
+def test_another_curve_is_fitted_when_the_curve_changes(editor, qtbot):
+    form = opened(editor)
+    wait(editor, qtbot)
+    few = make_curve([(0.0, 0.0), (1.0, 2.0), (2.0, 0.0)], family=FAMILIES.named("hermite"))
+    editor.session.change("Other", lambda _: Document((few,)))
+    assert not form.apply_button.isEnabled()
+    qtbot.waitUntil(lambda: form.result.text().startswith("3 points become "), timeout=20_000)
