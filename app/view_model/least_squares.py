@@ -14,16 +14,13 @@ from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError
-from ..document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
+from ..document.model import DERIVATIVES, Curve, Parametrization, ParametrizationKind, Point, Vector
 from ..document.words import count_of, number
 from ..tasks.progress import Report, silent
 from .curve_view import CurveView
 
 _MANY = 1000
 """Places on a curve that are enough to say what it looks like."""
-
-_DERIVATIVES = ("velocity", "acceleration")
-"""The fields of a point that hold its derivatives, in order."""
 
 
 class Fitted(NamedTuple):
@@ -189,8 +186,8 @@ def _point(sides: tuple[FloatArray, FloatArray], t: float, *, may_turn: bool) ->
     is_corner = may_turn and before != after
     x, y = before[0]
     point = Point(x, y, t=t, corner=is_corner)
-    given = {name: tuple(value) for name, value in zip(_DERIVATIVES, before[1:], strict=False)}
+    given = {each.name: tuple(value) for each, value in zip(DERIVATIVES, before[1:], strict=False)}
     if is_corner:
-        ahead = zip(_DERIVATIVES, after[1:], strict=False)
-        given |= {f"{name}_after": tuple(value) for name, value in ahead}
+        ahead = zip(DERIVATIVES, after[1:], strict=False)
+        given |= {each.after: tuple(value) for each, value in ahead}
     return replace(point, **given)

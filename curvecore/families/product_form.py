@@ -139,7 +139,8 @@ class ProductForm(NamedTuple):
         """
         if order == 0:
             hits = self._hits(t)
-            if hits.columns.size:
+            if 8 * hits.columns.size > t.size:
+                # Many are parameters, as among the samples of a polyline: they take no arithmetic.
                 others = np.ones(t.size, dtype=np.bool_)
                 others[hits.columns] = False
                 result = np.empty((t.size, data.shape[1]))
@@ -160,6 +161,10 @@ class ProductForm(NamedTuple):
                 else:
                     sums = self._kernel_sums(part.kernel, weighted, order)
                 result[part.where] = scale_by_power(sums.mantissa, sums.exponent + size[:, None]).T
+        # A sum that is 0 has the sign of the product that it is multiplied by.
+        result += 0.0
+        if order == 0:
+            result[hits.columns] = data[hits.rows]
         return result
 
     def functions(self, t: FloatArray, order: int) -> FloatArray:

@@ -29,6 +29,7 @@ from ...view_model.least_squares import Fitted, fitted_to_curve
 from ...view_model.line_styles import CURE_STYLE, LineStyle
 from ...view_model.plane import size_of
 from ...workbench.context import WindowContext
+from ...workbench.dock_room import make_room_once
 from ...workbench.docks import LatePanel
 from .. import fitting
 
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
 _GROUP = "fewer_points"
 _SHARE = 0.002
 """The tolerance that is offered first, as a share of the size of a curve."""
+
+_HEIGHT = 300
 
 FAR_STYLE = LineStyle("warning", width=2.0)
 
@@ -111,6 +114,7 @@ class FitCommands(QObject):
         self._panel.begin(view.source.family, float(f"{_SHARE * size_of(view.points):.1g}"))
         self._is_seen = True
         self._ask()
+        make_room_once(self._context.window, self._dock, _HEIGHT)
 
     def follow(self, _view: CurveView) -> None:
         """Fit anew where the curve is another one."""
