@@ -192,6 +192,8 @@ def fit(
         reach = 5.0 * tolerance if tolerance is not None else size / (4.0 * max(count or 0, 4))
         reach = max(reach, 4.0 * size / len(data.points))
         corners = sharp_turns(data.points, reach, closed=closed)
+        # So many are errors of the data, larger than the tolerance.
+        corners = corners if len(corners) <= _MOST // 4 else []
     told = _Told(progress)
     solve = partial(least_squares_curve, family, closed=closed, settings=settings)
     moves = parameters is None
