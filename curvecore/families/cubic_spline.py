@@ -20,7 +20,7 @@ from curvecore.vectors import vector_lengths
 
 
 class _Data(NamedTuple):
-    """What a spline has at its joints, each of shape (n, k): for k coordinates, or k basis functions."""
+    """Derivatives of a spline at its joints, each of shape (n, k): for k coordinates, or k basis functions."""
 
     points: FloatArray
     velocities: FloatArray

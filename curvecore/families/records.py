@@ -7,7 +7,7 @@ from typing import NamedTuple
 from curvecore.arrays import FloatArray, IntArray
 
 JOINT_ORDERS = 4
-"""How many derivatives are compared at joints, the curve itself included: jumps of c to c'''."""
+"""The number of derivatives compared at joints, the curve itself included: jumps of c to c'''."""
 
 
 class LocalBasis(NamedTuple):

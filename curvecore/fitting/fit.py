@@ -40,18 +40,18 @@ _LEAST_GAIN = 0.97
 """Rounds end when two leave more than this of the deviation."""
 
 _FALLS = 0.75
-"""What a round can be hoped to leave of the deviation: where all that are left cannot come to the tolerance,
+"""Share of the deviation that a round can be hoped to leave: where all that are left cannot come to the tolerance,
 they are not tried."""
 
 _LOST = 4.0
 """Rounds end, too, when one leaves so many times the deviation."""
 
 _OVER = 1.7
-"""What a parameter moves by, of its way to the foot: farther than that takes a third of the rounds, as
+"""Share of its way to the foot by which a parameter moves: farther than that takes a third of the rounds, as
 over-relaxation does; from 2 on the rounds would not settle."""
 
 _STRETCH = 1.5
-"""How many times as far from an end of the curve as at first a datum may go: where a gap opens there, nothing
+"""Times as far from an end of the curve as at first that a datum may go: where a gap opens there, nothing
 holds a polynomial, and it makes a loop."""
 
 _MESHES, _FEW_MESHES = 6, 2
@@ -275,7 +275,7 @@ class _Attempt(NamedTuple):
 
 
 class _Told:
-    """How far the work is: the share only grows, and is told again before every round."""
+    """The progress of the work: the share only grows, and is told again before every round."""
 
     def __init__(self, progress: Callable[[float], object]) -> None:
         self._progress, self._share = progress, 0.0
@@ -295,7 +295,7 @@ class _Told:
 
 
 class _Feet(NamedTuple):
-    """Where on a curve the data belong, and how far from there they are, each (m,)."""
+    """The parameters of a curve where the data belong, and their distances from there, each (m,)."""
 
     t: FloatArray
     distance: FloatArray

@@ -162,8 +162,8 @@ def _rows_of(core: ParametricCurve, t: FloatArray, lengths: ArcLength | None) ->
 def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:
     """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
-    Measured at eight parameters a part, and parts end at the curve's own parameters, too; an eighth of the second
-    differences is added for what lies between the eight, as for a parabola.
+    Measured at eight parameters a part, and parts end at the curve's own parameters, too; an eighth of the
+    second differences is added for what lies between the eight, as for a parabola.
     """
     inner = core.parameters[(core.parameters > t[0]) & (core.parameters < t[-1])]
     cuts = np.unique(np.concatenate([t, inner]))

@@ -1,4 +1,4 @@
-"""How near the pencil comes, and fewer points for a curve."""
+"""The detail of the pencil, and fewer points for a curve."""
 
 from __future__ import annotations
 
