@@ -20,7 +20,7 @@ from curvecore.vectors import vector_lengths
 
 
 class _Data(NamedTuple):
-    """Derivatives of a spline at its joints, each of shape (n, k): for k coordinates, or k basis functions."""
+    """Derivatives of a spline at its joints, each (n, k): for k coordinates, or k basis functions."""
 
     points: FloatArray
     velocities: FloatArray

@@ -40,8 +40,8 @@ _LEAST_GAIN = 0.97
 """Rounds end when two leave more than this of the deviation."""
 
 _FALLS = 0.75
-"""Share of the deviation that a round can be hoped to leave: where all that are left cannot come to the tolerance,
-they are not tried."""
+"""Share of the deviation that a round can be hoped to leave: where all that are left cannot come to the
+tolerance, they are not tried."""
 
 _LOST = 4.0
 """Rounds end, too, when one leaves so many times the deviation."""
