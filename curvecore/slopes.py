@@ -52,10 +52,11 @@ class Steps(NamedTuple):
 def steps_of(points: ArrayLike, parameters: ArrayLike) -> Steps:
     """Check points, (n, dim), and parameters, (n,), and return their differences."""
     places = point_array(points)
-    return differences(places, np.diff(parameter_array(parameters, len(places))))
+    t = parameter_array(parameters, len(places))
+    return differences(places, t[1:] - t[:-1])
 
 
 def differences(points: FloatArray, spacing: FloatArray) -> Steps:
     """Return the differences of points, (n, dim), so far apart in t, (n - 1,)."""
     h = spacing[:, None]
-    return Steps(h, np.diff(points, axis=0) / h)
+    return Steps(h, (points[1:] - points[:-1]) / h)

@@ -16,14 +16,21 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import lru_cache
+from typing import TypeAlias
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, parameter_array, point_array
+from curvecore.arrays import FloatArray, parameter_array, point_array, read_only
 from curvecore.parametrization import relative_spacing
 from curvecore.scaling import SMALLEST
 from curvecore.slopes import Steps, differences, in_range, steps_of
 from curvecore.tridiagonal import solve_dominant
+
+_FEW = 48  # segments, up to which a spline under a hand, its parameters at rest, is a matrix that is kept
+_Linear: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
 
 
 @in_range
@@ -245,6 +252,10 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
     [[1.5], [0.0], [-1.5]]
     """
     h, slope = steps_of(points, parameters)
+    return _applied(_natural_velocities, h, slope)
+
+
+def _natural_velocities(h: FloatArray, slope: FloatArray) -> FloatArray:
     share, zero, half = h[:-1] / (h[:-1] + h[1:]), np.zeros((1, 1)), np.full((1, 1), 0.5)
     before = np.concatenate((zero, 0.5 * (1.0 - share), half))
     after = np.concatenate((half, 0.5 * share, zero))
@@ -285,12 +296,27 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
     [[0.0], [-3.0], [0.0]]
     """
     h, slope = steps_of(points, parameters)
+    return _applied(_natural_accelerations, h, slope[1:] - slope[:-1])
+
+
+def _natural_accelerations(h: FloatArray, bend: FloatArray) -> FloatArray:
     length, zero = h[:-1] + h[1:], np.zeros((1, 1))
     before = np.concatenate((zero, 0.5 * (h[:-1] / length), zero))
     after = np.concatenate((zero, 0.5 * (h[1:] / length), zero))
-    none = np.zeros((1, slope.shape[1]))
-    right_side = np.concatenate((none, 3.0 * ((slope[1:] - slope[:-1]) / length), none))
-    return solve_dominant(before, after, right_side)
+    none = np.zeros((1, bend.shape[1]))
+    return solve_dominant(before, after, np.concatenate((none, 3.0 * (bend / length), none)))
+
+
+def _applied(rule: _Linear, h: FloatArray, given: FloatArray) -> FloatArray:
+    """Return ``rule(h, given)``; for few segments by a matrix that is kept for those lengths h."""
+    if len(h) > _FEW:
+        return rule(h, given)
+    return _matrix_of(rule, len(given), h.tobytes()) @ given
+
+
+@lru_cache(maxsize=16)
+def _matrix_of(rule: _Linear, count: int, lengths: bytes) -> FloatArray:
+    return read_only(rule(np.frombuffer(lengths)[:, None], np.eye(count)))
 
 
 @in_range

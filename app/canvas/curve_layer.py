@@ -47,6 +47,9 @@ class CurveLayer(Layer):
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = False
+        # The pen of the last frame, and what it was made for.
+        self._made_for: tuple[object, ...] = ()
+        self._made = QPen()
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
         self._fade.valueChanged.connect(lambda _value: self.update())
         self._fade.finished.connect(self._drop_ghost)
@@ -124,10 +127,14 @@ class CurveLayer(Layer):
         self.update()
 
     def _pen(self, view: CurveView) -> QPen:
-        if not (view.is_current and view.source.visible):
-            # The last good curve, of points or rules that are no more, and a hidden one that is edited.
-            return self._line(self.theme.handle, FAINT_WIDTH)
-        return self._line(curve_colour(view.source.colour, self.theme), _WIDTH)
+        # The last good curve, of points or rules that are no more, and a hidden one that is edited.
+        is_faint = not (view.is_current and view.source.visible)
+        wanted = (is_faint, view.source.colour, self.theme, self.scale)
+        if wanted != self._made_for:
+            self._made_for = wanted
+            colour = self.theme.handle if is_faint else curve_colour(view.source.colour, self.theme)
+            self._made = self._line(colour, FAINT_WIDTH if is_faint else _WIDTH)
+        return self._made
 
     def _line(self, colour: QColor, width: float) -> QPen:
         return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap)

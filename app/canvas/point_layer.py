@@ -226,8 +226,9 @@ class PointLayer(Layer):
         numbered = visible
         if len(pixels) > _LABELLED_UP_TO:
             named = self.selection if len(self.selection) <= _LABELLED_UP_TO else ()
-            wanted = [*named, self.hovered, *np.flatnonzero(self._has_weight_text(len(pixels)))]
-            numbered = visible[np.isin(visible, wanted)]
+            is_wanted = self._has_weight_text(len(pixels))
+            is_wanted[[index for index in (*named, self.hovered) if 0 <= index < len(pixels)]] = True
+            numbered = visible[is_wanted[visible]]
         result: list[int] = numbered.tolist()
         return result
 

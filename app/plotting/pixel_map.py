@@ -57,7 +57,9 @@ class PixelMap(msgspec.Struct, frozen=True):
 
     def points(self, points: FloatArray) -> FloatArray:
         """Return the pixels (k, 2) of points (k, 2) of the plane."""
-        return np.column_stack([self.x(points[:, 0]), self.y(points[:, 1])])
+        pixels = np.empty(points.shape)
+        pixels[:, 0], pixels[:, 1] = self.x(points[:, 0]), self.y(points[:, 1])
+        return pixels
 
     def point(self, x: float, y: float) -> tuple[float, float]:
         """Return the pixel of one point."""

@@ -58,7 +58,9 @@ _BY_KEYS = (
 
 def _with_keys(pointer: Pointer, held: Qt.KeyboardModifier, **changes: bool) -> Pointer:
     """Return the pointer with the modifier keys that are held, but for `changes`."""
-    flags = {name: bool(held & flag) for name, flag in _MODIFIERS.values()}
+    # As whole numbers: Python's own flags are slow, and every move of the mouse comes by here.
+    bits = held.value
+    flags = {name: bool(bits & flag.value) for name, flag in _MODIFIERS.values()}
     return replace(pointer, **{**flags, **changes})
 
 

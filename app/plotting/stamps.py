@@ -40,6 +40,7 @@ class Stamps:
         self._sheet = QPixmap()
         self._cell = 0
         self._fragments = PrimitiveArray(QPainter.PixmapFragment, 10)
+        self._arguments = self._fragments.drawargs()
         # What the fragments were made for: under a drag most points stay where they are.
         self._places, self._indices = np.empty((0, 2)), np.empty(0, dtype=np.intp)
 
@@ -61,7 +62,7 @@ class Stamps:
         ):
             self._places, self._indices = places, indices
             self._fill(places, indices, count, ratio)
-        fragments, length = self._fragments.drawargs()
+        fragments, length = self._arguments
         painter.drawPixmapFragments(fragments, length, self._sheet)
 
     def _fill(self, places: FloatArray, indices: IntArray, count: int, ratio: float) -> None:
@@ -78,6 +79,7 @@ class Stamps:
         data[:, 6:8] = 1.0 / ratio
         data[:, 8] = 0.0
         data[:, 9] = 1.0
+        self._arguments = self._fragments.drawargs()
 
     def _prepare(self, count: int, theme: Theme, radius: float, rim: float, ratio: float) -> bool:
         """Have a sheet of the marks; return whether it is another one than before."""

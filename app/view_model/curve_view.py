@@ -219,7 +219,9 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
 def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CurveView:
     points = arrays.positions
     knots = at_knots(points, closed=curve.is_closed)
-    parameters = _checked_parameters(curve, knots, arrays)
+    parameters = _resting_parameters(curve, arrays, previous)
+    if parameters is None:
+        parameters = _checked_parameters(curve, knots, arrays)
     if (
         previous is not None
         and previous.curve is not None
@@ -239,6 +241,21 @@ def _checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) ->
     return parameter_array(parameters_of(curve, knots, arrays.times), len(knots))
 
 
+def _resting_parameters(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> FloatArray | None:
+    """Return the parameters of the view before where its rule and all that this rule asks are the same."""
+    if (
+        previous is None
+        or not previous.is_current
+        or curve.parametrization != previous.source.parametrization
+        or curve.parametrization.kind.asks_where_points_are
+        or curve.is_closed != previous.source.is_closed
+        or len(arrays.points) != len(previous.points)
+        or arrays.times is not previous.arrays.times
+    ):
+        return None
+    return previous.parameters
+
+
 def _same_parameters(
     curve: Curve, parameters: FloatArray, previous: CurveView | None
 ) -> ParametricCurve | None:
@@ -248,7 +265,8 @@ def _same_parameters(
     old = previous.curve
     if old is None or len(old.pieces) > 1:
         return None
-    return old if np.array_equal(old.parameters, parameters) else None
+    is_same = old.parameters is parameters or np.array_equal(old.parameters, parameters)
+    return old if is_same else None
 
 
 def _core_curve(

@@ -38,10 +38,11 @@ def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: P
     before[:, 0] = points
     after = before.copy()
     corners = corner_knots(arrays, len(points))
+    has_given = not np.isnan(arrays.given).all()
     for order, rule in enumerate(curve.rules, start=1):
         estimate = _estimate_by(rule, curve)
         _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
-        for side, jets in enumerate((before, after)):
+        for side, jets in enumerate((before, after) if has_given else ()):
             rows = _given_rows(arrays, side, order, len(jets))
             jets[rows, order] = arrays.given[rows % len(arrays.given), side, order - 1]
     return Sides(before, after)
@@ -127,6 +128,9 @@ def _estimate(
     closed: bool,
 ) -> None:
     """Estimate from corner to corner; a closed curve is unrolled and goes on where it ends."""
+    if not closed and not corners:
+        after[:] = before[:] = estimate(points, parameters)
+        return
     count = len(points) - closed
     period = parameters[-1] - parameters[0]
     is_endless = closed and not corners

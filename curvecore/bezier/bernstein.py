@@ -39,7 +39,7 @@ def control_points(jets: FloatArray, parameters: FloatArray) -> FloatArray:
     ndarray, shape (n - 1, 2 R, dim)
         Not finite where h v, h**2 a or h**3 j overflows.
     """
-    return controls_between(jets[:-1], jets[1:], np.diff(parameters)[:, None])
+    return controls_between(jets[:-1], jets[1:], (parameters[1:] - parameters[:-1])[:, None])
 
 
 def controls_between(starts: FloatArray, ends: FloatArray, h: FloatArray) -> FloatArray:

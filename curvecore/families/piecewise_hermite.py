@@ -104,7 +104,8 @@ class PiecewiseHermite(ParametricCurve):
         p + 2 h v / 7 + h**2 a / 42, p + 3 h v / 7 + h**2 a / 14 + h**3 j / 210, all ahead of a joint; behind
         it the mirror image.
         """
-        return np.nan_to_num(control_points(self._jets, self._parameters))
+        controls = control_points(self._jets, self._parameters)
+        return controls if np.isfinite(controls).all() else np.nan_to_num(controls)
 
     def bezier_slopes(self, exponent: int) -> Slopes | None:
         """Return the control points of the derivatives, from the data."""
