@@ -11,6 +11,7 @@ from curvecore.arrays import (
     FloatArray,
     IntArray,
     end_to_end,
+    extremes,
     integer,
     parameter_row,
     read_only,
@@ -203,7 +204,8 @@ class PiecewiseHermite(ParametricCurve):
         return self._columns
 
     def _is_inside(self, t: FloatArray) -> bool:
-        return t.size == 0 or bool(t.min() >= self._parameters[0] and t.max() <= self._parameters[-1])
+        least, most = extremes(t) if t.size else self.domain
+        return bool(least >= self._parameters[0] and most <= self._parameters[-1])
 
     def _segments(self, t: FloatArray) -> IntArray:
         """Return the index of the segment that holds each t."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import FloatArray, IntArray, extremes
 from curvecore.double_double import DoubleDouble, add, difference, multiply
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ _CHUNK = 12_288  # parameters at a time, so that the few working arrays stay in 
 _SHORT = 2.0**-50  # segments shorter, or data smaller, by powers of these could leave the range
 _SMALL = 2.0**-500
 _RUN = 8  # ascending parameters a piece, from which on it is the breaks that are sought among them
-_FEW = 2048  # ascending parameters, up to which a search for each is as fast as to count breaks
+_FEW = 1000  # parameters, of which it does not pay to ask whether they ascend
 
 
 class TaylorPieces(NamedTuple):
@@ -35,24 +35,24 @@ class TaylorPieces(NamedTuple):
         Where one piece ends and the next begins, ascending; a break belongs to the piece after it.
     origins : ndarray, shape (k,)
         What is subtracted from t.
-    coefficients : ndarray, shape (K, k, dim)
-        Lowest power first.
+    coefficients : tuple of ndarray, shape (k, dim)
+        Highest power first.
     domain : tuple of float
         The beginning of the first and the end of the last piece.
     """
 
     breaks: FloatArray
     origins: FloatArray
-    coefficients: FloatArray
+    coefficients: tuple[FloatArray, ...]
     domain: tuple[float, float]
 
     def evaluate(self, t: FloatArray) -> FloatArray | None:
         """Return the values at parameters, (m, dim), m > 0; None where some lie outside the domain."""
-        ascend = bool((t[1:] >= t[:-1]).all())
-        least, most = (t[0], t[-1]) if ascend else (t.min(), t.max())
+        least, most = extremes(t)
         if least < self.domain[0] or most > self.domain[1]:
             return None
-        result = np.empty((t.size, self.coefficients.shape[2]))
+        result = np.empty((t.size, self.coefficients[0].shape[1]))
+        ascend = t.size > _FEW and not np.count_nonzero(t[1:] < t[:-1])
         with np.errstate(under="ignore"):
             for first in range(0, t.size, _CHUNK):
                 some = slice(first, first + _CHUNK)
@@ -62,35 +62,34 @@ class TaylorPieces(NamedTuple):
     def _put(self, t: FloatArray, ascend: bool, result: FloatArray) -> None:
         """Write the values at parameters by Horner's rule."""
         gathered = self._gathering(t, ascend)
-        lowest, *higher = self.coefficients
-        if not higher:
-            result[:] = gathered(lowest)
+        highest, *lower = self.coefficients
+        if not lower:
+            result[:] = gathered(highest)
             return
-        x = np.empty_like(result)
+        lowest = lower.pop()
+        x = np.empty(result.shape)
+        np.subtract(t, gathered(self.origins), out=x[:, 0])
         # A copy for each coordinate costs less than arithmetic along a short axis.
-        first, *others = x.T
-        np.subtract(t, gathered(self.origins), out=first)
-        for column in others:
-            column[:] = first
-        value = gathered(higher.pop())
-        while higher:
+        for k in range(1, x.shape[1]):
+            x[:, k] = x[:, 0]
+        value = gathered(highest)
+        for each in lower:
             value *= x
-            value += gathered(higher.pop())
+            value += gathered(each)
         value *= x
         np.add(value, gathered(lowest), out=result)
 
     def _gathering(self, t: FloatArray, ascend: bool) -> Callable[[FloatArray], FloatArray]:
         """Return what makes of numbers for each piece, (k, ...), those for the pieces of parameters."""
         if ascend:
-            first, last = self.breaks.searchsorted(t[[0, -1]], side="right").tolist()
+            first, last = (int(self.breaks.searchsorted(end, side="right")) for end in (t[0], t[-1]))
             breaks = self.breaks[first:last]
             if t.size >= _RUN * len(breaks):
                 return _repetition(slice(first, last + 1), t, breaks)
-            if t.size > _FEW:
-                piece = _count_breaks(t, breaks) + first
-                return lambda numbers: numbers.take(piece, axis=0)
-        place = self.breaks.searchsorted(t, side="right")
-        return lambda numbers: numbers.take(place, axis=0)
+            piece = _count_breaks(t, breaks) + first
+        else:
+            piece = self.breaks.searchsorted(t, side="right")
+        return lambda numbers: numbers.take(piece, axis=0)
 
 
 def _repetition(pieces: slice, t: FloatArray, breaks: FloatArray) -> Callable[[FloatArray], FloatArray]:
@@ -152,9 +151,9 @@ def taylor_pieces(
         # What lies at a joint belongs to it, however short the segment.
         least = np.nextafter(starts, ends)[:, None]
         np.maximum(starts[:, None] + h[:, None] * places.cuts, least, out=breaks[:, :-1])
-    shape = len(coefficients), origins.size, first.shape[2]
+    rows = tuple(coefficients[::-1].reshape(-1, origins.size, first.shape[2]))
     domain = float(starts[0]), float(ends[-1])
-    return TaylorPieces(breaks.ravel()[:-1], origins.ravel(), coefficients.reshape(shape), domain)
+    return TaylorPieces(breaks.ravel()[:-1], origins.ravel(), rows, domain)
 
 
 def _in_range(h: FloatArray, data: FloatArray) -> bool:
