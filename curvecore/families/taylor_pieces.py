@@ -67,7 +67,7 @@ class TaylorPieces(NamedTuple):
             result[:] = gathered(highest)
             return
         lowest = lower.pop()
-        x = np.empty(result.shape)
+        x = np.empty_like(result)
         np.subtract(t, gathered(self.origins), out=x[:, 0])
         # A copy for each coordinate costs less than arithmetic along a short axis.
         for k in range(1, x.shape[1]):
