@@ -17,6 +17,7 @@ References
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
@@ -306,28 +307,22 @@ def _search(arcs: Arcs, tolerance: float, slack: float, reach: float = np.inf) -
 
     NaN where they do not come within reach.
     """
-    best, parameter = _nearest_end(arcs)
-    if best > reach:
-        best, parameter = reach, np.nan
-    bound = np.inf
+    best, parameter, bound = reach, np.nan, np.inf
     for step in range(_ROUNDS):
-        low = np.sqrt(np.maximum(squared_length(arcs.controls).min(axis=1), 0.0))
+        squares = squared_length(arcs.controls)
+        # The first and the last coefficients are those of the ends, to the last digit.
+        ends = squares[:, [0, -1]]
+        i, side = divmod(int(ends.argmin()), 2)
+        distance = math.sqrt(ends[i, side])
+        if distance < best:
+            best, parameter = distance, float(arcs.end[i] if side else arcs.start[i])
+        low = np.sqrt(np.maximum(squares.min(axis=1), 0.0))
         open_ = low < best - tolerance
-        closed = low[~open_]
-        bound = min(bound, float(closed.min(initial=np.inf)))
+        bound = min(bound, float(low[~open_].min(initial=np.inf)))
         if not open_.any() or 2 * int(open_.sum()) > _MOST or step == _ROUNDS - 1:
             bound = min(bound, float(low.min(initial=np.inf)))
             break
         arcs = arcs.taken(open_)
         # Of a few arcs, which is the rule, a round takes as long for 16 parts of each as for halves.
         arcs = arcs.divided(16 if len(arcs.start) <= _PARTED else 2)
-        distance, candidate = _nearest_end(arcs)
-        if distance < best:
-            best, parameter = distance, candidate
     return _SearchResult(parameter, max(0.0, min(bound, best) - slack))
-
-
-def _nearest_end(arcs: Arcs) -> tuple[float, float]:
-    distance = vector_lengths(arcs.controls[:, [0, -1]])
-    i, side = np.unravel_index(int(np.argmin(distance)), distance.shape)
-    return float(distance[i, side]), float(arcs.end[i] if side else arcs.start[i])
