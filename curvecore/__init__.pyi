@@ -73,13 +73,13 @@ from curvecore.families.basis_curve import Scheme as Scheme
 from curvecore.families.bezier_curve import BezierCurve as BezierCurve
 from curvecore.families.chain import Chain as Chain
 from curvecore.families.cubic_spline import CubicSplineCurve as CubicSplineCurve
-from curvecore.families.curve import Interpolant as Interpolant
-from curvecore.families.curve import LocalBasis as LocalBasis
 from curvecore.families.curve import ParametricCurve as ParametricCurve
 from curvecore.families.floater_hormann import FloaterHormannCurve as FloaterHormannCurve
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.quintic_hermite import QuinticHermiteCurve as QuinticHermiteCurve
+from curvecore.families.records import Interpolant as Interpolant
+from curvecore.families.records import LocalBasis as LocalBasis
 from curvecore.families.septic_hermite import SepticHermiteCurve as SepticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from app.exchange.formats import FORMATS
+from app.families import FAMILIES
 
 ROOT = Path(__file__).parents[1]
 
@@ -35,6 +36,18 @@ def test_the_table_of_formats_is_that_of_the_registry():
         f"| {', '.join(f'`{ending}`' for ending in each.endings)} | {each.title} "
         f"| {'yes' if each.kind else ''} | {'yes' if each.write else ''} |\n"
         for each in FORMATS
+    )
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert text.partition(head)[2].partition("\n\n")[0] + "\n" == rows
+
+
+def test_the_table_of_families_is_that_of_the_registry():
+    """Where they differ, put the rows into the README as the failure shows them."""
+    head = "| family | its curves |\n| --- | --- |\n"
+    rows = "".join(
+        f"| {each.full_title[:1].upper()}{each.full_title[1:]} | {each.tip} |\n"
+        for each in FAMILIES
+        if each.is_built_in
     )
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert text.partition(head)[2].partition("\n\n")[0] + "\n" == rows

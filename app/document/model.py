@@ -349,7 +349,7 @@ class Curve(Value, frozen=True, dict=True):
 
     @property
     def functions_key(self) -> tuple[Family, ChosenSettings]:
-        """What, with the parameters, determines its basis functions."""
+        """The family and its settings, which with the parameters determine the basis functions."""
         return self.family, self.settings_in_effect
 
     @property

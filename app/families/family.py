@@ -190,7 +190,7 @@ class Family:
 
     @property
     def settings(self) -> tuple[FamilySetting, ...]:
-        """What may be chosen about its functions beside the parameters."""
+        """The choices about its functions beside the parameters."""
         return () if self._curve_class is None else self._curve_class.settings
 
     def values_of(self, chosen: Mapping[str, SettingValue]) -> dict[FamilySetting, SettingValue]:

@@ -82,7 +82,7 @@ class Preferences:
         "How near a curve comes to the line that was drawn",
         "pencilBox",
     )
-    """How near a curve comes to what the pencil draws."""
+    """The distance of a curve from what the pencil draws."""
 
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""

@@ -1,4 +1,4 @@
-"""How near a curve comes to what the pencil has drawn."""
+"""The distance of a curve from what the pencil has drawn."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from ..document.words import NamedEnum
 
 
 class PencilDetail(NamedEnum):
-    """How near a curve comes to a line that was drawn.
+    """The distance of a curve from a line that was drawn.
 
     Attributes
     ----------

@@ -130,7 +130,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def linearised(self) -> str:
-        """What is said of the effects of points, where estimates are not linear in them; else empty."""
+        """A remark on the effects of points, where estimates are not linear in them; else empty."""
         return next((rule.linearised for rule in self.source.rules if rule.linearised), "")
 
     @property

@@ -46,14 +46,14 @@ class Fitted(NamedTuple):
 
     @property
     def words(self) -> str:
-        """How many points there are, and how near they come."""
+        """The number of points, and their distance."""
         points = count_of(len(self.curve.points), "point")
         mean = number(self.root_mean_square, 2)
         return f"{points}; largest deviation {number(self.deviation, 3)}, root mean square {mean}."
 
 
 class Data(NamedTuple):
-    """What a curve is fitted to.
+    """The data that a curve is fitted to.
 
     Attributes
     ----------

@@ -31,6 +31,7 @@ _STEPS = (
     _Step(short=True, others=_Style.ToolButtonTextBesideIcon, in_use=_Style.ToolButtonTextBesideIcon),
     _Step(short=True, others=_Style.ToolButtonTextOnly, in_use=_Style.ToolButtonTextOnly),
     _Step(short=True, others=_Style.ToolButtonIconOnly, in_use=_Style.ToolButtonTextBesideIcon),
+    _Step(short=True, others=_Style.ToolButtonIconOnly, in_use=_Style.ToolButtonIconOnly),
 )
 """From the widest to the narrowest."""
 

@@ -17,7 +17,8 @@ import numpy as np
 
 from curvecore.analysis.geometry import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
-from curvecore.families.curve import JointDerivatives, ParametricCurve
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.records import JointDerivatives
 from curvecore.vectors import vector_lengths
 
 _BREAK = -1

@@ -29,7 +29,8 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, data_array, finite_number, integer
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.errors import CurveError
-from curvecore.families.curve import Interpolant, ParametricCurve
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.records import Interpolant
 from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated, scaled_integers
 
 MOST = 64

@@ -149,7 +149,8 @@ def _sampled(curve: ParametricCurve, tolerance: float) -> BezierPieces:
         coefficients, size, base = _chebyshev(curve, parameters)
         rest = np.linalg.norm(coefficients[:, degree + 1 :], axis=-1)
         error = rest.sum(axis=1)
-        wanted = max(tolerance, 64.0 * UNIT_ROUNDOFF) * size
+        # Values are below 1, and no better than their roundings, however small the curve is.
+        wanted = max(tolerance * size, 64.0 * UNIT_ROUNDOFF)
         # The coefficients of degree above 8 shrink at least as 2**-9 when an interval is halved.
         poor = (error > wanted) & (np.diff(parameters) > 1e-12 * (parameters[-1] - parameters[0]))
         if degree == curve.degree or not poor.any() or step == _ROUNDS - 1:

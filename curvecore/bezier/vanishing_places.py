@@ -1,4 +1,4 @@
-"""Where derivatives of the cardinal Hermite polynomials vanish, and their Taylor coefficients there.
+"""Roots of derivatives of the cardinal Hermite polynomials, and their Taylor coefficients there.
 
 Expanded about a place where it is 0, a polynomial has no constant term, so that it keeps a small *relative*
 error next to that place in plain arithmetic. Of the 2 R functions of a segment every one vanishes

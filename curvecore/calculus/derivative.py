@@ -11,7 +11,8 @@ from curvecore.arrays import FloatArray, integer
 from curvecore.bezier import bernstein_algebra
 from curvecore.calculus.of_a_curve import OfCurve
 from curvecore.families.chain import Chain
-from curvecore.families.curve import LocalBasis, ParametricCurve
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.records import LocalBasis
 
 
 class Derivative(OfCurve):

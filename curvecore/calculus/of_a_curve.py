@@ -1,4 +1,4 @@
-"""What derivative and antiderivative share: curves that follow from another one, linear in its data."""
+"""Base of derivative and antiderivative: curves that follow from another one, linear in its data."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """The families of curves, one file each.
 
 - ``curve``: the base class of all of them: everything follows from basis functions and breaks.
+- ``records``: its named results.  ``polynomial_facts``: its methods about polynomial pieces.
 - ``evaluation``: its `evaluate` and `basis`: t of any shape, inside the domain or not.
 - ``lagrange``, ``hermite``, ``quintic_hermite``, ``septic_hermite``, ``cubic_spline``: the built-in
   families.

@@ -9,7 +9,8 @@ import numpy as np
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
-from curvecore.families.curve import JOINT_ORDERS, JointDerivatives, ParametricCurve
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.records import JOINT_ORDERS, JointDerivatives
 from curvecore.families.same_shape import joint_jets, pieces_of
 from curvecore.parametrization import with_one_more
 from curvecore.scaling import made_finite

@@ -15,7 +15,8 @@ from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
 from curvecore.errors import CurveError
 from curvecore.families.bernstein_window import windowed_values
-from curvecore.families.curve import Interpolant, ParametricCurve
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import pieces_of
 from curvecore.parametrization import chebyshev, uniform, with_one_more
 from curvecore.scaling import ExponentArray, Scaled, made_finite, scale_by_power

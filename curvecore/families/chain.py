@@ -18,7 +18,8 @@ from curvecore.arrays import (
     read_only,
 )
 from curvecore.errors import CurveError
-from curvecore.families.curve import Interpolant, JointDerivatives, LocalBasis, ParametricCurve
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.records import Interpolant, JointDerivatives, LocalBasis
 
 
 class Chain(ParametricCurve):

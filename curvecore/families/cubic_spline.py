@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.errors import CurveError
-from curvecore.families.curve import Interpolant, JointDerivatives, ParametricCurve, Slopes
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite import HermiteCurve
+from curvecore.families.records import Interpolant, JointDerivatives, Slopes
 from curvecore.families.setting import FamilySetting, SettingValue
 from curvecore.families.spline_system import SplineEnds, spline_derivatives
 from curvecore.scaling import made_finite
@@ -19,7 +20,7 @@ from curvecore.vectors import vector_lengths
 
 
 class _Data(NamedTuple):
-    """What a spline has at its joints, each of shape (n, k): for k coordinates, or k basis functions."""
+    """Derivatives of a spline at its joints, each (n, k): for k coordinates, or k basis functions."""
 
     points: FloatArray
     velocities: FloatArray

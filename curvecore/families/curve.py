@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,98 +22,13 @@ from curvecore.errors import CurveError
 from curvecore.families.evaluation import Evaluation
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_differences import parameter_difference
+from curvecore.families.polynomial_facts import PolynomialFacts
+from curvecore.families.records import JOINT_ORDERS, JointDerivatives, LocalBasis
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import made_finite
 
-JOINT_ORDERS = 4
-"""How many derivatives are compared at joints, the curve itself included: jumps of c to c'''."""
 
-
-class LocalBasis(NamedTuple):
-    """The basis functions that are not zero by construction.
-
-    Attributes
-    ----------
-    segment : ndarray of int, shape (m,)
-        Index i of the segment from joint i to joint i + 1 that holds t.
-    values : ndarray, shape (m, 2, R)
-        ``[k, 0, r]`` is B_ir(t_k) and ``[k, 1, r]`` is B_(i+1)r(t_k).
-
-    See Also
-    --------
-    ParametricCurve.local_basis : The method that returns it.
-
-    Examples
-    --------
-    >>> from curvecore import HermiteCurve
-    >>> curve = HermiteCurve([[0], [1], [0]], [[0], [0], [0]], [0, 1, 2])
-    >>> local = curve.local_basis([0.5, 1.5])
-    >>> local.segment.tolist(), local.values[:, :, 0].tolist()
-    ([0, 1], [[0.5, 0.5], [0.5, 0.5]])
-    """
-
-    segment: IntArray
-    values: FloatArray
-
-
-class Interpolant(NamedTuple):
-    """Data that one polynomial piece of a curve interpolates: it is of the least degree that does.
-
-    Attributes
-    ----------
-    parameters : ndarray, shape (k,)
-        The piece lies between the first and the last.
-    jets : ndarray, shape (k, R, dim)
-        Its value and R - 1 derivatives there.
-
-    See Also
-    --------
-    ParametricCurve.interpolants : The method that returns them.
-
-    Examples
-    --------
-    >>> from curvecore import HermiteCurve
-    >>> curve = HermiteCurve([[0], [1], [0]], [[0], [1], [2]], [0, 1, 3])
-    >>> [each.parameters.tolist() for each in curve.interpolants()]
-    [[0.0, 1.0], [1.0, 3.0]]
-    >>> curve.interpolants()[1].jets.tolist()
-    [[[1.0], [1.0]], [[0.0], [2.0]]]
-    """
-
-    parameters: FloatArray
-    jets: FloatArray
-
-
-class JointDerivatives(NamedTuple):
-    """Derivatives on one side of joints, and the sizes of the terms they are sums of.
-
-    Attributes
-    ----------
-    values : ndarray, shape (k, 4, dim)
-        c, c', c'', c'''.
-    scale : ndarray, shape (k, 4)
-        What their roundings are relative to.
-    """
-
-    values: FloatArray
-    scale: FloatArray
-
-
-class Slopes(NamedTuple):
-    """Control points of derivatives with respect to the local s in [0, 1] of each piece.
-
-    Attributes
-    ----------
-    values : ndarray, shape (k, degree, dim)
-    error : ndarray, shape (k,)
-        What they may be off.
-    """
-
-    values: FloatArray
-    error: FloatArray
-
-
-class ParametricCurve(Calculus, Evaluation, Immutable):
+class ParametricCurve(Calculus, PolynomialFacts, Evaluation, Immutable):
     """A parametric curve that is linear in its data.
 
     c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for
@@ -485,96 +400,6 @@ class ParametricCurve(Calculus, Evaluation, Immutable):
         -------
         ParametricCurve or None
             None where that takes the data at both ends of the stretch alone, or cannot be done.
-        """
-        return None
-
-    # Polynomial pieces
-
-    def bezier_pieces(self) -> FloatArray | None:
-        """Return the Bezier control points of the pieces between `breaks`.
-
-        Returns
-        -------
-        ndarray, shape (k - 1, degree + 1, dim), or None
-            None where the pieces are no polynomials, or one of a degree as high as the number of points: its
-            control points are of no use to draw it (see `lagrange_to_bezier`).
-        """
-        return None
-
-    def exact_pieces(self) -> FloatArray | None:
-        """Return the Bezier control points of the pieces between `breaks`, also of high degree.
-
-        Returns
-        -------
-        ndarray, shape (k - 1, degree + 1, dim), or None
-            For a change of basis; None where the curve is no polynomial, or one through too many points.
-        """
-        return self.bezier_pieces()
-
-    @classmethod
-    def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
-        """Return a curve of this family that keeps within a distance of another one.
-
-        Here the other one itself, by `same_shape_as`; a family that can follow any curve overrides it.
-
-        Parameters
-        ----------
-        curve : ParametricCurve
-            Of any family.
-        tolerance : float
-            Largest distance at equal parameters, greater than 0.
-
-        Raises
-        ------
-        CurveError
-            If it can be none of this family, or no way to it is known.
-        """
-        return cls.same_shape_as(curve)
-
-    @classmethod
-    def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
-        """Return a curve of this family that is another one, written with other data.
-
-        Parameters
-        ----------
-        curve : ParametricCurve
-            Of another family.
-
-        Returns
-        -------
-        ParametricCurve
-            The same curve but for rounding.
-
-        Raises
-        ------
-        CurveError
-            If there is none, or no way to it is known: the message says why.
-        """
-        raise CurveError(f"no curve is known to be a {cls.title} curve as well")
-
-    def bezier_slopes(self, exponent: int) -> Slopes | None:
-        """Return the control points of the derivatives of `bezier_pieces`, from the data.
-
-        Parameters
-        ----------
-        exponent : int
-            They are divided by 2**exponent.
-
-        Returns
-        -------
-        Slopes or None
-            They do not depend on how far away the origin is. None where they are not known better than as
-            differences of the control points.
-        """
-        return None
-
-    def interpolants(self) -> list[Interpolant] | None:
-        """Return what each polynomial piece between `breaks` interpolates.
-
-        Returns
-        -------
-        list of Interpolant, or None
-            What exact arithmetic needs to know of a curve; None where that is not known.
         """
         return None
 

@@ -7,8 +7,8 @@ import numpy as np
 from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein import controls_between
 from curvecore.bezier.bernstein_algebra import derivative
-from curvecore.families.curve import Slopes
 from curvecore.families.hermite_forms import end_weights
+from curvecore.families.records import Slopes
 from curvecore.scaling import UNIT_ROUNDOFF
 
 

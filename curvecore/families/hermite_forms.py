@@ -121,7 +121,7 @@ class _Functions:
 
 
 class EndWeights(NamedTuple):
-    """What a derivative at an end of a segment of length 1 is made of.
+    """A derivative at an end of a segment of length 1 as a sum of data.
 
     Attributes
     ----------

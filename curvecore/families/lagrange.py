@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, parameter_row
 from curvecore.errors import CurveError
-from curvecore.families.curve import Interpolant, ParametricCurve
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.differentiation_matrix import derivatives_by_matrix, matrix_serves
 from curvecore.families.product_form import ProductForm
+from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import pieces_of
 from curvecore.parametrization import chebyshev
 

@@ -19,16 +19,10 @@ from curvecore.arrays import (
 )
 from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
 from curvecore.families.chain import Chain
-from curvecore.families.curve import (
-    JOINT_ORDERS,
-    Interpolant,
-    JointDerivatives,
-    LocalBasis,
-    ParametricCurve,
-    Slopes,
-)
+from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import end_derivative_terms, slopes_of
+from curvecore.families.records import JOINT_ORDERS, Interpolant, JointDerivatives, LocalBasis, Slopes
 from curvecore.families.same_shape import BezierChain, joint_jets, pieces_of, smooth_stretches
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite

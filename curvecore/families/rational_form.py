@@ -72,7 +72,7 @@ class RationalPart(NamedTuple):
 
 
 class RationalForm(NamedTuple):
-    """What the basis functions of given parameters need.
+    """The constants of the basis functions of given parameters.
 
     Attributes
     ----------

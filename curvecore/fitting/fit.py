@@ -40,18 +40,18 @@ _LEAST_GAIN = 0.97
 """Rounds end when two leave more than this of the deviation."""
 
 _FALLS = 0.75
-"""What a round can be hoped to leave of the deviation: where all that are left cannot come to the tolerance,
-they are not tried."""
+"""Share of the deviation that a round can be hoped to leave: where all that are left cannot come to the
+tolerance, they are not tried."""
 
 _LOST = 4.0
 """Rounds end, too, when one leaves so many times the deviation."""
 
 _OVER = 1.7
-"""What a parameter moves by, of its way to the foot: farther than that takes a third of the rounds, as
+"""Share of its way to the foot by which a parameter moves: farther than that takes a third of the rounds, as
 over-relaxation does; from 2 on the rounds would not settle."""
 
 _STRETCH = 1.5
-"""How many times as far from an end of the curve as at first a datum may go: where a gap opens there, nothing
+"""Times as far from an end of the curve as at first that a datum may go: where a gap opens there, nothing
 holds a polynomial, and it makes a loop."""
 
 _MESHES, _FEW_MESHES = 6, 2
@@ -192,6 +192,8 @@ def fit(
         reach = 5.0 * tolerance if tolerance is not None else size / (4.0 * max(count or 0, 4))
         reach = max(reach, 4.0 * size / len(data.points))
         corners = sharp_turns(data.points, reach, closed=closed)
+        # So many are errors of the data, larger than the tolerance.
+        corners = corners if len(corners) <= _MOST // 4 else []
     told = _Told(progress)
     solve = partial(least_squares_curve, family, closed=closed, settings=settings)
     moves = parameters is None
@@ -273,7 +275,7 @@ class _Attempt(NamedTuple):
 
 
 class _Told:
-    """How far the work is: the share only grows, and is told again before every round."""
+    """The progress of the work: the share only grows, and is told again before every round."""
 
     def __init__(self, progress: Callable[[float], object]) -> None:
         self._progress, self._share = progress, 0.0
@@ -293,7 +295,7 @@ class _Told:
 
 
 class _Feet(NamedTuple):
-    """Where on a curve the data belong, and how far from there they are, each (m,)."""
+    """The parameters of a curve where the data belong, and their distances from there, each (m,)."""
 
     t: FloatArray
     distance: FloatArray

@@ -1,4 +1,4 @@
-"""Where the joints of a curve near many data should be: at corners, and where the error asks for them."""
+"""Joints for a curve near many data: at corners, and where the error asks for them."""
 
 from __future__ import annotations
 

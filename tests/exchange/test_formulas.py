@@ -178,7 +178,9 @@ def test_the_rows_of_a_formula_fit_a_page(kind):
 def test_more_digits_come_closer(sketch):
     deviations = [latex_formula(sketch, digits=digits).deviation for digits in (3, 6, 9, 17)]
     assert deviations == sorted(deviations, reverse=True)
-    assert deviations[-1] < 1e-14
+    # What is no polynomial is written as cubics within the tolerance, whatever the digits.
+    is_exact = view_of(sketch.curves[0]).curve.degree is not None
+    assert deviations[-1] < (1e-14 if is_exact else 1e-4)
 
 
 def test_too_few_digits_are_refused():

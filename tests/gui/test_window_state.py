@@ -56,6 +56,7 @@ REMEMBERED = {
     "snap_kinds",
     "grid_spacing",
     "unit_name",
+    "pencil",
     "transform_box",
     "with_estimates",
     "theme_mode",

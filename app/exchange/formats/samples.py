@@ -162,12 +162,12 @@ def _rows_of(core: ParametricCurve, t: FloatArray, lengths: ArcLength | None) ->
 def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:
     """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
-    Measured at seven parameters a chord and the joints between; an eighth of the second differences is
-    added for what lies between the seven, as for a parabola.
+    Measured at eight parameters a part, and parts end at the curve's own parameters, too; an eighth of the
+    second differences is added for what lies between the eight, as for a parabola.
     """
-    inside = t[:-1, None] + np.diff(t)[:, None] * (np.arange(8) / 8)
     inner = core.parameters[(core.parameters > t[0]) & (core.parameters < t[-1])]
-    at = np.concatenate([inside.ravel(), inner])
+    cuts = np.unique(np.concatenate([t, inner]))
+    at = (cuts[:-1, None] + np.diff(cuts)[:, None] * (np.arange(8) / 8)).ravel()
     chord = np.clip(np.searchsorted(t, at, side="right") - 1, 0, len(t) - 2)
     points, ends = core.evaluate(at), core.evaluate(t)
     start, along = ends[chord], ends[chord + 1] - ends[chord]
@@ -176,10 +176,10 @@ def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:
     with np.errstate(all="ignore"):
         share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
         distance = np.hypot(*(offset - share[:, None] * along).T)
-        nine = np.concatenate([points[: inside.size].reshape(len(t) - 1, 8, 2), ends[1:, None]], axis=1)
+        eight = points.reshape(-1, 8, 2)
+        nine = np.concatenate([eight, np.append(eight[1:, :1], ends[None, -1:], axis=0)], axis=1)
         bend = np.hypot(*np.diff(nine, n=2, axis=1).T).max(axis=0) / 8
-    distance[: inside.size] += np.repeat(bend, 8)
-    return float(distance.max())
+    return float((distance.reshape(-1, 8).max(axis=1) + bend).max())
 
 
 def _by_length(core: ParametricCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:

@@ -11,7 +11,7 @@ _CLOSED = "closed"
 
 
 class FamilyWord(NamedTuple):
-    """What a cell says of a curve.
+    """A cell's words about a curve.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""How near the pencil comes, and fewer points for a curve."""
+"""The detail of the pencil, and fewer points for a curve."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class PencilCommands:
             action_name("pencil", detail),
             detail.label,
             EDIT_PENCIL,
-            tip=f"The pencil's curves are at most {detail.pixels:g} pixels from the line that was drawn",
+            tip=f"The pencil's curves are at most {count_of(round(detail.pixels), 'pixel')} from the line",
             full_name=f"Pencil: {detail.label}",
             checked=lambda now: now.state.pencil is detail,
             group="pencil",

@@ -17,14 +17,14 @@ _DIGITS = 6
 
 
 class Goal(NamedEnum):
-    """What is given."""
+    """The quantity that is given."""
 
     WITHIN = "within", "Within a distance"
     COUNT = "count", "Number of points"
 
 
 class FitWish(msgspec.Struct, frozen=True):
-    """What a person asks for: one of the two is given."""
+    """The fit that a person asks for: one of the two is given."""
 
     family: Family
     count: int | None
@@ -113,7 +113,7 @@ class FitPanel(QScrollArea):
 
     @property
     def wish(self) -> FitWish | str:
-        """What is asked for, or why that is not possible."""
+        """The fit that is asked for, or the reason against it."""
         is_count = self.goal.currentIndex() == list(Goal).index(Goal.COUNT)
         if problem := str(self.count.problem if is_count else self.tolerance.problem):
             return problem

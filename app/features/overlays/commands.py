@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from string import capwords
 from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
@@ -161,10 +162,10 @@ class OverlayCommands:
         all_ghosts,
         lambda ghost: Action(
             ghost.action_name,
-            ghost.title.title(),
+            capwords(ghost.title),
             GHOSTS_FAMILY if ghost.family is not None else GHOSTS_RULE,
             tip=ghost.tip,
-            full_name=f"Ghost: {ghost.title.title()}",
+            full_name=f"Ghost: {capwords(ghost.title)}",
             checked=lambda now: ghost in now.state.analysis.ghosts,
         ),
     )

@@ -121,7 +121,7 @@ class FamilyFiles(QObject):
 
     @property
     def _task(self) -> SingleTask:
-        """What is being tried; made with the first file."""
+        """The trials of files in flight; made with the first file."""
         if self._made_task is None:
             self._made_task = SingleTask(self)
             self._made_task.shown.connect(self._tell_running)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QSizePolicy, QToolButton
 
+from ...actions.mnemonics import plain
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
@@ -68,9 +69,11 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         action = next((each for each in self._words if each.isChecked()), None)
         button, word = self.button, _WORD if action is None else self._words[action]
         button.setChecked(action is not None)
-        button.setIcon(icon("spline", self.theme) if action is None else action.icon())
+        button.setIcon(
+            (action or next(iter(self._words))).icon() if self._words else icon("spline", self.theme)
+        )
         button.setText(word)
-        button.setToolTip(_TIP if action is None else f"{_TIP}; in use: {action.text()}")
+        button.setToolTip(_TIP if action is None else f"{_TIP}; in use: {plain(action.text())}")
         style = Qt.ToolButtonStyle
         button.setToolButtonStyle(
             style.ToolButtonIconOnly if self._is_compact else style.ToolButtonTextBesideIcon

@@ -20,7 +20,7 @@ _CLOSING = 12.0
 """Pixels between beginning and end of a line that is meant to return."""
 
 _LEAST_ROUND = 5.0
-"""How many times as long as that a line is that can return."""
+"""Times that length, from which on a line can return."""
 
 _HINT = "Drag to draw freehand; the curve gets few points"
 
@@ -36,7 +36,7 @@ class Drawing(Gesture):
 
     @property
     def line(self) -> tuple[Vector, ...]:
-        """What was drawn so far; nothing before the pointer has travelled far enough for a drag."""
+        """The line so far; nothing before the pointer has travelled far enough for a drag."""
         return tuple(self._places) if self._farthest >= THRESHOLD else ()
 
     def move(self, context: ToolContext) -> None:

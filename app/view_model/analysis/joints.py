@@ -48,7 +48,7 @@ _WORDS = {
     (0, 0): "A corner: the direction jumps.",
     (-1, -1): "The curve is broken.",
 }
-"""What is said of the orders of parametric and geometric continuity, the latter up to curvature."""
+"""The words for orders of parametric and geometric continuity, the latter up to curvature."""
 
 _RAISED = str.maketrans("0123", "⁰¹²³")
 
