@@ -111,7 +111,9 @@ class Toolbar(Guarded, QToolBar):
 
     def _show_step(self, step: _Step) -> None:
         for widget in self._widgets:
-            widget.set_compact(step.short)
+            widget.set_compact(
+                step.short and (not widget.yields_late or step.others != _Style.ToolButtonTextBesideIcon)
+            )
         for button in self._in_words:
             action = button.defaultAction()
             action.setIconText(self._actions.words_of(action, short=step.short))

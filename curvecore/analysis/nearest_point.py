@@ -17,6 +17,7 @@ References
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
@@ -40,6 +41,7 @@ _FOLLOWED = 1e-11  # how closely pieces follow a polynomial of high degree, of i
 _SHARE = 1e-3  # of the reach, by which another point of the curve may be nearer
 _CLOSE = 1e-6  # the same, of the size of the curve
 _LEAST = 128  # pieces to look among: most are told by their hulls to be out of reach
+_ALIKE = 1.0 + 2.0**-50  # ratio of distances that may be equal
 _TRIALS = 4  # of a step that leads away, each of half the length
 
 
@@ -126,7 +128,7 @@ def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Neare
             slope, speed = float(rest @ velocity), float(velocity @ velocity)
             return _newton_step(slope, speed, float(rest @ acceleration))
 
-        return _Descent(float(vector_lengths(rest)), step)
+        return _Descent(math.hypot(*rest.tolist()), step)
 
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         pieces = bezier_pieces(curve, min(1e-3, 0.1 * limit / size))
@@ -135,8 +137,16 @@ def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Neare
         controls = np.ldexp(pieces.controls, -int(more)) - np.ldexp(target, -exponent)
         slack = float(np.ldexp(pieces.error.max(), -int(more)))
         arcs = Arcs(controls, pieces.starts, pieces.ends)
-        place = _search(arcs, float(np.ldexp(limit, -exponent)), slack)
-        return _nearest_at(curve, target, _polished(curve.domain, at, place.parameter), place, exponent)
+        known: dict[float, _Place] = {}
+
+        def improved(t: float) -> _Place:
+            if t not in known:
+                better, distance = _polished(curve.domain, at, t)
+                known[t] = known[better] = _Place(better, float(np.ldexp(distance, -exponent)))
+            return known[t]
+
+        place = _search(arcs, float(np.ldexp(limit, -exponent)), slack, improved=improved)
+        return _nearest_at(curve, target, improved(place.parameter).parameter, place, exponent)
 
 
 def _nearest_at(
@@ -237,7 +247,7 @@ class NearestWithin:
             best = _search(arcs, min(_SHARE * radius, self._tolerance), self._slack, limit)
             if np.isnan(best.parameter):
                 return None
-            t = _polished(self._curve.domain, partial(self._at, *place.tolist()), best.parameter, _TRIALS)
+            t, _ = _polished(self._curve.domain, partial(self._at, *place.tolist()), best.parameter, _TRIALS)
             found = _nearest_at(self._curve, target, t, best, self._exponent)
         return found if found.distance <= reach else None
 
@@ -277,21 +287,34 @@ def _newton_step(slope: float, speed: float, bend: float) -> float:
 
 def _polished(
     domain: tuple[float, float], at: Callable[[float], _Descent], t: float, trials: int = 1
-) -> float:
-    """Improve t by Newton's method, as long as one of so many trials, each a half step, brings c nearer."""
+) -> tuple[float, float]:
+    """Improve t by Newton's method, until none of so many trials, each a half step, brings c nearer.
+
+    Returns t and its size.
+    """
     here = at(t)
     for _ in range(_NEWTON):
         step = here.step()
         for _ in range(trials):
             following = min(max(t - step, domain[0]), domain[1])
             there = at(following)
-            if there.size < here.size:
+            if there.size <= _ALIKE * here.size:
                 break
             step *= 0.5
         else:
             break
-        t, here = following, there
-    return t
+        before, t, here = here.size, following, there
+        # Where roundings alone tell the distances apart, t is better after a step than before, and final.
+        if here.size >= before:
+            break
+    return t, here.size
+
+
+class _Place(NamedTuple):
+    """A parameter, and how far its point of the curve is away, in the units of a search."""
+
+    parameter: float
+    distance: float
 
 
 class _SearchResult(NamedTuple):
@@ -301,33 +324,38 @@ class _SearchResult(NamedTuple):
     bound: float
 
 
-def _search(arcs: Arcs, tolerance: float, slack: float, reach: float = np.inf) -> _SearchResult:
+def _search(
+    arcs: Arcs,
+    tolerance: float,
+    slack: float,
+    reach: float = np.inf,
+    improved: Callable[[float], _Place] | None = None,
+) -> _SearchResult:
     """Return where the arcs come nearest to 0, and a lower bound of their distance.
 
-    NaN where they do not come within reach.
+    NaN where they do not come within reach. A way to better places nearby spares rounds where the curve
+    passes through 0: the ends of arcs come nearer only as fast as arcs become shorter.
     """
-    best, parameter = _nearest_end(arcs)
-    if best > reach:
-        best, parameter = reach, np.nan
-    bound = np.inf
+    best, parameter, bound = reach, np.nan, np.inf
     for step in range(_ROUNDS):
-        low = np.sqrt(np.maximum(squared_length(arcs.controls).min(axis=1), 0.0))
+        squares = squared_length(arcs.controls)
+        # The first and the last coefficients are those of the ends, to the last digit.
+        ends = squares[:, [0, -1]]
+        i, side = divmod(int(ends.argmin()), 2)
+        distance = math.sqrt(ends[i, side])
+        if distance < best:
+            best, parameter = distance, float(arcs.end[i] if side else arcs.start[i])
+        if improved is not None and step == 1:
+            parameter, best = min(
+                _Place(parameter, best), improved(parameter), key=lambda place: place.distance
+            )
+        low = np.sqrt(np.maximum(squares.min(axis=1), 0.0))
         open_ = low < best - tolerance
-        closed = low[~open_]
-        bound = min(bound, float(closed.min(initial=np.inf)))
+        bound = min(bound, float(low[~open_].min(initial=np.inf)))
         if not open_.any() or 2 * int(open_.sum()) > _MOST or step == _ROUNDS - 1:
             bound = min(bound, float(low.min(initial=np.inf)))
             break
         arcs = arcs.taken(open_)
         # Of a few arcs, which is the rule, a round takes as long for 16 parts of each as for halves.
         arcs = arcs.divided(16 if len(arcs.start) <= _PARTED else 2)
-        distance, candidate = _nearest_end(arcs)
-        if distance < best:
-            best, parameter = distance, candidate
     return _SearchResult(parameter, max(0.0, min(bound, best) - slack))
-
-
-def _nearest_end(arcs: Arcs) -> tuple[float, float]:
-    distance = vector_lengths(arcs.controls[:, [0, -1]])
-    i, side = np.unravel_index(int(np.argmin(distance)), distance.shape)
-    return float(distance[i, side]), float(arcs.end[i] if side else arcs.start[i])

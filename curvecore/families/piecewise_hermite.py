@@ -11,6 +11,7 @@ from curvecore.arrays import (
     FloatArray,
     IntArray,
     end_to_end,
+    extremes,
     integer,
     parameter_row,
     read_only,
@@ -198,7 +199,8 @@ class PiecewiseHermite(ParametricCurve):
         return self._columns
 
     def _is_inside(self, t: FloatArray) -> bool:
-        return t.size == 0 or bool(t.min() >= self._parameters[0] and t.max() <= self._parameters[-1])
+        least, most = extremes(t) if t.size else self.domain
+        return bool(least >= self._parameters[0] and most <= self._parameters[-1])
 
     def _segments(self, t: FloatArray) -> IntArray:
         """Return the index of the segment that holds each t."""
@@ -211,14 +213,14 @@ class PiecewiseHermite(ParametricCurve):
 
     def _evaluate_inside(self, t: FloatArray, order: int) -> FloatArray | None:
         """Evaluate by expansions or through the control points, where that is possible."""
-        if not t.size or order > self.degree or not self._is_inside(t):
+        if not t.size or order > self.degree:
             return None
         segments = len(self._parameters) - 1
         # Of quintics and above, control points are both the faster and the more accurate way to values.
         if (order or self.degree == 3) and (segments <= _ALL or t.size >= _DENSE * segments):
             pieces = self._taylor_pieces(order)
             return None if pieces is None else pieces.evaluate(t)
-        if order:
+        if order or not self._is_inside(t):
             return None
         columns = self._weighted_controls()
         # Near the end of the floating point range the general method is the safe one.

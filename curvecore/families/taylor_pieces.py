@@ -8,13 +8,13 @@ coefficients.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import FloatArray, IntArray, extremes
 from curvecore.double_double import DoubleDouble, add, difference, multiply
-from curvecore.working_memory import working_memory
 
 if TYPE_CHECKING:
     from curvecore.bezier.vanishing_places import VanishingPlaces
@@ -23,7 +23,7 @@ _CHUNK = 12_288  # parameters at a time, so that the few working arrays stay in 
 _SHORT = 2.0**-50  # segments shorter, or data smaller, by powers of these could leave the range
 _SMALL = 2.0**-500
 _RUN = 8  # ascending parameters a piece, from which on it is the breaks that are sought among them
-_FEW = 2048  # parameters, of which it does not pay to ask whether they ascend
+_FEW = 1000  # parameters, of which it does not pay to ask whether they ascend
 
 
 class TaylorPieces(NamedTuple):
@@ -35,58 +35,70 @@ class TaylorPieces(NamedTuple):
         Where one piece ends and the next begins, ascending; a break belongs to the piece after it.
     origins : ndarray, shape (k,)
         What is subtracted from t.
-    coefficients : ndarray, shape (K, k, dim)
-        Lowest power first.
+    coefficients : tuple of ndarray, shape (k, dim)
+        Highest power first.
+    domain : tuple of float
+        The beginning of the first and the end of the last piece.
     """
 
     breaks: FloatArray
     origins: FloatArray
-    coefficients: FloatArray
+    coefficients: tuple[FloatArray, ...]
+    domain: tuple[float, float]
 
-    def evaluate(self, t: FloatArray) -> FloatArray:
-        """Return the values at parameters inside the domain, (m, dim)."""
-        dim = self.coefficients.shape[2]
-        result = np.empty((t.size, dim))
-        room = working_memory((3, min(_CHUNK, t.size), dim))
-        ascend = t.size > _FEW and bool((t[1:] >= t[:-1]).all())
+    def evaluate(self, t: FloatArray) -> FloatArray | None:
+        """Return the values at parameters, (m, dim), m > 0; None where some lie outside the domain."""
+        least, most = extremes(t)
+        if least < self.domain[0] or most > self.domain[1]:
+            return None
+        result = np.empty((t.size, self.coefficients[0].shape[1]))
+        ascend = t.size > _FEW and not np.count_nonzero(t[1:] < t[:-1])
         with np.errstate(under="ignore"):
             for first in range(0, t.size, _CHUNK):
                 some = slice(first, first + _CHUNK)
-                self._put(t[some], self._pieces_of(t[some], ascend), room, result[some])
+                self._put(t[some], ascend, result[some])
         return result
 
-    def _pieces_of(self, t: FloatArray, ascend: bool) -> IntArray:
-        if not ascend:
-            return self.breaks.searchsorted(t, side="right")
-        first, last = (int(self.breaks.searchsorted(end, side="right")) for end in (t[0], t[-1]))
-        breaks = self.breaks[first:last]
-        if t.size < _RUN * len(breaks):
-            return _count_breaks(t, breaks) + first
-        counts = np.empty(len(breaks) + 1, dtype=np.intp)
-        counts[:-1] = ends = t.searchsorted(breaks)
-        counts[-1] = t.size
-        counts[1:] -= ends
-        return np.arange(first, last + 1).repeat(counts)
-
-    def _put(self, t: FloatArray, piece: IntArray, room: FloatArray, result: FloatArray) -> None:
+    def _put(self, t: FloatArray, ascend: bool, result: FloatArray) -> None:
         """Write the values at parameters by Horner's rule."""
-        x, value, gathered = room[:, : t.size]
-        # A copy for each coordinate costs less than arithmetic along a short axis.
-        first, *others = x.T
-        np.subtract(t, self.origins.take(piece), out=first)
-        for column in others:
-            column[:] = first
-        lowest, *higher = self.coefficients
-        if not higher:
-            lowest.take(piece, axis=0, out=result, mode="clip")
+        gathered = self._gathering(t, ascend)
+        highest, *lower = self.coefficients
+        if not lower:
+            result[:] = gathered(highest)
             return
-        # mode="clip" is NumPy's only gather into a given array that does not buffer.
-        higher.pop().take(piece, axis=0, out=value, mode="clip")
-        while higher:
+        lowest = lower.pop()
+        x = np.empty_like(result)
+        np.subtract(t, gathered(self.origins), out=x[:, 0])
+        # A copy for each coordinate costs less than arithmetic along a short axis.
+        for k in range(1, x.shape[1]):
+            x[:, k] = x[:, 0]
+        value = gathered(highest)
+        for each in lower:
             value *= x
-            value += higher.pop().take(piece, axis=0, out=gathered, mode="clip")
+            value += gathered(each)
         value *= x
-        np.add(value, lowest.take(piece, axis=0, out=gathered, mode="clip"), out=result)
+        np.add(value, gathered(lowest), out=result)
+
+    def _gathering(self, t: FloatArray, ascend: bool) -> Callable[[FloatArray], FloatArray]:
+        """Return what makes of numbers for each piece, (k, ...), those for the pieces of parameters."""
+        if ascend:
+            first, last = (int(self.breaks.searchsorted(end, side="right")) for end in (t[0], t[-1]))
+            breaks = self.breaks[first:last]
+            if t.size >= _RUN * len(breaks):
+                return _repetition(slice(first, last + 1), t, breaks)
+            piece = _count_breaks(t, breaks) + first
+        else:
+            piece = self.breaks.searchsorted(t, side="right")
+        return lambda numbers: numbers.take(piece, axis=0)
+
+
+def _repetition(pieces: slice, t: FloatArray, breaks: FloatArray) -> Callable[[FloatArray], FloatArray]:
+    """Return what repeats the numbers of pieces as often as ascending parameters lie on each of them."""
+    counts = np.empty(len(breaks) + 1, dtype=np.intp)
+    counts[:-1] = ends = t.searchsorted(breaks)
+    counts[-1] = t.size
+    counts[1:] -= ends
+    return lambda numbers: numbers[pieces].repeat(counts, axis=0)
 
 
 def _count_breaks(t: FloatArray, breaks: FloatArray) -> IntArray:
@@ -139,8 +151,9 @@ def taylor_pieces(
         # What lies at a joint belongs to it, however short the segment.
         least = np.nextafter(starts, ends)[:, None]
         np.maximum(starts[:, None] + h[:, None] * places.cuts, least, out=breaks[:, :-1])
-    shape = len(coefficients), origins.size, first.shape[2]
-    return TaylorPieces(breaks.ravel()[:-1], origins.ravel(), coefficients.reshape(shape))
+    rows = tuple(coefficients[::-1].reshape(-1, origins.size, first.shape[2]))
+    domain = float(starts[0]), float(ends[-1])
+    return TaylorPieces(breaks.ravel()[:-1], origins.ravel(), rows, domain)
 
 
 def _in_range(h: FloatArray, data: FloatArray) -> bool:

@@ -61,6 +61,15 @@ def test_a_parabola_in_closed_form():
         assert nearest(curve, [0.0, a], 1e-14).distance == pytest.approx(abs(a), abs=2e-14)
 
 
+def test_the_parameter_is_as_accurate_as_newtons_method_makes_it(rng):
+    """Its last step is taken where no distance shows any more whether it was one in the right direction."""
+    t = np.linspace(-2.0, 2.0, 3)
+    curve = LagrangeCurve(np.stack((t, t * t), axis=1), t)
+    for a in rng.uniform(0.6, 3.0, 100):
+        found = nearest(curve, [0.0, a], 1e-6)
+        assert abs(found.parameter) == pytest.approx(np.sqrt(a - 0.5), abs=1e-14)
+
+
 def test_the_centre_of_a_circle_is_as_near_to_all_of_it():
     angle = 2.0 * np.pi * uniform(65)
     point = np.stack((np.cos(angle), np.sin(angle)), axis=1)

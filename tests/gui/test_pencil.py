@@ -98,6 +98,18 @@ def test_every_family_can_be_drawn(editor, family):
     assert farthest(editor, line) <= 2.2
 
 
+def test_a_zigzag_that_a_polynomial_would_follow_for_half_a_minute_comes_out_in_local_pieces(editor):
+    editor.new()
+    editor.choose_family(FAMILIES.named("bezier"))
+    editor.trigger("pencilTool")
+    line = draw(editor, [(100 + 4 * i, 160 + abs(10 * i % 160 - 80)) for i in range(100)])
+    assert editor.session.active_curve.family.is_local
+    assert farthest(editor, line) <= 2.2
+    assert "It is a Hermite curve: a Bézier curve so near takes too long to find." in editor.status
+    editor.trigger("undo")
+    assert editor.session.active_curve.family == FAMILIES.named("bezier")
+
+
 @pytest.mark.parametrize("way", [0, 2])
 def test_a_click_and_two_pixels_draw_nothing(editor, way):
     before = editor.session.document

@@ -62,7 +62,7 @@ class PencilCommands:
             action_name("pencil", detail),
             detail.label,
             EDIT_PENCIL,
-            tip=f"The pencil's curves are at most {count_of(round(detail.pixels), 'pixel')} from what was drawn",
+            tip=f"The pencil's curves are at most {count_of(round(detail.pixels), 'pixel')} from the line",
             full_name=f"Pencil: {detail.label}",
             checked=lambda now: now.state.pencil is detail,
             group="pencil",

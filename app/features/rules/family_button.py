@@ -24,6 +24,8 @@ _ICON, _ARROW, _BESIDES = 20, 22, 36
 class FamilyButton(FollowsTheme, ToolbarWidget):
     """Chooses one of the further families, and shows the one in use."""
 
+    yields_late = True
+
     def __init__(self) -> None:
         super().__init__()
         self._words: dict[QAction, str] = {}

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import count
 
 from msgspec.structs import replace
 
@@ -10,6 +12,8 @@ from ...document.curve_edits import add_curve, fresh_curve, replace_curve
 from ...document.edits import EditError
 from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
+from ...families import FAMILIES
+from ...tasks.progress import Cancelled
 from ...view_model.least_squares import Fitted, fitted
 from ..drag_machine import CANCELLED, THRESHOLD, EditingHost
 from ..marks import GestureMarks
@@ -21,6 +25,9 @@ _CLOSING = 12.0
 
 _LEAST_ROUND = 5.0
 """Times that length, from which on a line can return."""
+
+_ROUNDS = 60
+"""Rounds of a fit that a hand waits for. Smooth lines take fewer; a zigzag took a Bézier curve a thousand."""
 
 _HINT = "Drag to draw freehand; the curve gets few points"
 
@@ -59,7 +66,7 @@ class Drawing(Gesture):
         model, place = _model(host, closed=returns and self._length > _LEAST_ROUND * _CLOSING)
         tolerance = context.settings.pencil.pixels / self._press.scale
         try:
-            made = fitted(model, self.line, tolerance=tolerance)
+            made = _fitted(model, self.line, tolerance)
         except EditError as reason:
             host.refuse(str(reason))
             return
@@ -72,7 +79,7 @@ class Drawing(Gesture):
             ),
             active=place,
         ):
-            host.say(_told(made, self._press, tolerance))
+            host.say(_told(made, model, self._press, tolerance))
 
     def cancel(self, context: ToolContext) -> None:
         """Tell that nothing was drawn."""
@@ -96,12 +103,29 @@ def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
     return replace(fresh, settings=active.settings, closed=closed), place + 1
 
 
-def _told(made: Fitted, press: Pointer, tolerance: float) -> str:
+def _fitted(model: Curve, line: Sequence[Vector], tolerance: float) -> Fitted:
+    """Return the curve near a line; where the family takes long, as one of local pieces, which never do."""
+    rounds = count()
+
+    def wait(_share: float, _word: str) -> None:
+        if next(rounds) == _ROUNDS and not model.family.is_local:
+            raise Cancelled
+
+    try:
+        return fitted(model, line, tolerance=tolerance, report=wait)
+    except Cancelled:
+        quick = next(family for family in FAMILIES if family.is_local)
+        return fitted(model.with_family(quick), line, tolerance=tolerance)
+
+
+def _told(made: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
     """Return how many points the curve has, and how near it came."""
     points, family = count_of(len(made.curve.points), "point"), made.curve.family
     pixels = with_decimals(made.deviation * press.scale, 1)
     text = f"{points}; largest deviation {pixels} px ({number(made.deviation, 2)})."
-    if made.deviation > tolerance:
+    if family != model.family:
+        text += f" It is {family.a_curve}: {model.family.a_curve} so near takes too long to find."
+    elif made.deviation > tolerance:
         text += (
             f" No {family.title} curve was found nearer; another family may come nearer with fewer points."
         )
