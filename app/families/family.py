@@ -103,8 +103,9 @@ class Family:
 
     @property
     def short(self) -> str:
-        """The first word of the label, for a button where room is short."""
-        return self.label.partition(" ")[0]
+        """A word for a button where room is short: its own, or the first of the label."""
+        own = "" if self._curve_class is None else self._curve_class.short_title
+        return f"{own[:1].upper()}{own[1:]}" or self.label.partition(" ")[0]
 
     @property
     def a_curve(self) -> str:

@@ -81,6 +81,7 @@ class CubicSplineCurve(ParametricCurve):
 
     name = "cubic_spline"
     title = "cubic spline"
+    short_title = "spline"
     full_title = "C² cubic spline"
     place = 40
     settings = (

@@ -67,7 +67,9 @@ class ParametricCurve(Calculus, PolynomialFacts, Evaluation, Immutable):
     derivatives : int
         How many derivatives belong to each point: R - 1.
     full_title : str
-        The same where nothing else says what it is: cubic Hermite.
+        The title where nothing else says what it is: cubic Hermite.
+    short_title : str
+        The title where room is short; the title's first word, if it is not given.
     place : int
         Where it stands among the families of a program that lists them, in ascending order.
     can_close : bool
@@ -120,6 +122,7 @@ class ParametricCurve(Calculus, PolynomialFacts, Evaluation, Immutable):
     settings: ClassVar[tuple[FamilySetting, ...]] = ()
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
+    short_title: ClassVar[str] = ""
     place: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True

@@ -74,6 +74,7 @@ class FloaterHormannCurve(ParametricCurve):
 
     name = "floater_hormann"
     title = "barycentric rational"
+    short_title = "rational"
     place = 60
     is_calm = True
     settings = (
