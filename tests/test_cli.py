@@ -17,6 +17,7 @@ from app import __version__
 from app.cli import main
 from app.cli.windows import open_windows
 from app.document.model import Document, make_curve
+from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
 
@@ -105,6 +106,20 @@ def test_info_as_json(capsys):
     assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
     assert curve["box"]["left"] == pytest.approx(0.35)
     assert curve["warnings"] == []
+
+
+@pytest.mark.parametrize(("count", "degree", "kind"), [(5, 4, None), (6, None, "rational, blended degree 3")])
+def test_info_says_what_a_rational_curve_is(tmp_path, capsys, count, degree, kind):
+    path = tmp_path / "rational.curve.json"
+    points = [(k, k % 2) for k in range(count)]
+    save(path, Document((make_curve(points, family=FAMILIES.named("floater_hormann")),)))
+    assert main(["info", str(path)]) == 0
+    text = capsys.readouterr().out
+    assert ("  degree           4\n" in text) == (degree is not None)
+    assert (f"  kind             {kind}\n" in text) == (kind is not None)
+    assert main(["info", "--json", str(path)]) == 0
+    (curve,) = json.loads(capsys.readouterr().out)["curves"]
+    assert (curve["degree"], curve["kind"]) == (degree, kind)
 
 
 def test_info_of_a_sketch_just_begun(tmp_path, capsys):

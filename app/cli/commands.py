@@ -308,6 +308,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
         "family": facts.family.name,
         "settings": {setting.name: value for setting, value in facts.settings.items()},
         "degree": facts.degree,
+        "kind": facts.kind or None,
         "points": facts.points,
         "closed": facts.closed,
         "corners": facts.corners,
@@ -327,6 +328,8 @@ def _as_text(facts: CurveFacts) -> str:
     if facts.degree is not None:
         where = "" if facts.pieces == 1 else " on every segment"
         rows.append(("degree", f"{facts.degree}{where}"))
+    if facts.kind:
+        rows.append(("kind", facts.kind))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))

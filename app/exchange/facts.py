@@ -67,6 +67,8 @@ class CurveFacts:
         How many points it may turn sharply at.
     degree
         Of the polynomial, or of each piece.
+    kind
+        Words for its functions where they are no polynomials; empty where that is not known.
     pieces
         How many pieces it has; 0 without a curve.
     domain
@@ -87,6 +89,7 @@ class CurveFacts:
     parametrization: Parametrization
     points: int
     degree: int | None = None
+    kind: str = ""
     pieces: int = 0
     domain: tuple[float, float] | None = None
     length: Length | None = None
@@ -175,6 +178,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
     return replace(
         _facts_of_points(curve),
         degree=core.degree,
+        kind=core.kind,
         pieces=len(core.breaks) - 1,
         domain=core.domain,
         length=length if length is not None and length.value < np.finfo(float).max else None,
