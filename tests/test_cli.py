@@ -122,6 +122,18 @@ def test_info_says_what_a_rational_curve_is(tmp_path, capsys, count, degree, kin
     assert (curve["degree"], curve["kind"]) == (degree, kind)
 
 
+@pytest.mark.parametrize(("own", "digits"), [("natural_spline", None), ("gaussian", [9, 8, 6])])
+def test_info_says_where_derivatives_are_differences(own, digits, tmp_path, capsys):
+    path, file = tmp_path / "own.curve.json", Path(__file__).parent / f"data/families/{own}.py"
+    family = FAMILIES.named(f"tests_{own}")
+    save(path, Document((make_curve([(0, 0), (1, 2), (2, 1), (3, 0)], family=family),)))
+    assert main(["info", str(path), "--families", str(file)]) == 0
+    row = "  derivatives      differences, some 9 digits of c′, 8 digits of c″ and 6 digits of c‴\n"
+    assert (row in capsys.readouterr().out) == (digits is not None)
+    assert main(["info", "--json", str(path), "--families", str(file)]) == 0
+    assert json.loads(capsys.readouterr().out)["curves"][0]["difference_digits"] == digits
+
+
 def test_info_of_a_sketch_just_begun(tmp_path, capsys):
     path = tmp_path / "begun.curve.json"
     save(path, Document((make_curve([(1, 2)], name="two\nlines \x1b[31m"), make_curve([(0, 0), (1, 1)]))))

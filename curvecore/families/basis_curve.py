@@ -21,6 +21,9 @@ _FINENESS = (400.0, 400.0, 120.0)
 At a break the stencil lies to one side: its polynomial is off by the 7th derivative times a power of the
 step, and values by their rounding over one.
 """
+_DIGITS = (9, 8, 6)
+"""Digits of the first derivatives that are left of functions as smooth as their parameters are spaced."""
+
 MEASURED = 1e-9
 """Difference up to which a function's value at a parameter counts as the 1 or 0 that it should be."""
 
@@ -142,6 +145,11 @@ class BasisCurve(ParametricCurve):
     def breaks(self) -> FloatArray:
         """The parameters at which derivatives may jump, ascending, the ends included; shape (k,)."""
         return self._breaks
+
+    @property
+    def difference_digits(self) -> tuple[int, ...]:
+        """Some, unless the scheme `has_orders`; see `Evaluation`."""
+        return () if self._scheme.has_orders else _DIGITS
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
         """Return a curve of the same scheme with other data and other parameters; see `ParametricCurve`."""

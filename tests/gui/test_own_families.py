@@ -23,6 +23,7 @@ from curvecore import LagrangeCurve
 WAIT_MS = 30_000
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
 NAME = "my_lagrange"
+DIFFERENCES = "Derivatives are differences: some 9 digits of c′, 8 digits of c″ and 6 digits of c‴."
 
 
 @pytest.fixture(autouse=True)
@@ -135,6 +136,22 @@ def test_a_template_is_a_file_that_works_at_once(editor, path, ask, qtbot):
     known = LagrangeCurve(view.points, view.parameters)
     assert view.curve.evaluate(t) == pytest.approx(known.evaluate(t), abs=1e-12)
     assert findings_of(view) == ()
+    assert editor.window.findChild(QLabel, "basisFindings").text() == DIFFERENCES
+
+
+def test_a_file_that_says_its_derivatives_has_no_differences(using, save, path, qtbot):
+    said = using.window.findChild(QLabel, "basisFindings")
+    assert said.text() == DIFFERENCES
+    save("""import numpy as np
+name, title = "my_lagrange", "my lines"
+
+def basis(t, parameters, order):
+    hats = np.eye(len(parameters))
+    values = [np.interp(t, parameters, each) for each in hats]
+    return np.stack(values, axis=1) if order == 0 else np.zeros((len(t), len(parameters)))
+""")
+    qtbot.waitUntil(lambda: "is not the derivative of" in said.text(), timeout=WAIT_MS)
+    assert DIFFERENCES not in said.text()
 
 
 def test_a_template_is_short_and_says_what_there_is(path):
@@ -203,9 +220,10 @@ def test_saving_draws_the_curves_anew(using, save, path, qtbot, way):
     assert said.isVisible()
     assert "The functions do not sum to 1" in said.text()
     assert "The curve misses its points" in said.text()
+    assert said.text().endswith(f" {DIFFERENCES}")
     assert "was run again" in using.status
     save(template(path), way)
-    qtbot.waitUntil(lambda: not said.isVisible(), timeout=WAIT_MS)
+    qtbot.waitUntil(lambda: said.text() == DIFFERENCES, timeout=WAIT_MS)
     assert using.session.active_view.curve.evaluate(0.4) == pytest.approx(before)
 
 
@@ -282,7 +300,8 @@ def test_a_gesture_in_flight_is_taken_back(using, save, path, qtbot):
     using.press(using.point(2))
     using.move((3.0, 2.0))
     save(template(path).replace(*BROKEN))
-    qtbot.waitUntil(lambda: using.window.findChild(QLabel, "basisFindings").isVisible(), timeout=WAIT_MS)
+    said = using.window.findChild(QLabel, "basisFindings")
+    qtbot.waitUntil(lambda: "sum to 1" in said.text(), timeout=WAIT_MS)
     assert using.point(2) == POINTS[2]
     assert not using.session.is_previewing
 
@@ -341,7 +360,7 @@ def test_all_windows_have_it_and_follow(using, second, save, path, qtbot):
     save(template(path).replace(*BROKEN))
     for each in (using, second):
         said = each.window.findChild(QLabel, "basisFindings")
-        qtbot.waitUntil(said.isVisible, timeout=WAIT_MS)
+        qtbot.waitUntil(lambda said=said: "sum to 1" in said.text(), timeout=WAIT_MS)
     assert second.session.active_view.curve is not curve
 
 
@@ -375,7 +394,7 @@ def test_a_file_of_the_command_line_is_watched_too(qtbot, path, save, tried_here
         editor.choose_family(NAME)
         save(template(path).replace(*BROKEN))
         said = editor.window.findChild(QLabel, "basisFindings")
-        qtbot.waitUntil(said.isVisible, timeout=WAIT_MS)
+        qtbot.waitUntil(lambda: "sum to 1" in said.text(), timeout=WAIT_MS)
         editor.session.files.give_up_changes()
 
 
