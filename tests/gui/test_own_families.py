@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QToolBar, QToolButton
+from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QMenu, QToolBar, QToolButton
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, family_file
@@ -15,7 +17,7 @@ from app.features.own_families.bar import FamilyBar
 from app.features.own_families.files import family_files
 from app.features.own_families.template import template
 from app.session import Session
-from app.storage.format import encode
+from app.storage.format import decode, encode
 from app.testing import Editor
 from app.view_model.basis_findings import findings_of
 from curvecore import LagrangeCurve
@@ -157,7 +159,7 @@ def basis(t, parameters, order):
 def test_a_template_is_short_and_says_what_there_is(path):
     text = template(path)
     assert text.count("\n") <= 30
-    for word in ("title", "order", "breaks", "interpolates = False", "can_close = True"):
+    for word in ("title", "order", "breaks", "interpolates = False", "can_close = True", "settings = ["):
         assert word in text
 
 
@@ -202,6 +204,40 @@ def test_it_is_offered_wherever_families_are(using):
     using.trigger("ghostMyLagrange")
     using.drag_point(2, (3.0, 2.0))
     using.screenshot()
+
+
+# Settings
+
+
+def with_width(text, limits="limits=(1, 9)"):
+    """The template with the setting that it shows in a comment."""
+    (record,) = re.findall(r"# settings = \[(FamilySetting\(.*?\))\]", text)
+    setting = record.replace("limits=(1, 9)", limits)
+    head = f"from curvecore import FamilySetting\nsettings = [{setting}]\nname ="
+    text = text.replace("name =", head, 1)
+    return text.replace("basis(t, parameters):", "basis(t, parameters, width):", 1)
+
+
+def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save, path, qtbot):
+    using.show_dock("curveDock")
+    save(with_width(template(path)))
+    qtbot.waitUntil(lambda: using.window.findChild(QLineEdit, "settingWidth") is not None, timeout=WAIT_MS)
+    using.settle()
+    field = using.window.findChild(QLineEdit, "settingWidth")
+    field.setFocus()
+    field.selectAll()
+    using.type_text(field, "7")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert dict(using.curve.settings) == {"width": 7}
+    assert using.session.active_view.curve.chosen == {"width": 7}
+    assert using.session.undo_stack.undoText() == "Set width of a bell to 7"
+    assert decode(encode(using.session.document)).curves[0].settings == using.curve.settings
+    # A file that no longer allows what was chosen draws by its default.
+    save(with_width(template(path), "limits=(1, 5)"))
+    qtbot.waitUntil(lambda: using.session.active_view.curve.chosen == {"width": 3}, timeout=WAIT_MS)
+    save(template(path))
+    qtbot.waitUntil(lambda: using.session.active_view.curve.chosen == {}, timeout=WAIT_MS)
+    assert using.session.active_view.is_current
 
 
 # Saved again
