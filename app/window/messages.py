@@ -97,7 +97,7 @@ class Messages(QObject):
             return self._find_image
         kind = view.source.parametrization.kind
         # Uniform parameters are the way out where there are no distances between points.
-        by_distance = kind.asks_where_points_are and not view.source.family.is_missing
+        by_distance = kind.asks_where_points_are and not (view.source.family.is_missing or view.is_overdue)
         return self._use_uniform if by_distance and text == view.problem else None
 
     def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:
