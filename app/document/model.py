@@ -339,13 +339,13 @@ class Curve(Value, frozen=True, dict=True):
             return self
         own = ((self.family, self.settings),) if self.settings else ()
         others = tuple(each for each in self.other_settings if each[0] != family)
-        settings = family.without_defaults(dict(self.other_settings).get(family, NO_SETTINGS))
+        settings = family.settings.without_defaults(dict(self.other_settings).get(family, NO_SETTINGS))
         return replace(self, family=family, settings=settings, other_settings=(*others, *own))
 
     @property
     def settings_in_effect(self) -> ChosenSettings:
         """The settings, with those that closing decides."""
-        return self.family.in_effect(self.settings, closed=self.is_closed)
+        return self.family.settings.in_effect(self.settings, closed=self.is_closed)
 
     @property
     def functions_key(self) -> tuple[Family, ChosenSettings]:
@@ -355,7 +355,7 @@ class Curve(Value, frozen=True, dict=True):
     @property
     def is_closed(self) -> bool:
         """Whether the curve returns to its first point: closed, and of a family that can."""
-        return self.closed and self.family.can_close and len(self.points) > 1
+        return self.closed and self.family.curve_class.can_close and len(self.points) > 1
 
     @cached_property
     def has_derivatives(self) -> bool:

@@ -194,7 +194,7 @@ def _facts_of_points(curve: Curve) -> CurveFacts:
         curve.parametrization,
         len(curve.points),
         visible=curve.visible,
-        settings=curve.family.values_of(curve.settings_in_effect),
+        settings=curve.family.settings.values(curve.settings_in_effect),
     )
 
 

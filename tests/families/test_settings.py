@@ -108,9 +108,9 @@ def test_numbers_of_numpy_become_plain(swaying):
 
 @pytest.mark.parametrize("name", EVERY)
 def test_settings_of_the_registry_are_sound(name):
-    names = [setting.name for setting in FAMILIES.named(name).settings]
+    names = [setting.name for setting in FAMILIES.named(name).settings.all]
     assert len(set(names)) == len(names)
-    for setting in FAMILIES.named(name).settings:
+    for setting in FAMILIES.named(name).settings.all:
         assert setting.name.isidentifier()
         assert setting.allows(setting.default)
         assert setting.title == setting.title.strip() != ""
