@@ -13,6 +13,7 @@ from itertools import pairwise
 from msgspec.structs import replace
 
 from ..families import FAMILIES, Family, SettingValue, titles
+from .derivatives import DERIVATIVES, VECTORS, EstimateRule
 
 # Who edits needs these with the edits.
 from .kept_handles import stretched as stretched  # noqa: PLC0414
@@ -20,16 +21,7 @@ from .kept_handles import with_handles_kept
 from .limits import EditError as EditError  # noqa: PLC0414
 from .limits import checked as checked  # noqa: PLC0414
 from .limits import checked_vector, not_after
-from .model import (
-    DERIVATIVES,
-    VECTORS,
-    Curve,
-    Document,
-    EstimateRule,
-    ParametrizationKind,
-    Point,
-    Vector,
-)
+from .model import Curve, Document, ParametrizationKind, Point, Vector
 from .words import number
 
 LEAST_TO_CLOSE = 3

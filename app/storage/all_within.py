@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from itertools import chain
 from operator import attrgetter
 
-from ..document.model import MAX_MAGNITUDE, VECTORS, Point
+from ..document.derivatives import VECTORS
+from ..document.model import MAX_MAGNITUDE, Point
 
 
 def all_within(points: tuple[Point, ...]) -> bool:

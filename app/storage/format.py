@@ -16,9 +16,9 @@ from typing import Literal
 import msgspec
 from msgspec.structs import replace
 
+from ..document.derivatives import VECTORS
 from ..document.model import (
     MAX_MAGNITUDE,
-    VECTORS,
     Curve,
     Document,
     ParametrizationKind,

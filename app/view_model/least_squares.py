@@ -14,8 +14,9 @@ import curvecore
 from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
-from ..document.model import DERIVATIVES, Curve, Parametrization, ParametrizationKind, Point, Vector
+from ..document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
 from ..document.words import count_of, number
 from ..tasks.progress import Report, silent
 from .curve_view import CurveView

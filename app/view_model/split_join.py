@@ -12,8 +12,9 @@ from msgspec.structs import replace
 
 from curvecore import chebyshev
 
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
-from ..document.model import DERIVATIVES, Curve, ParametrizationKind, Point, Vector
+from ..document.model import Curve, ParametrizationKind, Point, Vector
 from ..document.words import number
 from ..families import HERMITE, titles_with_derivatives
 from .curve_view import CurveView, view_of

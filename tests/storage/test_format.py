@@ -11,17 +11,14 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from app.document.derivatives import DERIVATIVES, AccelerationRule, JerkRule, VelocityRule
 from app.document.model import (
-    DERIVATIVES,
     MAX_MAGNITUDE,
-    AccelerationRule,
     Curve,
     Document,
-    JerkRule,
     Parametrization,
     ParametrizationKind,
     Point,
-    VelocityRule,
     empty_document,
     make_curve,
 )

@@ -9,16 +9,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 
-from ...document.model import (
-    DERIVATIVES,
-    VECTORS,
-    Curve,
-    Document,
-    Parametrization,
-    ParametrizationKind,
-    Point,
-    Vector,
-)
+from ...document.derivatives import DERIVATIVES, VECTORS
+from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from ...document.words import NamedEnum
 from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ...storage.format import FormatError, validate

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
-from ...document.model import DERIVATIVES
+from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label

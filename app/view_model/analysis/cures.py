@@ -11,7 +11,8 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document import edits
-from ...document.model import Curve, Document, ParametrizationKind, VelocityRule
+from ...document.derivatives import VelocityRule
+from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, told
 from ..curve_view import CurveView, view_of
