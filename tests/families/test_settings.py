@@ -12,7 +12,9 @@ from app.document import edits
 from app.document.model import Document, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, ChosenSettings
-from app.storage.format import FormatError, decode, encode, validate
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
+from app.storage.validation import validate
 from app.view_model.curve_view import view_of
 from curvecore import Chain, CurveError, LagrangeCurve
 from tests.own_families import EVERY

@@ -24,7 +24,9 @@ from app.document.model import (
 )
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.storage import format as file_format
-from app.storage.format import FormatError, decode, encode, validate
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
+from app.storage.validation import validate
 
 quick = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 

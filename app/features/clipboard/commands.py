@@ -19,7 +19,8 @@ from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
 from ...document.words import count_of
 from ...exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
-from ...storage.format import FormatError, decode, encode
+from ...storage.format import decode, encode
+from ...storage.format_error import FormatError
 from ...view_model.pasting import (
     appended,
     appended_with_parameters,
