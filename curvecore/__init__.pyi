@@ -1,11 +1,9 @@
 """The public names of curvecore and their modules: read by type checkers, and when one is first used."""
 
-from curvecore.analysis.basis_checks import BasisDefects as BasisDefects
 from curvecore.analysis.basis_checks import CardinalDefect as CardinalDefect
 from curvecore.analysis.basis_checks import Miss as Miss
 from curvecore.analysis.basis_checks import SlopeDefect as SlopeDefect
 from curvecore.analysis.basis_checks import SumDefect as SumDefect
-from curvecore.analysis.basis_checks import basis_defects as basis_defects
 from curvecore.analysis.basis_checks import cardinal_defect as cardinal_defect
 from curvecore.analysis.basis_checks import slope_defect as slope_defect
 from curvecore.analysis.basis_checks import sum_defect as sum_defect
