@@ -117,7 +117,7 @@ def _kind_of(value: object) -> _Kind:
 
 
 class _Record:
-    """What is told of a record, found out once: most of what a window reaches is how its actions are declared.
+    """What is told of a record, found out once: most that a window reaches is how its actions are declared.
 
     Attributes
     ----------
