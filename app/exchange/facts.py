@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore import Length
-from curvecore.analysis.geometry import Box, bounding_boxes, pieces_of
-from curvecore.bezier.pieces import BezierPieces
+from curvecore.analysis.bounding_boxes import Box, bounding_boxes
+from curvecore.bezier.pieces import BezierPieces, bezier_pieces
 from curvecore.scaling import LARGEST
 
 from ..document.model import Curve, Document, Parametrization
@@ -156,7 +156,7 @@ def _shape_of(curve: Curve) -> _Shape | str:
     if reason := too_much(curve):
         return reason
     view = view_of(curve)
-    return view.problem if view.curve is None else _Shape(curve, view, view.curve, pieces_of(view.curve))
+    return view.problem if view.curve is None else _Shape(curve, view, view.curve, bezier_pieces(view.curve))
 
 
 def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> Iterator[CurveFacts]:
@@ -202,7 +202,7 @@ def _facts_of_points(curve: Curve) -> CurveFacts:
         curve.parametrization,
         len(curve.points),
         visible=curve.visible,
-        settings=curve.family.values_of(curve.settings_in_effect),
+        settings=curve.family.settings.values(curve.settings_in_effect),
     )
 
 

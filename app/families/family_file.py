@@ -39,7 +39,7 @@ from curvecore import (
 )
 from curvecore.arrays import FloatArray
 
-from .family import Family, families_of_module
+from .family import Family, families_of_module, may_be_name
 from .file_calls import ARGUMENTS, PATIENCE, FileCalls, Function, line_of, words
 from .registry import Families
 from .time_limit import stopped_after
@@ -151,7 +151,7 @@ def _run(path: Path) -> ModuleType:
 def _class_of(said: dict[str, Any], path: Path) -> type[ParametricCurve]:
     """Return the curve class of a file's functions."""
     name, basis, breaks = said.get("name"), said["basis"], said.get("breaks")
-    if not (isinstance(name, str) and Family.may_be_called(name)):
+    if not (isinstance(name, str) and may_be_name(name)):
         raise FamilyFileError(f"“{path}” must say its name, a short word as in name = “gaussian”.")
     for what, value in (("basis", basis), *([("breaks", breaks)] if breaks is not None else [])):
         if not callable(value):

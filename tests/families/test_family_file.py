@@ -98,12 +98,10 @@ def test_the_least_and_what_a_title_adds(write):
     (family,) = families_in(write(GAUSSIAN))
     assert (family.name, family.title, family.action_name) == ("my_gaussian", "Gaussian", "familyMyGaussian")
     assert family.tip == "Bells that are made cardinal"
-    assert (family.derivatives, family.can_close, family.is_local, family.interpolates) == (
-        0,
-        False,
-        False,
-        True,
-    )
+    assert family.derivatives == 0
+    assert family.interpolates
+    assert not family.curve_class.can_close
+    assert not family.curve_class.is_local
     points = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]])
     curve = family.make(points[:, None], [0.0, 0.4, 1.0])
     assert np.array_equal(curve.evaluate(curve.parameters), points)
@@ -114,7 +112,7 @@ def test_breaks_derivatives_and_closing(write):
     (family,) = families_in(write(HATS))
     assert family.title == "hats"
     assert family.tip == "Polylines"
-    assert family.can_close
+    assert family.curve_class.can_close
     curve = family.make(np.array([[[0.0, 0.0]], [[2.0, 4.0]], [[3.0, 0.0]]]), [0.0, 1.0, 2.0])
     assert curve.breaks.tolist() == [0.0, 1.0, 2.0]
     assert curve.evaluate(0.5, 1).tolist() == [2.0, 4.0]
@@ -146,7 +144,7 @@ def basis(t, parameters, shape, width):
 
 def test_settings_of_a_file_s_functions(write):
     (family,) = families_in(write(BELLS))
-    assert [each.name for each in family.settings] == ["width", "shape"]
+    assert [each.name for each in family.settings.all] == ["width", "shape"]
     points, parameters = np.array([[[0.0]], [[2.0]], [[1.0]], [[3.0]]]), np.arange(4.0)
     curves = [
         family.make(points, parameters, chosen)
@@ -191,7 +189,7 @@ def test_a_mistake_in_settings_is_told(write, before, after, said):
 
 def test_a_class_of_the_core_s_kind(write):
     (family,) = families_in(write(OWN_CLASS))
-    assert (family.name, family.derivatives, family.can_close) == ("stiff", 1, True)
+    assert (family.name, family.derivatives, family.curve_class.can_close) == ("stiff", 1, True)
 
 
 def test_a_curve_may_pass_its_points_by(write):

@@ -239,7 +239,7 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     editor.scrub(0.5)
     editor.trigger("splitCurve")
     assert f"{FAMILIES.named(own).subject} cannot be split" in editor.status
-    if not FAMILIES.named(own).can_close:
+    if not FAMILIES.named(own).curve_class.can_close:
         editor.trigger("closeCurve")
         assert f"{FAMILIES.named(own).a_curve} does not come back smoothly" in editor.status
     assert not editor.action("straightSegment").isEnabled()

@@ -199,7 +199,7 @@ def test_every_setting_of_every_family_has_a_field_with_a_tip(editor, name):
     family = FAMILIES.named(name)
     editor.session.commit(Document((make_curve(POINTS, family=family),)), "Begin")
     editor.show_dock("curveDock")
-    for setting in family.settings:
+    for setting in family.settings.all:
         words = "".join(word.capitalize() for word in setting.name.split("_"))
         field = widget(editor, QWidget, f"setting{words}")
         assert field.accessibleName() == setting.label

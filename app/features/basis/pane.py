@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
-from ...document.model import DERIVATIVES
+from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
@@ -123,7 +123,7 @@ class BasisPane(FollowsTheme, CentralPane):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
         drawing = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
         # Laying the header out costs more than drawing the curve: only when it says something else.
-        functions = view.source.family.functions
+        functions = view.source.family.curve_class.functions
         if (formulas, drawing, functions) != (self._formulas, self._drawing.text(), self._functions):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
             self._functions, self._linearised = functions, view.linearised

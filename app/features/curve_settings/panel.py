@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document import edits
-from ...document.model import DERIVATIVES, Derivative
+from ...document.derivatives import DERIVATIVES, Derivative
 from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label

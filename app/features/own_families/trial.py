@@ -64,7 +64,7 @@ def try_call(call: Call, report: Report) -> float:
         family=family,
         parametrization=Parametrization(ParametrizationKind.MANUAL),
         points=tuple(Point(t, 0.0, t) for t in call.parameters.tolist()),
-        settings=family.without_defaults(call.settings),
+        settings=family.settings.without_defaults(call.settings),
     )
     with tempfile.TemporaryDirectory() as folder:
         document = Path(folder) / "tried.curve.json"
