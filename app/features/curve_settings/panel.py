@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document import edits
-from ...document.derivatives import DERIVATIVES, Derivative
+from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
@@ -115,7 +115,10 @@ class CurveSettings(FieldForm):
             edit.show_number(value, 6)
         self.settings.render_view(self._view)
         for each, box in self.rule_boxes.items():
-            box.setCurrentIndex(list(each.rules).index(getattr(curve, each.rule_field)))
+            rule = getattr(curve, each.rule_field)
+            box.setCurrentIndex(list(each.rules).index(rule))
+            if (tip := f"{_rule_tip(each)}\n{rule.label}: {rule.tip}") != box.toolTip():
+                box.setToolTip(tip)
             self._form.setRowVisible(box, each.order <= curve.family.derivatives)
         self.reset_button.setVisible(bool(orders_set(self._view)))
         self._facts.setText(_facts(self._view))
@@ -142,9 +145,7 @@ class CurveSettings(FieldForm):
 
     def _set_rule(self, of: Derivative, place: int) -> None:
         rule = list(of.rules)[place]
-        self.edited.emit(
-            f"Choose {of.name} rule", lambda document, curve: edits.set_rule(document, curve, rule)
-        )
+        self.edited.emit(choice_of(of, rule), lambda document, curve: edits.set_rule(document, curve, rule))
 
     def _choose_setting(self, setting: FamilySetting, value: SettingValue) -> None:
         self.edited.emit(
@@ -198,10 +199,21 @@ def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
     return NumberEdit(name, label, tip)
 
 
+def choice_of(of: Derivative, rule: EstimateRule) -> str:
+    """Return the name of a step in the history: Choose velocity rule “Akima”."""
+    return f"Choose {of.name} rule “{rule.label}”"
+
+
+def _rule_tip(of: Derivative) -> str:
+    return f"{of.name.capitalize()} rule: how those that nobody set are estimated"
+
+
 def _rule_box(of: Derivative) -> QComboBox:
-    label = f"{of.name.capitalize()} rule"
-    tip = f"{label}: how those that nobody set are estimated"
-    box = choice_box(f"{of.name}Rule", label, tip, (each.label for each in of.rules))
+    label, tip = f"{of.name.capitalize()} rule", _rule_tip(of)
+    rules = list(of.rules)
+    box = choice_box(
+        f"{of.name}Rule", label, tip, (each.label for each in rules), (each.tip for each in rules)
+    )
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box
