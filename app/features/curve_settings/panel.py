@@ -21,7 +21,7 @@ from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import FieldEdit, NumberEdit
 from ...widgets.field_form import FieldForm
-from ...widgets.number_text import decimal_mark
+from ...widgets.number_text import decimal_mark, telling_digits
 from ...widgets.tool_buttons import ICON, tool_button
 from .setting_fields import SettingFields, step_of
 
@@ -112,7 +112,7 @@ class CurveSettings(FieldForm):
         curve = self._view.source
         self.name_edit.show_text(curve.name)
         for edit, value in zip((self.start_edit, self.end_edit), self._interval, strict=True):
-            edit.show_number(value, 6)
+            edit.show_number(value, _digits_of(self._interval))
         self.settings.render_view(self._view)
         for each, box in self.rule_boxes.items():
             rule = getattr(curve, each.rule_field)
@@ -173,10 +173,16 @@ def _facts(view: CurveView) -> str:
     facts = [count_of(len(curve.points), curve.family.point)]
     if view.is_current and view.curve is not None:
         facts += [*_kind_facts(view.curve), *_shape_facts(view)]
-        start, end = (number(t, 6, decimal_mark()) for t in view.curve.domain)
+        domain = view.curve.domain
+        start, end = (number(t, _digits_of(domain), decimal_mark()) for t in domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
+
+
+def _digits_of(interval: tuple[float, float]) -> int:
+    """Return how many digits tell both ends apart, six at least."""
+    return min(max(telling_digits(np.array(interval)), 6), 15)
 
 
 def _kind_facts(curve: ParametricCurve) -> list[str]:
