@@ -128,7 +128,7 @@ def test_info_says_where_derivatives_are_differences(own, digits, tmp_path, caps
     family = FAMILIES.named(f"tests_{own}")
     save(path, Document((make_curve([(0, 0), (1, 2), (2, 1), (3, 0)], family=family),)))
     assert main(["info", str(path), "--families", str(file)]) == 0
-    row = "  derivatives      differences, some 9 digits of c′, 8 digits of c″ and 6 digits of c‴\n"
+    row = "  derivatives      differences, c′, c″, c‴ to some 9, 8, 6 digits\n"
     assert (row in capsys.readouterr().out) == (digits is not None)
     assert main(["info", "--json", str(path), "--families", str(file)]) == 0
     assert json.loads(capsys.readouterr().out)["curves"][0]["difference_digits"] == digits

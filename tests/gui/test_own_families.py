@@ -26,7 +26,7 @@ from curvecore import LagrangeCurve
 WAIT_MS = 30_000
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
 NAME = "my_lagrange"
-DIFFERENCES = "Derivatives are differences: some 9 digits of c′, 8 digits of c″ and 6 digits of c‴."
+DIFFERENCES = "Derivatives are differences: c′, c″, c‴ to some 9, 8, 6 digits."
 
 
 @pytest.fixture(autouse=True)
