@@ -22,6 +22,7 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.families.setting import SettingValue
 
+from .family import OverdueCallError
 from .time_limit import OverdueError, stopped_after
 
 CALL_SECONDS = 5.0
@@ -36,10 +37,6 @@ Function = Callable[..., npt.ArrayLike]
 
 Kind = tuple[int, frozenset[tuple[str, SettingValue]]]
 """The number of points, and values of settings."""
-
-
-class OverdueCallError(CurveError):
-    """A curve is refused because functions of a file took too long for its number of points."""
 
 
 class Call(msgspec.Struct, frozen=True, eq=False):
@@ -81,11 +78,19 @@ class Patience:
         self.seconds = CALL_SECONDS
         self.overdue: Callable[[Call], object] | None = None
 
+    def of_a_window(self, seconds: float, overdue: Callable[[Call], object]) -> None:
+        """Have so many seconds, and another process for what takes longer."""
+        self.seconds, self.overdue = seconds, overdue
+
+    def of_no_window(self) -> None:
+        """Have the time of a process without windows."""
+        self.seconds, self.overdue = CALL_SECONDS, None
+
     @contextmanager
     def as_at_the_start(self) -> Iterator[None]:
         """Have the time of a process without windows for a while, for what has ended in such a one."""
         before = self.seconds, self.overdue
-        self.seconds, self.overdue = CALL_SECONDS, None
+        self.of_no_window()
         try:
             yield
         finally:

@@ -12,7 +12,7 @@ from curvecore import CardinalBasis, Chain, CurveError, ParametricCurve, paramet
 from curvecore.arrays import FloatArray, parameter_array
 
 from ..document.model import Curve, ParametrizationKind, Vector
-from ..families.file_calls import OverdueCallError
+from ..families.family import OverdueCallError
 from .cardinals import Cardinal, Cardinals
 from .flattener import Box, Flattener, FlatteningKey, Polyline
 from .jets import Sides, corner_knots, sides_of

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 from shiboken6 import isValid
 
 from ...families import FAMILIES, Family
-from ...families.file_calls import PATIENCE, Call
 from ...tasks.single_task import SingleTask
 from ...workbench.disk_watch import DiskWatch
 from .. import own_families
+
+if TYPE_CHECKING:
+    from ...families.file_calls import Call
 
 _RECHECK_MS = 100
 _SHOWN_AFTER_MS = 1000
@@ -71,7 +74,6 @@ class FamilyFiles(QObject):
         for path in FAMILIES.files:
             self._follow(path)
             self._seen[path] = _content(path)
-        PATIENCE.seconds, PATIENCE.overdue = 1e-3 * _CALL_MS, self._begin
 
     def use(self, path: Path) -> None:
         """Run a file, have its families, and watch it from now on."""
@@ -95,6 +97,8 @@ class FamilyFiles(QObject):
         for watch in self._watches.values():
             watch.watch(None)
             watch.deleteLater()
+        if self._watches:
+            own_families.trial.PATIENCE.of_no_window()
         self._watches.clear()
         self._seen.clear()
         self.problems.clear()
@@ -105,6 +109,7 @@ class FamilyFiles(QObject):
 
     def _follow(self, path: Path) -> None:
         if path not in self._watches:
+            own_families.trial.PATIENCE.of_a_window(1e-3 * _CALL_MS, self._begin)
             watch = self._watches[path] = DiskWatch(self)
             watch.triggered.connect(partial(self._look, path))
             watch.watch(path)

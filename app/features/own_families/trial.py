@@ -17,7 +17,7 @@ from ... import __version__
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from ...families import FAMILIES
 from ...families.family_file import FamilyFileError, use_file
-from ...families.file_calls import Call
+from ...families.file_calls import PATIENCE, Call
 from ...storage.format import encode
 from ...tasks.progress import Report
 
@@ -33,7 +33,7 @@ _START = (
     f"from {__name__.partition('.')[0]}.cli import main; sys.exit(main(sys.argv[2:end]))"
 )
 
-__all__ = ["SECONDS", "FamilyFileError", "try_call", "try_out", "use_file"]
+__all__ = ["PATIENCE", "SECONDS", "FamilyFileError", "try_call", "try_out", "use_file"]
 
 
 def try_out(path: Path, report: Report) -> None:
