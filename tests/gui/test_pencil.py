@@ -98,11 +98,20 @@ def test_every_family_can_be_drawn(editor, family):
     assert farthest(editor, line) <= 2.2
 
 
-def test_a_zigzag_that_a_polynomial_would_follow_for_half_a_minute_comes_out_in_local_pieces(editor):
+def test_a_zigzag_of_few_teeth_that_took_a_polynomial_half_a_minute_is_drawn(editor):
     editor.new()
     editor.choose_family(FAMILIES.named("bezier"))
     editor.trigger("pencilTool")
     line = draw(editor, [(100 + 4 * i, 160 + abs(10 * i % 160 - 80)) for i in range(100)])
+    assert editor.session.active_curve.family is FAMILIES.named("bezier")
+    assert farthest(editor, line) <= 2.2
+
+
+def test_a_zigzag_that_a_polynomial_would_follow_for_long_comes_out_in_local_pieces(editor):
+    editor.new()
+    editor.choose_family(FAMILIES.named("bezier"))
+    editor.trigger("pencilTool")
+    line = draw(editor, [(100 + i, 160 + abs(10 * i % 120 - 60)) for i in range(600)])
     assert editor.session.active_curve.family.is_local
     assert farthest(editor, line) <= 2.2
     assert "It is a Hermite curve: a Bézier curve so near takes too long to find." in editor.status

@@ -178,7 +178,8 @@ class FitCommands(QObject):
         assert self._asked is not None
         view, wish = self._asked
         text = f"{count_of(len(view.source.points), 'point')} become {found.words}"
-        if wish.tolerance is not None and found.deviation > wish.tolerance:
+        is_short = wish.tolerance is not None and found.deviation > wish.tolerance
+        if is_short and not found.is_scattered:
             text += f" No {wish.family.title} curve was found nearer."
         return text
 

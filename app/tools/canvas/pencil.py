@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import count
+from time import thread_time
 
 from msgspec.structs import replace
 
@@ -26,8 +26,8 @@ _CLOSING = 12.0
 _LEAST_ROUND = 5.0
 """Times that length, from which on a line can return."""
 
-_ROUNDS = 60
-"""Rounds of a fit that a hand waits for. Smooth lines take fewer; a zigzag took a Bézier curve a thousand."""
+_PATIENCE_S = 0.8
+"""Seconds of computing that a hand waits for. Smooth lines take a tenth; 50 teeth take a Bézier curve two."""
 
 _HINT = "Drag to draw freehand; the curve gets few points"
 
@@ -105,10 +105,10 @@ def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float) -> Fitted:
     """Return the curve near a line; where the family takes long, as one of local pieces, which never do."""
-    rounds = count()
+    began = thread_time()
 
     def wait(_share: float, _word: str) -> None:
-        if next(rounds) == _ROUNDS and not model.family.is_local:
+        if thread_time() - began > _PATIENCE_S and not model.family.is_local:
             raise Cancelled
 
     try:
