@@ -19,7 +19,7 @@ from curvecore.arrays import FloatArray, IntArray
 _ROUNDING = 1e-11
 """Singular values below this share of the largest are those of what the data do not tell."""
 
-_AT_ONCE = 8
+_AT_ONCE = 3
 """Rows for each column that are reduced at once."""
 
 _NEGLIGIBLE = 1e-6
@@ -53,11 +53,11 @@ class Block(NamedTuple):
 def reduced(rows: FloatArray) -> FloatArray:
     """Return no more rows than columns, [R | Q^T b] of rows [A | b]: the same sums of squares.
 
-    Some rows at a time: they then stay near the processor.
+    Some rows at a time: they stay near the processor, and NumPy's QR keeps the interpreter to itself.
     """
     width = rows.shape[1]
-    while len(rows) > _AT_ONCE * width:
-        parts = np.array_split(rows, len(rows) // (_AT_ONCE // 2 * width))
+    while len(rows) > 2 * _AT_ONCE * width:
+        parts = np.array_split(rows, len(rows) // (_AT_ONCE * width))
         rows = np.concatenate([np.linalg.qr(part, mode="r") for part in parts])
     if len(rows) <= width:
         return rows
@@ -105,6 +105,10 @@ def _least_squares(blocks: list[Block], count: int) -> FloatArray:
     small as a segment, so that the whole is linear in their number.
     """
     dim = blocks[0].values.shape[1] - len(blocks[0].columns)
+    if len(blocks) == 1:
+        found = np.zeros((count, dim))
+        found[blocks[0].columns] = _any(blocks[0].values[:, :-dim], blocks[0].values[:, -dim:])
+        return found
     last_in = np.zeros(count, dtype=np.intp)
     for index, block in enumerate(blocks):
         last_in[block.columns] = index
@@ -132,6 +136,11 @@ def _triangular(matrix: FloatArray, right: FloatArray) -> FloatArray:
     diagonal = np.abs(np.diagonal(matrix))
     if matrix.shape[0] == matrix.shape[1] and diagonal.min(initial=1.0) > 1e-6 * diagonal.max(initial=0.0):
         return np.asarray(np.linalg.solve(matrix, right))
+    return _any(matrix, right)
+
+
+def _any(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """Return x of least |A x - b|; what it does not tell is as small as can be."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise np.linalg.LinAlgError
     return np.asarray(np.linalg.lstsq(matrix, right, rcond=_ROUNDING)[0])

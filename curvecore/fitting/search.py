@@ -15,6 +15,15 @@ _EXACT = 16
 _GROWTH = 1.25
 """Times as many points as before that are tried next, at least."""
 
+_RESOLVED = 0.1
+"""Share of the first deviation below which it falls with every point, unless nothing more can be had."""
+
+_WORTH = 0.5
+"""Share of the deviation that twice as many points leave, at most, where they are worth it."""
+
+_AS_GOOD = 1.25
+"""Times the least deviation that is as good where none is within the tolerance."""
+
 _MORE = (1.4, 2.0)
 """Times as many points that are tried where the data scatter: beyond, the curve follows each of them."""
 
@@ -52,25 +61,36 @@ def fewest(fitter: Fitter, start: tuple[int, Attempt] | None = None, *, persists
 def _grown(fitter: Fitter, start: tuple[int, Attempt] | None) -> tuple[int, int, Attempt]:
     """Take more and more points until more do not help; return numbers that are too few and enough."""
     count, guide = start or (min(fitter.least, fitter.most), None)
-    low, high, best, began = count - 1, count, None, 0.0
+    low, tried = count - 1, dict[int, Attempt]()
     while True:
         try:
             found = fitter.attempt(count, guide)
         except CurveError:
-            if best is None:
+            if not tried:
                 raise
-            return low, high, best
-        deviation = found.fit.deviation
-        if best is None or deviation <= best.fit.deviation or found.fit.is_scattered:
-            best, guide, high = found, found, count
-        began = began or deviation
-        fitter.told.nears(began, best.fit.deviation, fitter.tolerance)
-        if deviation <= fitter.tolerance or found.fit.is_scattered or count >= fitter.most:
-            return low, high, best
-        low = count
+            break
+        tried[count] = found
+        began, best = next(iter(tried.values())), min(tried.values(), key=_deviation)
+        fitter.told.nears(_deviation(began), _deviation(best), fitter.tolerance)
+        if _deviation(found) <= fitter.tolerance or found.fit.is_scattered:
+            return low, count, found
+        before = [each for number, each in tried.items() if 2 * number <= count]
+        known = min(map(_deviation, before), default=inf)
+        is_vain = _deviation(best) > max(_WORTH * known, NEAR * fitter.tolerance)
+        is_vain = is_vain and known < _RESOLVED * _deviation(began)
+        if count >= fitter.most or is_vain:
+            break
+        low, guide = count, best
         needed = float(((found.errors / fitter.tolerance) ** fitter.power).sum())
         least = max(count + 1, int(_GROWTH * count))
         count = min(max(ceil(needed) if needed < inf else 2 * count, least), 2 * count, fitter.most)
+    limit = _AS_GOOD * min(map(_deviation, tried.values()))
+    count = min(number for number, each in tried.items() if _deviation(each) <= limit)
+    return low, count, tried[count]
+
+
+def _deviation(attempt: Attempt) -> float:
+    return attempt.fit.deviation
 
 
 def _bisected(
