@@ -18,7 +18,7 @@ from curvecore import (
 )
 from curvecore.fitting.joints import sharp_turns
 
-CLASSES = [pytest.param(family._curve_class, id=family.name) for family in FAMILIES]
+CLASSES = [pytest.param(family.curve_class, id=family.name) for family in FAMILIES]
 LOCAL = [each for each in CLASSES if each.values[0].is_local]
 NUMBERS = np.random.default_rng(12)
 
