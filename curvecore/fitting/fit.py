@@ -24,6 +24,9 @@ from curvecore.fitting.least_squares import least_squares_curve
 from curvecore.fitting.records import Data, Fit
 from curvecore.fitting.search import fewest
 
+_SEARCH = 0.3
+"""Share of the work that a search among some of the data takes."""
+
 _DENSE, _ABOVE_ERRORS = 5.0, 20.0
 """Data within the reach of a corner that tell of their errors; how far that is above these, at least."""
 
@@ -131,7 +134,9 @@ def fit(
     few, their_corners = data.thinned(corners)
     if len(few.points) == len(data.points):
         return data.told(fewest(everything).fit)
+    told.goes(0.0, _SEARCH)
     found = fewest(fitter(few, corners=their_corners), persists=False)
+    told.goes(_SEARCH, 1.0)
     return data.told(fewest(everything, (len(found.joints) - closed, found)).fit)
 
 

@@ -139,6 +139,11 @@ class Told:
 
     def __init__(self, progress: Callable[[float], object]) -> None:
         self._progress, self._share = progress, 0.0
+        self._start, self._end = 0.0, 1.0
+
+    def goes(self, start: float, end: float) -> None:
+        """Count the shares from now on as those of a part of the work."""
+        self._start, self._end = start, end
 
     def again(self) -> None:
         """Tell the same once more: whoever hears it may end the work."""
@@ -146,7 +151,7 @@ class Told:
 
     def reaches(self, share: float) -> None:
         """Tell a share between 0 and 1."""
-        self._share = max(self._share, share)
+        self._share = max(self._share, self._start + (self._end - self._start) * share)
 
     def nears(self, began: float, now: float, tolerance: float) -> None:
         """Tell half the work as the logarithm of the deviation falls to that of the tolerance."""

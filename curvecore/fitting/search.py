@@ -45,7 +45,8 @@ def fewest(fitter: Fitter, start: tuple[int, Attempt] | None = None, *, persists
     """
     low, high, found = _grown(fitter, start)
     if found.fit.is_scattered and persists and found.fit.deviation <= NEAR * fitter.tolerance:
-        for times in _MORE:
+        for tries, times in enumerate(_MORE):
+            fitter.told.reaches(0.5 + 0.2 * tries)
             count = min(ceil(times * high), fitter.most)
             more = fitter.attempt(count, found)
             if more.fit.deviation <= fitter.tolerance:
