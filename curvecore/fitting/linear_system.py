@@ -19,8 +19,8 @@ from curvecore.arrays import FloatArray, IntArray
 _ROUNDING = 1e-11
 """Singular values below this share of the largest are those of what the data do not tell."""
 
-_AT_ONCE = 3
-"""Rows for each column that are reduced at once."""
+_AT_ONCE, _LEAST = 3, 500
+"""Rows for each column that are reduced at once, and rows in any case."""
 
 _NEGLIGIBLE = 1e-6
 """Determinant of the ends below which a family's curves cannot be made to end where the data do."""
@@ -56,8 +56,9 @@ def reduced(rows: FloatArray) -> FloatArray:
     Some rows at a time: they stay near the processor, and NumPy's QR keeps the interpreter to itself.
     """
     width = rows.shape[1]
-    while len(rows) > 2 * _AT_ONCE * width:
-        parts = np.array_split(rows, len(rows) // (_AT_ONCE * width))
+    some = max(_AT_ONCE * width, _LEAST)
+    while len(rows) > 2 * some:
+        parts = np.array_split(rows, len(rows) // some)
         rows = np.concatenate([np.linalg.qr(part, mode="r") for part in parts])
     if len(rows) <= width:
         return rows
