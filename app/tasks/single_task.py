@@ -49,6 +49,11 @@ class SingleTask(TaskOwner):
         """Whether something is being done."""
         return self._task is not None
 
+    @property
+    def is_long(self) -> bool:
+        """Whether what is being done takes long enough to be shown."""
+        return self.is_busy and not self._patience.isActive()
+
     def start(
         self, title: str, work: Work, done: Callable[[Any], object], failed: Callable[[Exception], object]
     ) -> bool:
