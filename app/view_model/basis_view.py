@@ -203,11 +203,13 @@ def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
 def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView | None:
     """Sample all basis functions of a curve over its domain; None where there is no curve.
 
-    `previous` lends the functions from before a parameter moved, where there are many.
+    `previous` lends the functions from before a parameter moved: those that do not depend on it, or are many.
     """
     curve = view.basis_curve
     if curve is None or not view.is_current:
         return None
+    if previous is not None and _are_idle_moves(curve, previous.curve):
+        return msgspec.structs.replace(previous, curve=curve)
     scales = basis_scales(curve)
     count = len(view.source.points)
     owners = tuple(knot % count for knot in range(len(curve.parameters)))
@@ -217,6 +219,17 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
         t = _samples_over(curve)
         return BasisView(curve, owners, t, curve.basis(t), None, scales)
     return _many_functions(curve, owners, scales, previous)
+
+
+def _are_idle_moves(curve: ParametricCurve, before: ParametricCurve) -> bool:
+    """Whether two curves have the same functions: only parameters that do nothing are other ones."""
+    acts = ~curve.idle_parameters
+    return (
+        not acts.all()
+        and curve.functions_key == before.functions_key
+        and np.array_equal(acts, ~before.idle_parameters)
+        and np.array_equal(curve.parameters[acts], before.parameters[acts])
+    )
 
 
 def _many_functions(

@@ -94,6 +94,7 @@ class CrestNames:
     def __init__(self, plot: PlotWidget, again: Callable[[], None]) -> None:
         self._pictures: dict[int, QPixmap] = {}
         self._made_of: tuple[object, ...] = ()
+        self._measured: tuple[object, ...] = ()
         self._cell = QSizeF()
         self._written = np.empty((0, 2))
         self._crests_of: tuple[BasisView, list[int]] | None = None
@@ -128,7 +129,7 @@ class CrestNames:
 
     def _write(self, painter: QPainter, owners: list[int], count: int, theme: Theme, scale: float) -> None:
         """Write the numbers of points of `count` where they were found to have room."""
-        made_of = (painter.font().key(), count, theme, scale, painter.device().devicePixelRatioF())
+        made_of = (self._measured, count, theme, painter.device().devicePixelRatioF())
         if made_of != self._made_of:
             self._made_of = made_of
             self._pictures.clear()
@@ -190,10 +191,13 @@ class CrestNames:
 
     def _measure(self, painter: QPainter, scale: float) -> None:
         """Find out how much room a number takes, with its halo of paper."""
-        metrics, rim = QFontMetricsF(painter.font()), _RIM * scale
-        # Even numbers of pixels: their middles are whole, and letters are sharp.
-        width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
-        self._cell = QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
+        measured = (painter.font().key(), scale)
+        if measured != self._measured:
+            self._measured = measured
+            metrics, rim = QFontMetricsF(painter.font()), _RIM * scale
+            # Even numbers of pixels: their middles are whole, and letters are sharp.
+            width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
+            self._cell = QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
 
 
 class Lines:

@@ -24,8 +24,8 @@ _MOST_CHORDS = 256
 _OFF = 0.25
 """Pixels that the chords of a segment may leave its functions."""
 
-_THINNED, _THINNINGS = 0.05, 3
-"""Pixels that a wide line may leave its samples, and times that every other is left out: it costs by them."""
+_THINNED = 0.05
+"""Pixels that a wide line may leave the samples: it costs by the vertex."""
 
 
 class FunctionDrawing(Enum):
@@ -106,7 +106,7 @@ class FunctionLines:
 
     def are_of(self, basis: BasisView, shown: PixelMap) -> bool:
         """Tell whether these are the lines of `basis` as `shown`."""
-        return self._basis is basis and self._shown is shown
+        return self._basis.values is basis.values and self._shown is shown
 
     def _all_stretches(self) -> list[list[FloatArray]]:
         """Return the vertices (R, m, 2) of each function: on each side of its knot, or all at once."""
@@ -169,9 +169,7 @@ class FunctionLines:
         if len(self._strokes) > _MOST_EACH:
             self._strokes.clear()
         stroke = self._strokes.setdefault((index, kind), Stroke())
-        points = np.concatenate(self._pieces(index, kind))
-        for _ in range(_THINNINGS):
-            points = thinned(points, _THINNED / _THINNINGS)
+        points = thinned(np.concatenate(self._pieces(index, kind)), _THINNED)
         stroke.fill(points, self._shown.width, self._shown.height)
         return stroke
 
