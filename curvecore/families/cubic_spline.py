@@ -127,6 +127,10 @@ class CubicSplineCurve(ParametricCurve):
         curve._solve()
         return curve
 
+    def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
+        """Evaluate by the points and velocities what is as accurate by these."""
+        return self._pieces._evaluate_at_once(t, order) if type(order) is int and order < 2 else None
+
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         if order < 2 and bool((self._outside(t) == 0).all()):
             return self._pieces._evaluate(t, order)
@@ -161,10 +165,11 @@ class CubicSplineCurve(ParametricCurve):
 
     def _inside(self, t: FloatArray, order: int, data: _Data) -> FloatArray:
         """Return sums by points and velocities, or by the second derivatives, of which c'' is linear."""
-        segment, hermite = self._pieces.local_basis(t, order)
         if order < 2:
+            segment, hermite = self._pieces.local_basis(t, order)
             given, factors = data.velocities, hermite[:, :, 1]
         else:
+            segment = np.searchsorted(self._parameters[1:-1], t, side="right")
             start, end = self._parameters[segment], self._parameters[segment + 1]
             h = end - start
             linear = {2: ((end - t) / h, (t - start) / h), 3: (-1.0 / h, 1.0 / h)}
