@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray32
+from curvecore.arrays import BoolArray, FloatArray, IntArray32
 
 _SPLITTER = 134217729.0  # 2**27 + 1
 
@@ -32,6 +32,19 @@ class DoubleDouble(NamedTuple):
 def difference(a: FloatArray, b: FloatArray) -> DoubleDouble:
     """Return a - b without any error."""
     return _two_sum(a, -b)
+
+
+def halved_difference(a: FloatArray, b: FloatArray) -> tuple[DoubleDouble, IntArray32]:
+    """Return a_k - b_i, (n, m), and for each column 1 where they are halved, else 0.
+
+    They are where one exceeds the largest number; a difference of that size loses nothing that counts.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        exact = difference(a, b[:, None])
+    halved: BoolArray = np.isinf(exact.high).any(axis=0)
+    if halved.any():
+        exact.high[:, halved], exact.low[:, halved] = difference(0.5 * a[halved], 0.5 * b[:, None])
+    return exact, halved.astype(np.intc)
 
 
 def add(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:

@@ -45,7 +45,7 @@ from curvecore.families.product_kernels import (
     weight_blocks,
 )
 from curvecore.families.product_series import leave_one_out
-from curvecore.scaling import LARGEST, Scaled, normalise, scale_by_power
+from curvecore.scaling import LARGEST, Scaled, normalise, scale_by_power, scaled_differences
 
 _CHUNK = 1 << 17  # entries of one working array: a megabyte, for slices worth their dozens of calls
 _MOST_BITS = 500.0  # of the least distance, up to which differences need no exponents of their own
@@ -298,24 +298,11 @@ def _differences_and_product(
     t: FloatArray, parameters: FloatArray, shift: int, hits: Hits
 ) -> tuple[Scaled, Scaled]:
     """Return (t - t_i) * 2**shift, (n, m), with 1 in place of 0, and the products of the columns."""
-    difference = _scaled_differences(t, parameters, shift)
+    difference = scaled_differences(t, parameters, shift)
     difference.mantissa[hits.rows, hits.columns] = 0.5
     difference.exponent[hits.rows, hits.columns] = 1
     total = column_product(difference.mantissa, block_of(1.0))
     return difference, Scaled(total.mantissa, total.exponent + difference.exponent.sum(axis=0))
-
-
-def _scaled_differences(t: FloatArray, parameters: FloatArray, shift: int) -> Scaled:
-    """Return (t - t_i) * 2**shift, shape (n, m)."""
-    difference = t - parameters[:, None]
-    mantissa, size = np.frexp(difference)
-    exponent = size.astype(np.int64) + shift
-    overflow = np.isinf(difference)
-    if overflow.any():
-        halved, size = np.frexp(0.5 * t - 0.5 * parameters[:, None])
-        mantissa = np.where(overflow, halved, mantissa)
-        exponent = np.where(overflow, size.astype(np.int64) + (shift + 1), exponent)
-    return Scaled(mantissa, exponent)
 
 
 def _reach(x: FloatArray, scaled: FloatArray) -> float:
