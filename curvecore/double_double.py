@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import BoolArray, FloatArray, IntArray32
+from curvecore.arrays import FloatArray, IntArray32
 
 _SPLITTER = 134217729.0  # 2**27 + 1
 
@@ -41,7 +41,7 @@ def halved_difference(a: FloatArray, b: FloatArray) -> tuple[DoubleDouble, IntAr
     """
     with np.errstate(over="ignore", invalid="ignore"):
         exact = difference(a, b[:, None])
-    halved: BoolArray = np.isinf(exact.high).any(axis=0)
+    halved = np.asarray(np.isinf(exact.high).any(axis=0))
     if halved.any():
         exact.high[:, halved], exact.low[:, halved] = difference(0.5 * a[halved], 0.5 * b[:, None])
     return exact, halved.astype(np.intc)

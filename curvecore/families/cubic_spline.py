@@ -8,13 +8,13 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, read_only
+from curvecore.arrays import FloatArray, IntArray, parameter_row, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite import HermiteCurve
 from curvecore.families.records import Interpolant, JointDerivatives, Slopes
 from curvecore.families.setting import FamilySetting, SettingValue
-from curvecore.families.spline_system import SplineEnds, spline_derivatives
+from curvecore.families.spline_system import SplineEnds, spline_derivatives, velocity_moves
 from curvecore.scaling import made_finite
 from curvecore.vectors import vector_lengths
 
@@ -221,6 +221,17 @@ class CubicSplineCurve(ParametricCurve):
         values[:, 2] = self._second[1:] if before else self._second[:-1]
         scale[:, 2] = vector_lengths(values[:, 2])
         return JointDerivatives(values, scale)
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i, shape (m, n, dim): at fixed velocities, and by what these change."""
+        at = parameter_row(t)
+        result = self._pieces.parameter_derivatives(at)
+        segment, functions = self._pieces.local_basis(at)
+        moves = velocity_moves(self.points, np.diff(self._parameters), self.ends)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            for side in (0, 1):
+                result += functions[:, side, 1, None, None] * moves[segment + side]
+        return made_finite(result)
 
     # The system
 
