@@ -251,9 +251,20 @@ def test_self_intersections_of_a_cubic(compare, loop):
     assert targets.at_most("self-intersections of a cubic, over bezier's time", ratio, 3, "times")
 
 
-def test_nearest_point_of_a_cubic(compare, loop):
-    """The package has no nearest point; `locate`, compiled code of 4 us, is for points of the curve alone."""
+@pytest.mark.parametrize("distance", [0.0, 0.1])
+def test_nearest_point_of_a_cubic(compare, loop, distance):
+    """On the curve and beside it; the package has no nearest point."""
+    curve, peer = loop
+    point = curve.evaluate(0.3) + distance
+    ratio = 1.0 / compare(lambda: nearest(curve, point, 1e-9), peer.self_intersections, 51)
+    what = f"nearest point of a cubic, {distance:g} away, over bezier's self-intersections"
+    assert targets.at_most(what, ratio, 0.1, "times")
+
+
+def test_nearest_point_over_locate(compare, loop):
+    """What `locate`, compiled code of 4 us, does for points of the curve alone."""
     curve, peer = loop
     point = curve.evaluate(0.3)
-    ratio = 1.0 / compare(lambda: nearest(curve, point, 1e-9), peer.self_intersections, 51)
-    assert targets.at_most("nearest point of a cubic, over bezier's self-intersections", ratio, 1, "times")
+    place = np.asfortranarray(point[:, None])
+    ratio = 1.0 / compare(lambda: nearest(curve, point, 1e-9), lambda: peer.locate(place), 51)
+    assert targets.at_most("nearest point of a cubic, on it, over bezier's locate", ratio, 20, "times")
