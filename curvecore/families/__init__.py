@@ -20,7 +20,7 @@
 - ``taylor_pieces``: Hermite segments expanded about the places where one of their
   functions vanishes: fast and accurate derivatives, and values of cubics.
 - ``product_form``, ``product_series``: the Lagrange basis as products, accurate for any parameters; its
-  derivatives, as products of power series.  ``product_kernels``: values and first derivatives, faster.
+  derivatives, as products of power series.  ``product_kernels``: values and derivatives up to the third, faster.
   ``differentiation_matrix``: derivatives by a short cut.
 - ``spline_system``: the derivatives of cubic splines at their joints, under conditions at the ends.
 - ``setting``: what may be chosen about the functions of a family beside the parameters.
