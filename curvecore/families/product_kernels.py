@@ -1,9 +1,9 @@
 """Products over many parameters whose factors need no exponents of their own, and their derivatives.
 
-Where the distances of t to all t_j fit in doubles, L_i and its derivatives up to the third are a number for all
-i, a product, times a weight of i alone, times an entry of a matrix, the kernel. With t_k the parameter nearest
-to t, l_k the product of t - t_j over the others, r_j = 1 / (t - t_j), and e_m the sum of all products of m
-different r_j without r_k,
+Where the distances of t to all t_j fit in doubles, L_i and its derivatives up to the third are a number for
+all i, a product, times a weight of i alone, times an entry of a matrix, the kernel. With t_k the parameter
+nearest to t, l_k the product of t - t_j over the others, r_j = 1 / (t - t_j), and e_m the sum of all products
+of m different r_j without r_k,
 
     L_i(t) = l(t) w_i r_i                                                        l(t) = prod (t - t_j)
     L_i^(m)(t) = m! l_k(t) w_i r_i (A_m - r_i (A_(m-1) - r_i (... A_0)))         for i != k
