@@ -67,6 +67,10 @@ class CurveFacts:
         How many points it may turn sharply at.
     degree
         Of the polynomial, or of each piece.
+    kind
+        Words for its functions where they are no polynomials; empty where that is not known.
+    difference_digits
+        Digits of the first derivatives where these are differences of values; empty where they are not.
     pieces
         How many pieces it has; 0 without a curve.
     domain
@@ -87,6 +91,8 @@ class CurveFacts:
     parametrization: Parametrization
     points: int
     degree: int | None = None
+    kind: str = ""
+    difference_digits: tuple[int, ...] = ()
     pieces: int = 0
     domain: tuple[float, float] | None = None
     length: Length | None = None
@@ -175,6 +181,8 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
     return replace(
         _facts_of_points(curve),
         degree=core.degree,
+        kind=core.kind,
+        difference_digits=core.pieces[0].difference_digits,
         pieces=len(core.breaks) - 1,
         domain=core.domain,
         length=length if length is not None and length.value < np.finfo(float).max else None,
