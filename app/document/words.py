@@ -38,9 +38,9 @@ def number(value: float, digits: int = 4, mark: str = ".") -> str:
     return polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
 
 
-def with_decimals(value: float, decimals: int, mark: str = ".") -> str:
+def with_decimals(value: float, decimals: int) -> str:
     """Return a number with so many decimals and a true minus sign."""
-    return polished(f"{value:.{decimals}f}", mark) if math.isfinite(value) else NOTHING
+    return polished(f"{value:.{decimals}f}") if math.isfinite(value) else NOTHING
 
 
 def polished(text: str, mark: str = ".") -> str:
