@@ -9,25 +9,17 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QSlider, QToolButton
 
 from app.document import edits
-from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.features.point_table.commands import PointTableCommands
 from app.features.reference_image.commands import ImageCommands
 
 LEFT = Qt.MouseButton.LeftButton
-WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 
 
 @pytest.fixture
-def pair(editor):
+def pair(waves):
     """Two Hermite waves; B, the upper one, is active."""
-    curves = tuple(
-        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=HERMITE)
-        for level, name in enumerate("AB")
-    )
-    editor.session.commit(Document(curves), "Begin", active=1)
-    editor.fit()
-    return editor
+    return waves("AB")
 
 
 def insert(editor):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFormLayout, QLayout, QWidget
 
 from ...families import FamilySetting, SettingValue
@@ -41,7 +41,7 @@ class NumberField:
         reach = f"({limits[0]} to {limits[1]}"
         self.edit = NumberEdit(name, label, f"{setting.tip} {reach}, Enter to set)".strip())
         self.edit.setFixedWidth(_FIELD_WIDTH)
-        slider = LiveSlider(Qt.Orientation.Horizontal)
+        slider = LiveSlider()
         tip = f"{setting.tip} {reach}; Escape cancels a drag)".strip()
         self.slider = named(slider, f"{name}Slider", f"{label}, slider", tip)
         self.slider.setRange(*limits)

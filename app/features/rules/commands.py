@@ -12,7 +12,7 @@ from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Pla
 from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
-from ...document.model import Curve, Document, ParametrizationKind
+from ...document.model import Document, ParametrizationKind
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
 from ...view_model.curve_view import CurveView
@@ -196,18 +196,13 @@ class RuleCommands:
 
     def _with_alpha(self, document: Document, position: int) -> Document:
         index, alpha = self._session.active_index, position / STEPS
-        if _alpha_of(document.curves[index]) == alpha:
+        if document.curves[index].parametrization.exponent == alpha:
             return document
         return edits.set_alpha(document, index, alpha)
 
 
 def _alpha_step(position: int) -> str:
     return f"Set α to {position / STEPS:.2f}"
-
-
-def _alpha_of(curve: Curve) -> float | None:
-    rule = curve.parametrization
-    return rule.alpha if rule.kind is ParametrizationKind.POWER else rule.kind.alpha
 
 
 COMMAND_SETS = (RuleCommands,)
