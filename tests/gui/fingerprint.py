@@ -31,7 +31,7 @@ PASSING = {
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
-    *("Cardinals._key", "FunctionLines._shown"),
+    *("Cardinals._key", "Cardinal.growth", "FunctionLines._shown"),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(
@@ -210,6 +210,9 @@ class Fingerprint:
             for within, each in record.others:
                 if id(each) not in self._seen:
                     self._walk(f"{place}{within}", each, _kind_of(each))
+        elif kind.type is tuple and not value:
+            # One object, wherever it stands.
+            self.told[f"{place}.count"] = 0
         elif id(value) not in self._seen:
             self._seen[id(value)] = value
             if kind.is_ours:
