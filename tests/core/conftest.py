@@ -118,6 +118,10 @@ def products(first, second):
         return [a * b for a, b in zip(first, second, strict=True)]
 
 
+# No double holds a result outside of these to full precision.
+_SMALLEST, _LARGEST = fmpq(1, 10**285), fmpq(10) ** 305
+
+
 def worst_constant(computed, terms):
     """|computed - sum of terms| in units of u times the sum of their sizes; None if out of range.
 
@@ -129,8 +133,8 @@ def worst_constant(computed, terms):
     with ctx.workprec(_BITS):
         enclosed = [arb(x) for x in terms]
         scale = sum((abs(x) for x in enclosed), arb(0))
-        if not arb(fmpq(1, 10**285)) < scale < arb(fmpq(10) ** 305):
-            return None  # no double holds the result to full precision
+        if not _SMALLEST < scale < _LARGEST:
+            return None
         ratio = abs(arb(rational(computed)) - sum(enclosed, arb(0))) / scale
         return float((ratio / UNIT_ROUNDOFF).abs_upper())
 
