@@ -93,6 +93,7 @@ def hermite_terms(t, parameters, width, order):
     segment = max((i for i in range(n - 1) if parameters[i] <= t), default=0)
     h = parameters[segment + 1] - parameters[segment]
     s = (t - parameters[segment]) / h
+    scales = [h**r / h**order for r in range(width)]
     values = []
     for end in CARDINAL[width]:
         row = []
@@ -100,8 +101,10 @@ def hermite_terms(t, parameters, width, order):
             coefficients = list(polynomial)
             for _ in range(order):
                 coefficients = [k * c for k, c in enumerate(coefficients)][1:]
-            value = sum((c * s**k for k, c in enumerate(coefficients)), fmpq(0))
-            row.append(value * h**r / h**order)
+            value = fmpq(0)
+            for c in reversed(coefficients):
+                value = value * s + c
+            row.append(value * scales[r])
         values.append(row)
     return segment, values
 
