@@ -65,7 +65,7 @@ def dense(document, count=6001):
 
 
 def to_line(points, line):
-    """How far points are from a polyline, at most: by the chords at its four nearest corners, never too little."""
+    """How far points are from a polyline, by the chords at its four nearest corners: never too little."""
     at = cKDTree(line).query(points, k=4)[1]
     beside = (np.maximum(at - 1, 0), np.minimum(at + 1, len(line) - 1))
     away = [segment_distance(points[:, None], line[at], line[corner]) for corner in beside]
