@@ -220,17 +220,16 @@ class Family:
         # Of methods of a class: the functions that they are.
         return getattr(own, "__func__", own) is not getattr(base, "__func__", base)
 
-    def same_shape_as(self, curve: ParametricCurve) -> ParametricCurve:
-        """Return `curve` as one of this family.
+    @property
+    def follows(self) -> bool:
+        """Whether its curves can come close to ones that do not consist of polynomials."""
+        return self._curve_class is not None and self._curve_class.follows
 
-        Raises
-        ------
-        CurveError
-            If it is none, or no way to it is known.
-        """
+    def check_shape(self, curve: ParametricCurve) -> None:
+        """Raise CurveError where `curve` is none of this family, as far as that is told without work."""
         if self._curve_class is None:
             raise CurveError(self.problem)
-        return self._curve_class.same_shape_as(curve)
+        self._curve_class.check_shape(curve)
 
     def near(self, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
         """Return a curve of this family within a tolerance of another one.

@@ -47,6 +47,7 @@ class ProgramCommands:
     def _commands(self) -> list[window.command_palette.Command]:
         """Return everything with a name: what the menus hold, then what only other places offer."""
         host, found = self._context.window, dict[QAction, str]()
+        self._context.actions.look()
         for entry in host.menuBar().actions():
             menu = _menu_of(entry)
             if menu is not None:
