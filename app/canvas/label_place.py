@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSizeF
+from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF
 
 from curvecore.arrays import FloatArray
 
@@ -79,7 +79,7 @@ def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: in
     return box
 
 
-def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF]) -> FloatArray:
+def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF | QRect]) -> FloatArray:
     """Return how many pixels of segments (k, 4) each of the boxes covers, (len(boxes),)."""
     low = np.array([(box.left(), box.top()) for box in boxes])[:, None]
     high = np.array([(box.right(), box.bottom()) for box in boxes])[:, None]

@@ -10,7 +10,7 @@ from ..line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, 
 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 
-_FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW)
+_FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW, "muted")
 _LONG, _MIDDLE, _DOT = (6.0, 2.7), (3.0, 2.7), (1.3, 2.7)
 _FAMILY_DASHES = (
     _LONG,
@@ -49,6 +49,11 @@ class Ghost(msgspec.Struct, frozen=True):
         """The words in the window: Chord length."""
         record = self.family if self.family is not None else self.kind
         return record.label if record is not None else ""
+
+    @property
+    def short(self) -> str:
+        """The same where room is short."""
+        return self.family.short if self.family is not None else self.title
 
     @property
     def action_name(self) -> str:

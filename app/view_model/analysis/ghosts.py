@@ -6,11 +6,14 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
 from curvecore.arrays import FloatArray
 
 from ...document import edits
 from ...document.model import Curve, Document
 from ..curve_view import Box, CurveView, view_of
+from ..measure import is_kept, largest_distance
 from ..sampling import all_along
 from .ghost import Ghost, all_ghosts
 from .scene import is_quick
@@ -23,6 +26,12 @@ def rules_text(curve: Curve) -> str:
 
 _SAMPLES, _PER_SEGMENT = 480, 2
 """Samples of a polynomial: enough for a glance, and at least so many a segment."""
+
+_COMPARED = 257
+"""Parameters at which two curves are compared: those of families that differ agree at few places."""
+
+_ROUNDING = 1e-12
+"""Share of the domain up to which parameters are the same."""
 
 _LONG = 200
 """Points of the longest curve that follows a drag where every point reaches everywhere."""
@@ -41,6 +50,9 @@ class GhostView:
     is_sketch
         Whether samples must do: flattening a polynomial whose parameters change takes milliseconds, and
         seconds for a long one.
+    twin
+        The family or rule of what lies in the same place, the curve itself or another ghost; None where
+        nothing does.
     """
 
     ghost: Ghost
@@ -48,6 +60,7 @@ class GhostView:
     is_real: bool
     waits: bool = False
     is_sketch: bool = False
+    twin: Ghost | None = None
 
     @property
     def is_drawn(self) -> bool:
@@ -78,7 +91,7 @@ def ghost_views(
     view: CurveView, ghosts: Collection[Ghost], previous: Mapping[Ghost, GhostView], *, in_drag: bool = False
 ) -> dict[Ghost, GhostView]:
     """Return the variants of a curve; those of the frame before lend what did not change."""
-    views = {}
+    views = dict[Ghost, GhostView]()
     for ghost in all_ghosts():
         if ghost in ghosts:
             variant = _variant(view.source, ghost)
@@ -91,8 +104,32 @@ def ghost_views(
             last = old.view if old is not None and not (old.is_real or old.waits) else None
             made = view_of(variant, last)
             is_sketch = not is_quick(made) or (in_drag and not variant.family.is_local)
-            views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch)
+            # Looked for when the drag is over.
+            kept = old.twin if old is not None else None
+            twin = kept if in_drag else _twin(ghost, made, view, views)
+            views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch, twin=twin)
     return views
+
+
+def _twin(ghost: Ghost, made: CurveView, view: CurveView, others: Mapping[Ghost, GhostView]) -> Ghost | None:
+    """Return the family or rule of what lies where a variant does: the curve, or one of the ghosts before."""
+    source, is_family = view.source, ghost.family is not None
+    own = Ghost(family=source.family) if is_family else Ghost(kind=source.parametrization.kind)
+    drawn = (each for each in others.values() if each.is_drawn)
+    alike = [each for each in drawn if (each.ghost.family is not None) is is_family]
+    candidates = [(own, view), *((each.ghost, each.view) for each in alike)]
+    return next((each for each, other in candidates if _coincide(made, other)), None)
+
+
+def _coincide(first: CurveView, second: CurveView) -> bool:
+    """Whether two current curves are at the same places for the same t, but for roundings."""
+    if not (first.is_current and second.is_current):
+        return False
+    t = first.parameters
+    if t.shape != second.parameters.shape or np.abs(t - second.parameters).max() > _ROUNDING * np.ptp(t):
+        return False
+    at = np.linspace(t[0], t[-1], _COMPARED)
+    return is_kept(largest_distance(first, at, second, at), (first.source,))
 
 
 def _variant(curve: Curve, ghost: Ghost) -> Curve:
