@@ -19,7 +19,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.line_styles import DASHED
-from ..view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of
+from ..view_model.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of
 
 _TRAIL_DOT = 3.0
 _FAR = 1e5
@@ -82,7 +82,7 @@ class MotionLayer(Layer):
             colour = curve_colour(colour_of(dot, arrow), self.theme)
             words = f"{dot.role.title} {arrow.text}".strip()
             self._paint_arrow(painter, shown, (x, y), shown.point(*arrow.tip), colour, words)
-        if dot.role is not Role.OWN:
+        if dot.role is not OWN:
             painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
             painter.setBrush(self._colour(dot.role))
             radius = dot.role.radius * self.scale

@@ -43,6 +43,7 @@ from app.view_model.growth import growth_of_points
 from app.view_model.hold import BendWith
 from app.view_model.motion import STATIONS, Course, Pace
 from app.view_model.motion_picture import jumps_in_words, rivals_of
+from app.view_model.motion_settings import timed_families
 from app.view_model.nearest import NearestPoint
 from app.view_model.reshape import reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
@@ -457,8 +458,11 @@ def test_the_rest_of_what_is_said_holds_for_it(name):
     document = Document((view.source,))
     cures = cures_of(document, 0, view, 2)
     assert all(np.isfinite(cure.overshoot) or cure.problem for cure in cures.cures)
-    rivals = rivals_of(view)
+    rivals = rivals_of(view, frozenset(timed_families()))
     assert rivals
+    assert (view.source.family in {each for role in rivals for each in role.families}) is (
+        view.source.family.interpolates
+    )
     assert jumps_in_words(rivals)
 
 

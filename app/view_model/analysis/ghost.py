@@ -6,11 +6,11 @@ import msgspec
 
 from ...document.model import ParametrizationKind
 from ...families import FAMILIES, Family
-from ..line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
+from ..line_styles import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 
-_FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW, "muted")
+_FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW, GREY)
 _LONG, _MIDDLE, _DOT = (6.0, 2.7), (3.0, 2.7), (1.3, 2.7)
 _FAMILY_DASHES = (
     _LONG,

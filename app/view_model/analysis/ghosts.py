@@ -6,14 +6,12 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
 from curvecore.arrays import FloatArray
 
 from ...document import edits
 from ...document.model import Curve, Document
 from ..curve_view import Box, CurveView, view_of
-from ..measure import is_kept, largest_distance
+from ..measure import coincide
 from ..sampling import all_along
 from .ghost import Ghost, all_ghosts
 from .scene import is_quick
@@ -26,12 +24,6 @@ def rules_text(curve: Curve) -> str:
 
 _SAMPLES, _PER_SEGMENT = 480, 2
 """Samples of a polynomial: enough for a glance, and at least so many a segment."""
-
-_COMPARED = 257
-"""Parameters at which two curves are compared: those of families that differ agree at few places."""
-
-_ROUNDING = 1e-12
-"""Share of the domain up to which parameters are the same."""
 
 _LONG = 200
 """Points of the longest curve that follows a drag where every point reaches everywhere."""
@@ -118,18 +110,7 @@ def _twin(ghost: Ghost, made: CurveView, view: CurveView, others: Mapping[Ghost,
     drawn = (each for each in others.values() if each.is_drawn)
     alike = [each for each in drawn if (each.ghost.family is not None) is is_family]
     candidates = [(own, view), *((each.ghost, each.view) for each in alike)]
-    return next((each for each, other in candidates if _coincide(made, other)), None)
-
-
-def _coincide(first: CurveView, second: CurveView) -> bool:
-    """Whether two current curves are at the same places for the same t, but for roundings."""
-    if not (first.is_current and second.is_current):
-        return False
-    t = first.parameters
-    if t.shape != second.parameters.shape or np.abs(t - second.parameters).max() > _ROUNDING * np.ptp(t):
-        return False
-    at = np.linspace(t[0], t[-1], _COMPARED)
-    return is_kept(largest_distance(first, at, second, at), (first.source,))
+    return next((each for each, other in candidates if coincide(made, other)), None)
 
 
 def _variant(curve: Curve, ghost: Ghost) -> Curve:
