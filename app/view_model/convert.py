@@ -7,8 +7,8 @@ import numpy as np
 
 from curvecore import CurveError, lagrange_to_bezier
 
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
-from ..document.model import DERIVATIVES
 from ..document.words import count_of, number
 from ..families import Family
 from .curve_view import CurveView, view_of
@@ -44,10 +44,10 @@ class Outlook(msgspec.Struct, frozen=True):
 def outlook(view: CurveView, family: Family) -> Outlook:
     """Return what would become of a current curve as one of `family`, without the work of writing it so."""
     assert view.curve is not None
-    if family.follows and not all(piece.has_exact_pieces for piece in view.curve.pieces):
+    if family.curve_class.follows and not all(piece.has_exact_pieces for piece in view.curve.pieces):
         return Outlook(within=_tolerance(view))
     try:
-        family.check_shape(view.curve)
+        family.curve_class.check_shape(view.curve)
     except CurveError as problem:
         return Outlook(refusal=_refusal(family, problem))
     return Outlook()
@@ -70,7 +70,7 @@ def converted(view: CurveView, family: Family) -> Reshaped:
         raise EditError(found.refusal)
     tolerance = _tolerance(view)
     try:
-        same = family.near(view.curve, tolerance)
+        same = family.curve_class.near(view.curve, tolerance)
     except CurveError as problem:
         raise EditError(_refusal(family, problem)) from None
     made = through(view, same, family)

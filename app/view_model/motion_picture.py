@@ -13,7 +13,7 @@ import numpy as np
 from curvecore.analysis.continuity import joint_report
 from curvecore.arrays import FloatArray
 
-from ..document.model import VelocityRule
+from ..document.derivatives import VelocityRule
 from ..families import Family
 from .analysis.ghost import Ghost
 from .curve_view import CurveView, view_of
@@ -232,7 +232,7 @@ def _is_estimated(view: CurveView) -> bool:
 
 def _jump_in_words(name: str, view: CurveView) -> str:
     assert view.curve is not None
-    is_one = view.source.family.is_one_polynomial
+    is_one = view.source.family.curve_class.is_one_polynomial
     joints = [] if is_one else joint_report(view.curve, closed=view.source.is_closed)
     if not joints:
         return f"{name}: no joints."

@@ -21,6 +21,11 @@ class PolynomialFacts:
     follows: ClassVar[bool] = False
     """Whether `near` comes as close as is wanted to curves that do not consist of polynomials."""
 
+    @property
+    def kind(self) -> str:
+        """Words for its functions where they are no polynomials; empty where they are, or it is not known."""
+        return ""
+
     def bezier_pieces(self) -> FloatArray | None:
         """Return the Bezier control points of the pieces between `breaks`.
 

@@ -11,7 +11,8 @@ import pytest
 from PIL import Image, ImageSequence
 
 from app.document import edits
-from app.document.model import Document, VelocityRule, make_curve
+from app.document.derivatives import VelocityRule
+from app.document.model import Document, make_curve
 from app.exchange import drawing
 from app.exchange.drawing.animation import FILMS, Film, write_film
 from app.exchange.drawing.styles import DARK

@@ -23,7 +23,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.document import edits
-from app.document.model import ParametrizationKind, VelocityRule
+from app.document.derivatives import VelocityRule
+from app.document.model import ParametrizationKind
 from app.exchange.drawing.animation import write_film
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.bar import MotionBar

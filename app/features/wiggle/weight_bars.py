@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ...appearance.colours import point_colours
 from ...appearance.theme import theme_of
-from ...document.model import DERIVATIVES
+from ...document.derivatives import DERIVATIVES
 from ...qt.overrides import Guarded
 from ...view_model.analysis.wiggle import MOST_PULLS, Pull
 from ...view_model.analysis.wording import short
