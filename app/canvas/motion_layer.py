@@ -114,11 +114,14 @@ class MotionLayer(Layer):
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
         plate = inside(x, y, size, shown)
-        for other in self._written:
-            # Two arrows with nearly one tip: one name stands below the other.
-            if plate.intersects(other):
-                plate.moveTop(
-                    other.bottom() if plate.center().y() >= other.center().y() else other.top() - height
-                )
+        # Arrows with nearly one tip: one name stands below or above the other, and those that are there.
+        side = 0
+        while covered := [other for other in self._written if plate.intersects(other)]:
+            side = side or (1 if plate.center().y() >= covered[0].center().y() else -1)
+            plate.moveTop(
+                max(other.bottom() for other in covered)
+                if side > 0
+                else min(other.top() for other in covered) - height
+            )
         self._written.append(plate)
         write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())

@@ -222,7 +222,10 @@ def rivals_of(view: CurveView, compared: Collection[Family]) -> dict[Role, Curve
 
 def jumps_in_words(views: dict[Role, CurveView]) -> str:
     """Return what the accelerations of curves that are compared do at the joints, as measured."""
-    return "  ".join(_jump_in_words(role.title, view) for role, view in views.items())
+    titles: dict[str, list[str]] = {}
+    for role, view in views.items():
+        titles.setdefault(_jump_in_words(view), []).append(role.title)
+    return "  ".join(f"{', '.join(names)}: {words}" for words, names in titles.items())
 
 
 def _is_estimated(view: CurveView) -> bool:
@@ -230,19 +233,19 @@ def _is_estimated(view: CurveView) -> bool:
     return rule is VelocityRule.NATURAL_SPLINE and not any(point.velocity for point in view.source.points)
 
 
-def _jump_in_words(name: str, view: CurveView) -> str:
+def _jump_in_words(view: CurveView) -> str:
     assert view.curve is not None
     is_one = view.source.family.curve_class.is_one_polynomial
     joints = [] if is_one else joint_report(view.curve, closed=view.source.is_closed)
     if not joints:
-        return f"{name}: no joints."
+        return "no joints."
     jumping = [joint for joint in joints if joint.parametric < 2]
     if not jumping:
         is_spline = view.source.family.derivatives == 1 and _is_estimated(view)
         why = " (its velocities are those of the natural spline; other rules jump)" if is_spline else ""
-        return f"{name}: no jump of acceleration{why}."
+        return f"no jump of acceleration{why}."
     sizes = [float(np.hypot(*joint.acceleration_jump)) for joint in jumping]
     worst = int(np.argmax(sizes))
     where = f"at {len(jumping)} of {len(joints)} joints, most" if len(joints) > 1 else "at its joint,"
     point = view.owner(jumping[worst].joint)
-    return f"{name}: acceleration jumps {where} at point {point} by {in_three_digits(sizes[worst])}."
+    return f"acceleration jumps {where} at point {point} by {in_three_digits(sizes[worst])}."

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -324,12 +325,16 @@ def test_all_families_that_go_through_the_points_run_side_by_side(editor, motion
         action = editor.action(family.action_name.replace("family", "motionWith"))
         assert action.isChecked()
         assert action.text().replace("&", "") == f"Compare with {family.label}"
-        assert f"{family.short}" in motion.bar.words
+        assert family.short in motion.bar.words
     # Each of its own colour, one ring within the other where they meet.
     assert len({dot.role.colour for dot in others}) == len(others)
     radii = [dot.role.radius for dot in others]
     assert radii == sorted(radii, reverse=True)
     assert min(radii) > own.role.radius
+    # Their names do not cover each other, though they are all but in one place.
+    written = editor.window.canvas.drawing._motion._written
+    assert len(written) == len(others)
+    assert not any(one.intersects(other) for one, other in combinations(written, 2))
     # One of them less.
     editor.trigger("motionWithLagrange")
     motion.wait(0.1)
