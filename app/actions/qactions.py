@@ -28,9 +28,12 @@ class Actions(QObject):
     -------
     redeclared
         There are other actions than before, or they are called otherwise.
+    switched
+        Others than before are on.
     """
 
     redeclared = Signal()
+    switched = Signal()
 
     def __init__(self, window: QWidget, command_sets: Sequence[type], now: Situation) -> None:
         super().__init__()
@@ -43,6 +46,7 @@ class Actions(QObject):
         self._handlers = all_declared(command_sets)
         self._declared = {each.action.name: each.action for each in self._handlers}
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
+        self._on = set[str]()
         self._seen: dict[str, Sight] = {}
         self._seen_of: CurveView | None = None
 
@@ -165,18 +169,20 @@ class Actions(QObject):
         return each.short if short or not each.short else each.text
 
     def is_on(self, name: str) -> bool:
-        """Whether what an action switches is on; False of what is no switch."""
-        checked = self._declared[name].checked
-        return checked is not None and checked(self._now)
+        """Whether what an action switches is on; False of what is no switch, or is there no more."""
+        declared = self._declared.get(name)
+        return declared is not None and declared.checked is not None and declared.checked(self._now)
 
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
-        now = self._now
+        now, on = self._now, set[str]()
         for name, each in self._declared.items():
             action = self._actions[name]
             action.setEnabled(each.needs.is_met(now))
             if each.checked is not None:
-                action.setChecked(each.checked(now))
+                is_on = each.checked(now)
+                action.setChecked(is_on)
+                on |= {name} if is_on else set()
             if each.title is not None:
                 action.setText(each.title(now))
             if each.needs.why is not None:
@@ -187,6 +193,9 @@ class Actions(QObject):
             self._seen.clear()
         for name, sight in self._seen.items():
             self._show(name, sight)
+        if on != self._on:
+            self._on = on
+            self.switched.emit()
 
     def look(self) -> None:
         """Find out about the actions that tell more when somebody looks at them: a menu or the palette opens.

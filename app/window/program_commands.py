@@ -47,7 +47,6 @@ class ProgramCommands:
     def _commands(self) -> list[window.command_palette.Command]:
         """Return everything with a name: what the menus hold, then what only other places offer."""
         host, found = self._context.window, dict[QAction, str]()
-        self._context.actions.look()
         for entry in host.menuBar().actions():
             menu = _menu_of(entry)
             if menu is not None:
@@ -56,8 +55,11 @@ class ProgramCommands:
             if each.objectName() and each.isVisible() and _menu_of(each) is None and _is_named(each):
                 found.setdefault(each, "")
         own = self._context.actions["commandPalette"]
+        docks = {dock.toggleViewAction() for dock in self._context.docks.all if not dock.isHidden()}
         return [
-            window.command_palette.Command(action, path)
+            window.command_palette.Command(
+                action, path, action in docks or self._context.actions.is_on(action.objectName())
+            )
             for action, path in found.items()
             if action is not own
         ]

@@ -53,8 +53,9 @@ class RuleCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._actions = context.session, context.actions
-        self._bar, self._families = ParametrizationBar(), FamilyButton()
+        self._bar, self._families = ParametrizationBar(), FamilyButton(self._actions.is_on)
         self._actions.redeclared.connect(self._offer_further)
+        self._actions.switched.connect(self._families.show_in_use)
         self._bar.kind_chosen.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)

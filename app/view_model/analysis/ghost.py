@@ -61,6 +61,18 @@ class Ghost(msgspec.Struct, frozen=True):
         return "ghost" + "".join(word.capitalize() for word in self.name.split("_"))
 
     @property
+    def is_of_family(self) -> bool:
+        """Whether it is another family's; else it is another rule's."""
+        return self.kind is None
+
+    @property
+    def step(self) -> str:
+        """The step in the history that makes it the curve: Use chord length parameters."""
+        if self.kind is not None:
+            return f"Use {self.kind.phrase} parameters"
+        return f"Switch to {self.title}"
+
+    @property
     def tip(self) -> str:
         """The tooltip of its action."""
         if self.family is not None:

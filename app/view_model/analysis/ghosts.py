@@ -107,10 +107,10 @@ def ghost_views(
 
 def _twin(ghost: Ghost, made: CurveView, view: CurveView, others: Mapping[Ghost, GhostView]) -> Ghost | None:
     """Return the family or rule of what lies where a variant does: the curve, or one of the ghosts before."""
-    source, is_family = view.source, ghost.family is not None
-    own = Ghost(family=source.family) if is_family else Ghost(kind=source.parametrization.kind)
+    source = view.source
+    own = Ghost(family=source.family) if ghost.is_of_family else Ghost(kind=source.parametrization.kind)
     drawn = (each for each in others.values() if each.is_drawn)
-    alike = [each for each in drawn if (each.ghost.family is not None) is is_family]
+    alike = [each for each in drawn if each.ghost.is_of_family is ghost.is_of_family]
     candidates = [(own, view), *((each.ghost, each.view) for each in alike)]
     return next((each for each, other in candidates if coincide(made, other)), None)
 
