@@ -5,7 +5,8 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from curvecore import CurveError, lagrange_to_bezier
+import curvecore
+from curvecore import CurveError
 
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
@@ -117,7 +118,8 @@ def _growth(view: CurveView, family: Family) -> str:
     assert view.curve is not None
     if family.interpolates or not view.curve.is_one_polynomial:
         return ""
-    condition = lagrange_to_bezier(view.curve).condition
+    # Asked of the package: the module is loaded when it is first used.
+    condition = curvecore.lagrange_to_bezier(view.curve).condition
     if condition < _WORTH_A_WORD:
         return ""
     return f"An error of a point counts up to {number(condition, 2)} times as much in the control points."

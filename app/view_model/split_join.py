@@ -17,6 +17,7 @@ from ..document.edits import EditError
 from ..document.model import Curve, ParametrizationKind, Point, Vector
 from ..document.words import number
 from ..families import HERMITE, titles_with_derivatives
+from .convert import outlook
 from .curve_view import CurveView, view_of
 from .measure import dense, is_kept, largest_distance, outcome
 from .plane import polygon_length, size_of
@@ -71,9 +72,11 @@ def split(view: CurveView, t: float) -> Split:
         parts = _split_polynomial(view, t) if family.curve_class.is_one_polynomial else _split_pieces(view, t)
     made = Split(parts, _residual_of_parts(view, parts))
     if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
+        within = outlook(view, HERMITE).within
+        kept = f"within {number(within, 1)}" if within else "keeping the shape"
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
-            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, keeping the shape."
+            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, {kept}."
         )
     return made
 
