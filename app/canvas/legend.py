@@ -201,7 +201,9 @@ class Legend(OverlayFrame):
         return (figure,)
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
-        choosing, hiding = row.tip or f"Make this the curve: {row.text}", f"Hide the ghost: {row.text}"
+        # With the figure, which the narrowest form leaves out.
+        named = f"{row.text} ({row.figure})" if row.figure else row.text
+        choosing, hiding = row.tip or f"Make this the curve: {named}", f"Hide the ghost: {row.text}"
         choose = tool_button(
             f"legendChoose_{ghost.name}", choosing, tip_of(choosing), text=row.text, flat=True
         )

@@ -288,6 +288,8 @@ def test_the_legend_of_all_families_covers_no_curve(editor, qtbot, size):
     legend = editor.window.canvas.drawing.annotations.legend
     editor.fit()
     qtbot.waitUntil(lambda: covered(editor) == 0)
+    tip = editor.window.findChild(QToolButton, "legendChoose_floater_hormann").toolTip()
+    assert tip == "Make this the curve: Barycentric rational (Λ 3.7)"
     assert editor.window.canvas.viewport().rect().contains(legend.geometry())
 
 
