@@ -23,7 +23,7 @@ from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import Handle, handles_of
-from .number_place import Taken, number_place
+from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0

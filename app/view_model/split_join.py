@@ -12,12 +12,12 @@ from msgspec.structs import replace
 
 from curvecore import chebyshev
 
+from .. import view_model
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
 from ..document.model import Curve, ParametrizationKind, Point, Vector
 from ..document.words import number
 from ..families import HERMITE, titles_with_derivatives
-from .convert import outlook
 from .curve_view import CurveView, view_of
 from .measure import dense, is_kept, largest_distance, outcome
 from .plane import polygon_length, size_of
@@ -72,7 +72,7 @@ def split(view: CurveView, t: float) -> Split:
         parts = _split_polynomial(view, t) if family.curve_class.is_one_polynomial else _split_pieces(view, t)
     made = Split(parts, _residual_of_parts(view, parts))
     if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
-        within = outlook(view, HERMITE).within
+        within = view_model.convert.outlook(view, HERMITE).within
         kept = f"within {number(within, 1)}" if within else "keeping the shape"
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
