@@ -168,6 +168,8 @@ def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners)
     new = (6 if closed else 4) - len(inner)
     points = "the points there have"
     assert made.note == f"The acceleration jumps at {new} joints: {points} derivatives before and after."
+    # These are no corners: the velocity goes on.
+    assert len(after.jolts) == new + len(inner)
     back = converted(after, FAMILIES.named("hermite")).curve
     assert apart(before, view_of(back)) < 1e-13
     assert [point.corner for point in back.points] == [False] * 6

@@ -189,8 +189,10 @@ def _kind_facts(curve: ParametricCurve) -> list[str]:
 def _shape_facts(view: CurveView) -> list[str]:
     """Return whether the curve is closed, and how many corners it has."""
     facts = ["closed"] if view.source.is_closed else []
-    corners = view.corners
-    return [*facts, count_of(len(corners), "corner")] if corners else facts
+    others = len(view.jolts)
+    corners = len(view.corners) - others
+    facts += [count_of(corners, "corner")] if corners else []
+    return [*facts, f"{count_of(others, 'point')} with two sides"] if others else facts
 
 
 def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
