@@ -44,8 +44,8 @@ class MethodTable(FollowsTheme, QWidget):
 
     chosen = Signal(frozenset)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         named(self, "laboratoryTable", "Methods and their errors")
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)

@@ -13,7 +13,7 @@ from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Pla
 from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
-from ...document.model import Curve, Document, ParametrizationKind
+from ...document.model import Document, ParametrizationKind
 from ...document.words import number
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
@@ -93,6 +93,7 @@ class RuleCommands:
             _icon_of(family),
             family.tip,
             short=family.short,
+            keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda now: now.view.source.family == family,
             group="family",
         ),
@@ -192,7 +193,7 @@ class RuleCommands:
 
     def _with_alpha(self, document: Document, position: int) -> Document:
         index, alpha = self._session.active_index, position / STEPS
-        if _alpha_of(document.curves[index]) == alpha:
+        if document.curves[index].parametrization.exponent == alpha:
             return document
         return edits.set_alpha(document, index, alpha)
 
@@ -210,11 +211,6 @@ def _outlook(now: Situation, family: Family) -> Sight:
 
 def _alpha_step(position: int) -> str:
     return f"Set α to {position / STEPS:.2f}"
-
-
-def _alpha_of(curve: Curve) -> float | None:
-    rule = curve.parametrization
-    return rule.alpha if rule.kind is ParametrizationKind.POWER else rule.kind.alpha
 
 
 COMMAND_SETS = (RuleCommands,)

@@ -22,8 +22,8 @@ _ROW = 19
 class WeightBars(Guarded, QWidget):
     """A bar for each datum that pulls, the strongest at the top."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         tip = "The weight of each point here: to the right it pulls, to the left it pushes away"
         named(self, "weightBars", "Weights of the points here", tip)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
