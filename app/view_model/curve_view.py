@@ -31,9 +31,6 @@ __all__ = [
     "view_of",
 ]
 
-_SAME = 1e-9
-"""Share of the largest derivative of an order up to which two of them are the same."""
-
 TOO_FEW = "A curve needs at least two points."
 
 
@@ -83,17 +80,6 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         last = len(self.points) - 1
         found: list[int] = np.flatnonzero(self.arrays.corners).tolist()
         return [index for index in found if self.source.is_closed or 0 < index < last]
-
-    @cached_property
-    def jolts(self) -> list[int]:
-        """The corners at which the velocity goes on, and a derivative above it jumps: no eye sees one."""
-        if self.sides is None:
-            return []
-        before, after = (side[self.corners, 1:] for side in self.sides)
-        scale = np.abs(self.sides.after[:, 1:]).max(axis=(0, 2))
-        jumps = np.abs(after - before).max(axis=2) > _SAME * scale
-        is_jolt = ~jumps[:, 0] & jumps.any(axis=1)
-        return [index for index, jolt in zip(self.corners, is_jolt.tolist(), strict=True) if jolt]
 
     @property
     def parameters(self) -> FloatArray:
