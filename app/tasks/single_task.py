@@ -17,6 +17,13 @@ SHOWN_AFTER_MS = 200
 class SingleTask(TaskOwner):
     """Does one thing at a time, as the person asks for it.
 
+    Parameters
+    ----------
+    parent
+        Of Qt.
+    shown_after_ms
+        Milliseconds of work after which it is `shown`.
+
     Signals
     -------
     shown
@@ -31,10 +38,10 @@ class SingleTask(TaskOwner):
     progressed = Signal(float, str)
     ended = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, shown_after_ms: int = SHOWN_AFTER_MS) -> None:
         super().__init__(parent)
         self.title = ""
-        self._patience = QTimer(self, singleShot=True, interval=SHOWN_AFTER_MS)
+        self._patience = QTimer(self, singleShot=True, interval=shown_after_ms)
         self._patience.timeout.connect(self._show)
 
     @property

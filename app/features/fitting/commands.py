@@ -106,6 +106,7 @@ class FitCommands(QObject):
         CURVE_POINTS,
         icon="fewer-points",
         needs=UNLOCKED_CURVE,
+        keywords="simplify reduce thin decimate approximate least squares",
     )
     def _open(self) -> None:
         """Replace the curve by one of fewer points near it, of any family; it is shown first."""
