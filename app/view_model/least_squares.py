@@ -21,6 +21,8 @@ from ..document.words import count_of, number
 from ..tasks.progress import Report, silent
 from .curve_view import CurveView
 
+SCATTERED = "The data scatter so far; more points would follow that alone."
+
 _MANY, _FEW = 1000, 300
 """Places on a curve that are enough to say what it looks like; points of which it is not said by these alone.
 
@@ -58,7 +60,7 @@ class Fitted(NamedTuple):
         points, stays = count_of(len(self.curve.points), "point"), "stays at " if self.is_scattered else ""
         mean = number(self.root_mean_square, 2)
         text = f"{points}; largest deviation {stays}{number(self.deviation, 3)}, root mean square {mean}."
-        return f"{text} The data scatter so far; more points would follow that alone." if stays else text
+        return f"{text} {SCATTERED}" if stays else text
 
 
 class Data(NamedTuple):
