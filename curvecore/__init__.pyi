@@ -81,9 +81,9 @@ from curvecore.families.records import LocalBasis as LocalBasis
 from curvecore.families.septic_hermite import SepticHermiteCurve as SepticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds
-from curvecore.fitting.fit import Fit as Fit
 from curvecore.fitting.fit import fit as fit
 from curvecore.fitting.least_squares import least_squares_curve as least_squares_curve
+from curvecore.fitting.records import Fit as Fit
 from curvecore.limited_tangents import akima_changes as akima_changes
 from curvecore.limited_tangents import akima_velocities as akima_velocities
 from curvecore.limited_tangents import monotone_changes as monotone_changes

@@ -67,6 +67,8 @@ class Action(msgspec.Struct, frozen=True):
         What a button says of it beside its icon where there is little room; else it has its icon alone.
     during_gesture
         Whether it leaves a gesture in flight alone, in a menu whose actions interrupt.
+    keywords
+        Words by which the palette finds it, too, beside those of its name and tip.
     """
 
     name: str
@@ -82,6 +84,7 @@ class Action(msgspec.Struct, frozen=True):
     title: Callable[[Situation], str] | None = None
     short: str = ""
     during_gesture: bool = False
+    keywords: str = ""
 
     @property
     def interrupts(self) -> bool:

@@ -24,7 +24,7 @@ RESERVED = {
 }
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
-_FULL_NAME, _NEEDS = "fullName", "needs"
+_FULL_NAME, _NEEDS, _KEYWORDS = "fullName", "needs", "keywords"
 
 
 class Binding(msgspec.Struct, frozen=True):
@@ -174,6 +174,16 @@ def action_name(prefix: str, member: Enum) -> str:
 def set_full_name(action: QAction, name: str) -> None:
     """Give an action a full name, for where the menu around it is not seen."""
     action.setProperty(_FULL_NAME, name)
+
+
+def set_keywords(action: QAction, keywords: str) -> None:
+    """Give an action words by which it is found, beside those of its name and tip."""
+    action.setProperty(_KEYWORDS, keywords)
+
+
+def keywords_of(action: QAction) -> str:
+    """Return the words by which an action is found, beside those of its name and tip."""
+    return str(action.property(_KEYWORDS) or "")
 
 
 def say_needs(action: QAction, needs: str) -> None:

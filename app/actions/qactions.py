@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from .declaration import Action, Declared, all_declared
-from .keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
+from .keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, set_keywords, tool_tip
 from .sections import Menu, Section
 from .situation import Situation
 from .strips import Strip
@@ -48,6 +48,8 @@ class Actions(QObject):
         action.setObjectName(each.name)
         if each.full_name:
             set_full_name(action, each.full_name)
+        if each.keywords:
+            set_keywords(action, each.keywords)
         if each.needs.words:
             say_needs(action, each.needs.words)
             action.enabledChanged.connect(lambda _on: action.setToolTip(tool_tip(action)))

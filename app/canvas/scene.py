@@ -173,7 +173,7 @@ class CanvasScene:
     def show_marks(self, marks: GestureMarks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""
         self.marks.render(marks)
-        self.pen.render(marks.preview_curve, marks.line)
+        self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         """Return what of the drawing a tool hits at the pointer."""

@@ -23,6 +23,10 @@ def may_be_name(name: object) -> bool:
     return isinstance(name, str) and _NAME.fullmatch(name) is not None
 
 
+class OverdueCallError(CurveError):
+    """A curve is refused because functions of a family's file take too long for its number of points."""
+
+
 @final
 class Family:
     """A curve family as the program knows it; compares and hashes by its name.

@@ -29,7 +29,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from ..actions.keymap import full_name_of, native, why_not
+from ..actions.keymap import full_name_of, keywords_of, native, why_not
 from ..appearance.theme import Theme, mix, theme_of
 from ..qt.keys import ENTER
 from ..qt.labels import Label
@@ -54,6 +54,11 @@ class Command(msgspec.Struct, frozen=True):
     def name(self) -> str:
         """Name in words that stand alone."""
         return full_name_of(self.action)
+
+    @property
+    def entry(self) -> SearchEntry:
+        """What it is found by."""
+        return SearchEntry(self.name, self.path, self.action.statusTip(), keywords_of(self.action))
 
 
 class CommandPalette(OverlayFrame):
@@ -187,7 +192,7 @@ def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
     """Return the commands that fit, the best first, those of no use now behind the others."""
     if not typed.strip():
         return sorted(commands, key=lambda command: not command.action.isEnabled())
-    things = [SearchEntry(command.name, command.path, command.action.statusTip()) for command in commands]
+    things = [command.entry for command in commands]
     found = [commands[place] for place in ranked(typed, things)]
     return sorted(found, key=lambda command: not command.action.isEnabled())
 

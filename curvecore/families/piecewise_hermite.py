@@ -28,7 +28,7 @@ from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
 
-_ALL = 64  # segments, up to which it pays to expand all of them for a single parameter
+_ALL = 256  # segments, up to which it pays to expand all of them for a single parameter
 _DENSE = 4  # parameters a segment, from which on it pays to expand more
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
@@ -211,13 +211,23 @@ class PiecewiseHermite(ParametricCurve):
             return np.repeat(np.arange(count.size), count)
         return np.searchsorted(inner, t, side="right")
 
+    def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
+        """Evaluate by expansions that are there."""
+        pieces = self._expansions.get(order) if self._expansions and type(order) is int else None
+        if pieces is None or not t.size or not self._are_worth_expansions(t):
+            return None
+        return pieces.evaluate(t)
+
+    def _are_worth_expansions(self, t: FloatArray) -> bool:
+        # Whether or not the expansions are there already: in what order a curve is asked changes nothing.
+        segments = len(self._parameters) - 1
+        return segments <= _ALL or t.size >= _DENSE * segments
+
     def _evaluate_inside(self, t: FloatArray, order: int) -> FloatArray | None:
         """Evaluate by expansions or through the control points, where that is possible."""
         if not t.size or order > self.degree:
             return None
-        segments = len(self._parameters) - 1
-        # Of quintics and above, control points are both the faster and the more accurate way to values.
-        if (order or self.degree == 3) and (segments <= _ALL or t.size >= _DENSE * segments):
+        if self._are_worth_expansions(t):
             pieces = self._taylor_pieces(order)
             return None if pieces is None else pieces.evaluate(t)
         if order or not self._is_inside(t):

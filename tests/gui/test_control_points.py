@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
@@ -128,9 +128,17 @@ def test_ticks_that_do_nothing_are_said_so(drawn, name):
     before = shape(editor)
     editor.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[1]), held=False)
     assert "does nothing" in editor.status
+    assert "hollow" in editor.status
+    document, steps = editor.session.document, editor.session.undo_stack.count()
+    # It used to be a step of the history that changed nothing.
     editor.drag_parameter(1, editor.parameters[1] + 0.02)
-    assert np.abs(shape(editor) - before).max() < 1e-14
-    editor.trigger("undo")
+    assert np.array_equal(shape(editor), before)
+    assert editor.session.document is document
+    editor.rail.click(1)
+    panel.setFocus()
+    QTest.keyClick(panel, Qt.Key.Key_Right)
+    assert editor.session.undo_stack.count() == steps
+    assert editor.session.document is document
     editor.drag_parameter(2, editor.parameters[2] + 0.05)
     moved = np.abs(shape(editor) - before).max()
     # The inner parameters of a Bézier curve do nothing; t₂ is the first knot of the other.
@@ -138,6 +146,53 @@ def test_ticks_that_do_nothing_are_said_so(drawn, name):
     assert curve_of(editor).breaks.tolist() == [
         0.0, *(editor.parameters[2:4] if name == "b_spline" else []), 1.0
     ]  # fmt: skip
+
+
+def test_hollow_ticks_make_way(drawn, name):
+    """They stood in the way of the ticks beside them, though they do nothing."""
+    editor = drawn(name)
+    times = editor.parameters
+    grabbed = 2 if name == "b_spline" else 5
+    to = 0.5 * times[1] if name == "b_spline" else 0.5 * (times[1] + times[2])
+    editor.drag_parameter(grabbed, to)
+    assert editor.parameters[grabbed] == pytest.approx(to, abs=2.0 / editor.window.basis_panel.pixel_map.sx)
+    assert np.all(np.diff(editor.parameters) > 0.0)
+    assert editor.session.active_view.is_current
+    if name == "b_spline":
+        share = (editor.parameters[1] - times[0]) / (editor.parameters[2] - times[0])
+        assert share == pytest.approx((times[1] - times[0]) / (times[2] - times[0]))
+        assert editor.parameters[3:] == times[3:]
+        # To the end it does not go: there is room for the tick between.
+        editor.drag_parameter(2, -0.4)
+        assert 0.0 < editor.parameters[1] < editor.parameters[2] < 0.01
+    editor.trigger("undo")
+
+
+def test_a_hollow_tick_takes_others_along_with_e(drawn, name):
+    editor = drawn(name)
+    panel, before = editor.window.basis_panel, shape(editor)
+    times = editor.parameters
+    panel.setFocus()
+    QTest.keyPress(panel, Qt.Key.Key_E)
+    editor.drag_parameter(1, times[1] + 0.3)
+    QTest.keyRelease(panel, Qt.Key.Key_E)
+    assert editor.parameters[-1] == pytest.approx(1.3, abs=2.0 / panel.pixel_map.sx)
+    assert np.abs(shape(editor) - before).max() > 1e-3 or name == "bezier"
+
+
+def test_the_dots_on_the_rail_s_edge_say_what_they_are(drawn, name):
+    editor = drawn(name)
+    panel, document = editor.window.basis_panel, editor.session.document
+    curve = curve_of(editor)
+    for index, place in enumerate(curve.places.tolist()):
+        # The edge is 8 pixels above where ticks are grabbed.
+        at = panel.rail_pixel(place) - QPointF(0.0, 9.0)
+        editor.send(panel, QEvent.Type.MouseMove, at, held=False)
+        assert editor.status.startswith(f"The dot of point {index}: near t = ")
+        assert panel.drawing.rail.hovered == index
+    editor.drag_pixels(panel, at, panel.rail_pixel(0.4))
+    assert editor.session.document is document
+    assert editor.session.selected.scrub is not None
 
 
 def test_the_panel_names_the_functions(drawn, name):

@@ -299,7 +299,7 @@ def test_choosing_rules(quintic):
         assert quintic.curve.velocity_rule is rule
     quintic.choose("accelerationRule", 1)
     assert quintic.curve.acceleration_rule is AccelerationRule.ZERO
-    assert quintic.session.undo_stack.undoText() == "Choose acceleration rule"
+    assert quintic.session.undo_stack.undoText() == "Choose acceleration rule “Zero”"
     quintic.session.undo_stack.undo()
     assert quintic["accelerationRule"].currentText() == "From the C² spline"
 

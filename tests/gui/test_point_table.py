@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtGui import QAction, QFocusEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtTest import QSignalSpy
@@ -11,7 +12,7 @@ from app.appearance.colours import point_colours
 from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
 from app.document import edits
 from app.document.derivatives import VelocityRule
-from app.document.model import ParametrizationKind, make_curve
+from app.document.model import Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.controller import PointTableController
 from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
@@ -325,6 +326,36 @@ def test_an_unchanged_text_is_no_edit(table):
     table.type(0, X, repr(1 / 3))
     assert table.session.undo_stack.count() == steps
     assert table.session.document is before
+
+
+@pytest.mark.parametrize(
+    ("times", "shown"),
+    [
+        ([0.1 * k for k in range(3)] + [0.1 + 0.2, 0.4], ["0.0", "0.1", "0.2", "0.3", "0.4"]),
+        ([k / 30 for k in range(5)], ["0.00000", "0.03333", "0.06667", "0.10000", "0.13333"]),
+        # A clock's seconds: they were 1.7e9, one like the other.
+        (
+            [1.7e9 + 0.04 * k for k in range(5)],
+            ["1700000000.00", "1700000000.04", "1700000000.08", "1700000000.12", "1700000000.16"],
+        ),
+    ],
+)
+def test_imported_parameters_read_well_and_are_whole_when_edited(table, times, shown):
+    points = tuple(Point(float(k), float(k % 2), t=t) for k, t in enumerate(times))
+    curve = replace(
+        table.session.active_curve, points=points, parametrization=Parametrization(ParametrizationKind.MANUAL)
+    )
+    table.session.commit(table.session.document.with_curve(0, curve), "Import")
+    QApplication.processEvents()
+    delegate = table.view.cell_delegate
+    assert [delegate.text(row, T) for row in range(5)] == shown
+    for row, t in enumerate(times):
+        editor = table.edit(row, T)
+        assert float(editor.text()) == t
+        table.qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    metrics = table.view.fontMetrics()
+    assert table.view.columnWidth(T) >= metrics.horizontalAdvance(shown[-1]) + 3
+    assert sum(table.view.columnWidth(each) for each in (T, X, Y)) <= table.view.viewport().width()
 
 
 def test_leaving_an_estimated_cell_untouched_keeps_it_estimated(hermite):

@@ -327,3 +327,20 @@ def test_the_hint_of_the_rail_follows_a_step(pair):
     assert "t of point 1" in pair.window.status_line.hint
     pair.trigger("redo")
     assert "t of point 1" not in pair.window.status_line.hint
+
+
+def test_an_empty_canvas_speaks_of_the_tool_in_hand(editor):
+    """With the pencil it spoke of pressing P."""
+    editor.new()
+    said = {}
+    for tool in ("selectTool", "addTool", "pencilTool"):
+        editor.trigger(tool)
+        said[tool] = editor.message
+    assert said["selectTool"].startswith("Press P, then click")
+    assert said["addTool"].startswith("Click on the canvas to add points")
+    assert said["pencilTool"].startswith("Drag on the canvas to draw freehand")
+    bar = editor.window.message_bar
+    QTest.mouseClick(bar.close_button, Qt.MouseButton.LeftButton)
+    for tool in said:
+        editor.trigger(tool)
+        assert editor.message == ""

@@ -97,6 +97,7 @@ class RuleCommands:
             _icon_of(family),
             family.tip,
             short=_short_word_for(family),
+            keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda now: now.view.source.family == family,
             group="family",
         ),
