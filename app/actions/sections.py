@@ -121,6 +121,7 @@ ANALYSIS_EXPLAIN = ANALYSIS.section()
 MOTION_RUN = ANALYSIS.section("Motion", is_separated=False)
 MOTION_REPEAT = ANALYSIS.section("Motion")
 MOTION_PACE = ANALYSIS.section("Motion")
+MOTION_COMPARE = ANALYSIS.section("Motion")
 MOTION_MORE = ANALYSIS.section("Motion")
 
 VIEW = Menu("View")

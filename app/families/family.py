@@ -107,6 +107,12 @@ class Family:
         return self.title[:1].upper() + self.title[1:]
 
     @property
+    def short(self) -> str:
+        """A word where room is short: the class's own, or the first of the label."""
+        own = self.curve_class.short_title
+        return f"{own[:1].upper()}{own[1:]}" or self.label.partition(" ")[0]
+
+    @property
     def a_curve(self) -> str:
         """One of its curves, within a sentence: an averaging curve."""
         return f"{'an' if self.title[0] in 'aeiouAEIOU' else 'a'} {self.title} curve"

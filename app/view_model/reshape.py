@@ -54,6 +54,11 @@ class Reshaped(msgspec.Struct, frozen=True):
     note: str = ""
 
     @property
+    def is_kept(self) -> bool:
+        """Whether the shape is the same but for roundings."""
+        return not self.parameters_moved and is_kept(self.residual, (self.curve,))
+
+    @property
     def sentence(self) -> str:
         """The outcome for the shape."""
         if self.parameters_moved:

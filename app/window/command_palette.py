@@ -45,10 +45,17 @@ _ROOT = QModelIndex()
 
 
 class Command(msgspec.Struct, frozen=True):
-    """Something that can be found: an action, and the menu path that leads to it."""
+    """Something that can be found: an action, and the menu path that leads to it.
+
+    Attributes
+    ----------
+    is_on
+        Whether it is a switch, and on.
+    """
 
     action: QAction
     path: str
+    is_on: bool = False
 
     @property
     def name(self) -> str:
@@ -312,6 +319,4 @@ class _CommandDelegate(Guarded, QStyledItemDelegate):
 
 def _checked_name(command: Command) -> str:
     """Return the name, with a tick where the action is a switch that is on."""
-    return (
-        f"{command.name}  ✓" if command.action.isCheckable() and command.action.isChecked() else command.name
-    )
+    return f"{command.name}  ✓" if command.is_on else command.name

@@ -6,9 +6,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from app.appearance.theme import theme_of
 from app.document.model import Document, make_curve
@@ -233,8 +234,82 @@ def test_a_spline_becomes_a_hermite_curve_and_comes_back(drawn):
     assert not editor.action("convertToBSpline").isEnabled()
     document = editor.session.document
     editor.trigger("convertToBezier")
-    assert "is one polynomial, and this one is 3" in editor.status
+    assert "is one polynomial from end to end, and this curve has 3" in editor.status
     assert editor.session.document == document
+
+
+@pytest.fixture
+def conversions(editor):
+    """Open the menu with the conversions, and return the entry of one family by its name."""
+
+    def entry(name):
+        menu = editor.window.findChild(QMenu, "pointsMenu")
+        menu.popup(editor.window.mapToGlobal(QPoint(20, 20)))
+        editor.settle()
+        action = editor.action(f"convertTo{name}")
+        assert action in menu.actions()
+        menu.close()
+        editor.settle()
+        return action
+
+    return entry
+
+
+def test_a_menu_tells_before_what_a_conversion_does(drawn, conversions):
+    editor = drawn("b_spline")
+    assert conversions("Hermite").text().replace("&", "") == "Convert to Hermite, Keeping the Shape"
+    assert conversions("Hermite").isEnabled()
+    for name, why in (
+        ("Bezier", "is one polynomial from end to end, and this curve has 3 pieces."),
+        ("SepticHermite", "its jerk jumps at 2 joints, where that of a septic Hermite curve goes on."),
+        ("Lagrange", "is one polynomial from end to end, and this curve has 3 pieces."),
+    ):
+        action = conversions(name)
+        assert not action.isEnabled()
+        assert why in action.toolTip()
+    # Another curve, another outlook: nothing is left of the one before.
+    editor.choose_family("lagrange")
+    assert editor.action("convertToBezier").isEnabled()
+    assert conversions("Bezier").isEnabled()
+    assert "pieces" not in conversions("Bezier").toolTip()
+    assert "of degree 5, the pieces of a Hermite curve have degree 3" in conversions("Hermite").toolTip()
+
+
+def test_a_rational_curve_is_followed_and_this_is_said_before_and_after(drawn, conversions):
+    editor = drawn("floater_hormann")
+    before = shape(editor)
+    size = np.ptp(np.array(POINTS), axis=0).max()
+    entry = conversions("Hermite")
+    text = entry.text().replace("&", "")
+    within = float(text.removeprefix("Convert to Hermite, Within "))
+    assert within == pytest.approx(1e-4 * size, rel=0.3)
+    assert f"it changes by {within:g} at most" in entry.toolTip()
+    assert not conversions("BSpline").isEnabled()
+    assert (
+        "does not consist of polynomials, and a B-spline curve does"
+        in entry.parent().findChild(QAction, "convertToBSpline").toolTip()
+    )
+    # The palette tells the same.
+    assert text in editor.find_command("convert hermite")
+    entry.trigger()
+    editor.settle()
+    assert editor.status.startswith("The shape is another, largest change ")
+    change = editor.status.removeprefix("The shape is another, largest change ").partition(". ")[0]
+    assert editor.session.undo_stack.undoText() == f"Convert to Hermite, within {change}"
+    moved = np.abs(shape(editor) - before).max()
+    assert 0.0 < moved <= within
+    assert not any(point.corner for point in editor.curve.points)
+
+
+def test_a_reason_is_told_in_the_palette(drawn):
+    editor = drawn("b_spline")
+    editor.find_command("Convert to Bézier")
+    palette = editor.window.findChild(QWidget, "commandPalettePanel")
+    palette.run_current()
+    assert (
+        "one polynomial from end to end, and this curve has 3 pieces."
+        in palette.findChild(QLabel, "paletteNote").text()
+    )
 
 
 def test_no_corners_and_no_straight_segments(drawn, name):

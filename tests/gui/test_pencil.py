@@ -8,7 +8,6 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.families import FAMILIES
-from app.testing import Editor
 from app.testing.input_driver import spin
 from app.view_model.curve_view import view_of
 
@@ -20,8 +19,7 @@ PLACES = {
 
 
 @pytest.fixture
-def editor(qtbot):
-    editor = Editor(qtbot)
+def editor(editor):
     editor.new()
     editor.choose_family(FAMILIES.named("hermite"))
     editor.trigger("pencilTool")
