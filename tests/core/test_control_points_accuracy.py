@@ -49,9 +49,13 @@ def bernstein_terms(curve, t, order, exact):
 
 
 def spline_terms(curve, t, order, exact):
-    """The exact derivatives of all functions by the recurrence over all knots, as it is written in books."""
-    knots = [exact.rational(x) for x in curve.knots]
-    p, n = curve.degree, len(curve.parameters)
+    """The exact derivatives of all functions."""
+    return spline_functions([exact.rational(x) for x in curve.knots], curve.degree, t, order)
+
+
+def spline_functions(knots, p, t, order=0):
+    """The same of exact knots, by the recurrence over all of them, as it is written in books."""
+    n = len(knots) - p - 1
     inside = [j for j in range(p, n) if knots[j] <= t]
     here = inside[-1] if inside else p
 
@@ -240,6 +244,37 @@ def test_changes_of_the_parameters(rng, make):
         ahead, behind = (make(curve.points, parameters + sign * step) for sign in (1.0, -1.0))
         wanted = (ahead.evaluate(t) - behind.evaluate(t)) / 2e-6
         assert np.abs(moves[:, i] - wanted).max() < 1e-5 * (1.0 + np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("name", ["random", "clustered", "geometric", "shifted", "large"])
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 9])
+def test_changes_of_the_knots_are_those_of_exact_splines(exact, rng, n, name):
+    """By differences of exact curves, which leave out 2**-400 of what is there; at knots and outside, too."""
+    curve = BSplineCurve(rng.standard_normal((n, 1)), exact.parameter_sets(n, rng)[name])
+    t = curve.parameters
+    at = np.concatenate(
+        [*(t[:-1] + share * np.diff(t) for share in (0.0, 0.3)), t[[0, -1]] + np.ptp(t) / 8.0]
+    )
+    knots, places = ([exact.rational(x) for x in each] for each in (curve.knots, at))
+    points = [exact.rational(x) for x in curve.points[:, 0]]
+    step = exact.rational(np.diff(t).min()) / 2**200
+    found = curve.parameter_derivatives(at)[:, :, 0]
+    for i in range(n):
+        moved = [exact.rational(t[i])] if i in {0, n - 1} or not curve.idle_parameters[i] else []
+        for k, x in enumerate(places):
+            # The piece that holds t_i is the one to its right: that knot moves to the left.
+            sides = [
+                spline_functions([knot - side * step * (knot in moved) for knot in knots], curve.degree, x)
+                for side in range(3)
+            ]
+            changes = [
+                (3 * here - 4 * less + least) / (2 * step) for here, less, least in zip(*sides, strict=True)
+            ]
+            terms = [change * point for change, point in zip(changes, points, strict=True)]
+            size = sum((abs(each) for each in terms), fmpq(0))
+            assert (
+                abs(exact.rational(found[k, i]) - sum(terms, fmpq(0))) <= 25 * exact.rational(2.0**-53) * size
+            )
 
 
 @pytest.mark.parametrize("make", CLASSES)

@@ -210,7 +210,7 @@ def test_parameters_are_dragged_and_typed_on_the_rail(drawn, name):
     assert editor.curve.is_manual
     assert editor.parameters[2] == pytest.approx(0.45, abs=0.01)
     assert is_true(editor)
-    editor.type_parameter(3, "0.7")
+    editor.rail.type(3, "0.7")
     assert editor.parameters[3] == 0.7
     assert is_true(editor)
     editor.scrub(0.6)
