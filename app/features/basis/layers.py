@@ -194,14 +194,19 @@ class RailLayer(Layer):
         """Return the point that a knot belongs to: of a closed curve, to the last one the first."""
         return knot % self._count
 
+    @property
+    def shown_places(self) -> FloatArray | None:
+        """The parameters near which control points act most, where they are drawn."""
+        return self.places if self._count <= _NUMBERED_UP_TO else None
+
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         top = shown.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(shown.width, round(top) + 0.5))
         self._paint_ticks(painter, shown, top)
-        if self.places is not None and self._count <= _NUMBERED_UP_TO:
-            self._paint_places(painter, shown.x(self.places), top)
+        if (places := self.shown_places) is not None:
+            self._paint_places(painter, shown.x(places), top)
         if self.scrub is not None:
             self._paint_scrub(painter, shown, self.scrub)
 
