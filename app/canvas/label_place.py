@@ -1,12 +1,12 @@
-"""Placing of a few words beside a point: on the corner where they cover least."""
+"""Placing of a few words beside a point, where they cover least, and of numbers outside of the bend."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSizeF
+from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF
 
 from curvecore.arrays import FloatArray
 
@@ -79,7 +79,7 @@ def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: in
     return box
 
 
-def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF]) -> FloatArray:
+def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF | QRect]) -> FloatArray:
     """Return how many pixels of segments (k, 4) each of the boxes covers, (len(boxes),)."""
     low = np.array([(box.left(), box.top()) for box in boxes])[:, None]
     high = np.array([(box.right(), box.bottom()) for box in boxes])[:, None]
@@ -91,3 +91,42 @@ def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF]) -> FloatArray
     leave = np.maximum(to_low, to_high).min(axis=2).clip(0.0, 1.0)
     lengths: FloatArray = np.maximum(leave - enter, 0.0) @ np.hypot(way[:, 0], way[:, 1])
     return lengths
+
+
+def number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
+    """Return the middle of a number: on the outer side of the bend, where the curve is not."""
+    last = len(pixels) - 1
+    around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
+    before, here, after = (complex(*place) for place in around)
+    outward = here - (before + after) / 2
+    if 0 < index < last and abs(outward) > 2:
+        outward /= abs(outward)
+    else:
+        outward = _beside(after - before)
+    place = here + distance * outward
+    return QPointF(place.real + beyond * outward.real, place.imag)
+
+
+def _beside(direction: complex) -> complex:
+    """Return the unit vector across `direction` (pixels) that points up; straight up without direction."""
+    if direction == 0:
+        return -1j
+    across = direction * -1j / abs(direction)
+    return -across if across.imag > 0 else across
+
+
+class Taken:
+    """Room that numbers take already."""
+
+    def __init__(self) -> None:
+        self._boxes: list[QRectF] = []
+
+    def take(self, centres: Iterable[QPointF], size: QSizeF) -> QPointF | None:
+        """Take the first of some places that is free, and return its middle; None where none is."""
+        for centre in centres:
+            box = QRectF(QPointF(), size)
+            box.moveCenter(centre)
+            if not any(map(box.intersects, self._boxes)):
+                self._boxes.append(box)
+                return centre
+        return None

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
@@ -19,8 +20,10 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Stamps
+from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import Handle, handles_of
+from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
@@ -38,10 +41,20 @@ _LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 _MARK_SIZES = (4.0, 5.5, 5.5)
 """The looks of handles, by the order of their derivatives: lines, and half the sizes of marks in pixels."""
 
+_LARGE = 100.0
+"""Size of a weight from which on decimals say nothing."""
+
 _WEIGHED_UP_TO = 24
+"""Points up to which all weights are written; of more, the largest."""
 _LEAST_WEIGHT = 5e-3
 _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
+
+
+class _NumberLabel(NamedTuple):
+    text: str
+    colour: QColor
+    centre: QPointF
 
 
 class PointLayer(Layer):
@@ -203,23 +216,42 @@ class PointLayer(Layer):
         if not selected:
             return
         painter.setFont(self.fonts.times(0.95 * self.scale))
+        for label in self._labels(painter, pixels, selected):
+            self.numbers.append((label.centre, len(label.text)))
+            if self.over_picture:
+                self._paint_plate(painter, label.centre, label.text)
+            box = QRectF(label.centre.x() - 60, label.centre.y() - 12, 120, 24)
+            painter.setPen(label.colour)
+            painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), label.text)
+
+    def _labels(
+        self, painter: QPainter, pixels: FloatArray, indices: Sequence[int]
+    ) -> Iterator[_NumberLabel]:
+        """Yield the numbers of points and their weights; what would cover other weights is left out."""
         with_weight = self._has_weight_text(len(pixels))
-        for index in selected:
+        metrics, half = painter.fontMetrics(), _HALF_NUMBER * self.scale
+        taken = Taken()
+        if self.weights is not None and len(self.weights) == len(pixels):
+            # The largest first, after those that are asked for: what finds no room beside them says least.
+            sizes, named = np.abs(self.weights), {*self.selection, self.hovered}
+            indices = sorted(indices, key=lambda index: (index not in named, -sizes[index]))
+        for index in indices:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
             if with_weight[index] and self.weights is not None:
                 weight = float(self.weights[index])
-                text += f"  {with_decimals(weight, 2)}"
+                text += f"  {short(weight) if abs(weight) >= _LARGE else with_decimals(weight, 2)}"
                 colour = self.theme.warning if weight < 0 else self.theme.ink
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
-            beyond = max(painter.fontMetrics().horizontalAdvance(text) / 2 - _HALF_NUMBER * self.scale, 0.0)
-            centre = _number_place(pixels, index, away, beyond)
-            self.numbers.append((centre, len(text)))
-            if self.over_picture:
-                self._paint_plate(painter, centre, text)
-            box = QRectF(centre.x() - 60, centre.y() - 12, 120, 24)
-            painter.setPen(colour)
-            painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), text)
+            size = metrics.size(0, text)
+            beyond = max(size.width() / 2 - half, 0.0)
+            centre: QPointF | None = number_place(pixels, index, away, beyond)
+            if self.weights is not None and centre is not None:
+                further = number_place(pixels, index, away + size.height(), beyond)
+                aside = QPointF(size.width(), 0.0)
+                centre = taken.take((centre, further, centre - aside, centre + aside), QSizeF(size))
+            if centre is not None:
+                yield _NumberLabel(text, colour, centre)
 
     def _numbered(self, pixels: FloatArray, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
@@ -244,9 +276,12 @@ class PointLayer(Layer):
 
     def _has_weight_text(self, count: int) -> BoolArray:
         """Tell beside which points their weight is written."""
-        if self.weights is None or len(self.weights) != count or count > _WEIGHED_UP_TO:
+        if self.weights is None or len(self.weights) != count:
             return np.zeros(count, dtype=bool)
-        return np.abs(self.weights) >= _LEAST_WEIGHT
+        sizes, least = np.abs(self.weights), _LEAST_WEIGHT
+        if count > _WEIGHED_UP_TO:
+            least = max(least, float(np.partition(sizes, -_LABELLED_UP_TO)[-_LABELLED_UP_TO]))
+        return sizes >= least
 
     # Handles
 
@@ -343,28 +378,6 @@ def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:
     margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]
     return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
-
-
-def _number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
-    """Put the number on the outer side of the bend, where the curve is not, and a long one further away."""
-    last = len(pixels) - 1
-    around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
-    before, here, after = (complex(*place) for place in around)
-    outward = here - (before + after) / 2
-    if 0 < index < last and abs(outward) > 2:
-        outward /= abs(outward)
-    else:
-        outward = _beside(after - before)
-    place = here + distance * outward
-    return QPointF(place.real + beyond * outward.real, place.imag)
-
-
-def _beside(direction: complex) -> complex:
-    """Return the unit vector across `direction` (pixels) that points up; straight up without direction."""
-    if direction == 0:
-        return -1j
-    across = direction * -1j / abs(direction)
-    return -across if across.imag > 0 else across
 
 
 def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) -> None:

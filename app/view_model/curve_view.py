@@ -12,6 +12,7 @@ from curvecore import CardinalBasis, Chain, CurveError, ParametricCurve, paramet
 from curvecore.arrays import FloatArray, parameter_array
 
 from ..document.model import Curve, ParametrizationKind, Vector
+from ..families.family import OverdueCallError
 from .cardinals import Cardinal, Cardinals
 from .flattener import Box, Flattener, FlatteningKey, Polyline
 from .jets import Sides, corner_knots, sides_of
@@ -49,6 +50,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         never was one.
     problem
         Why the present points and rules give no curve, as a sentence; empty where they do.
+    is_overdue
+        Whether that is because functions of a file take too long.
     sides
         The jets before and after each knot, where the family has derivatives and `curve` is current.
     """
@@ -58,6 +61,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     arrays: PointArrays
     curve: ParametricCurve | None
     problem: str = ""
+    is_overdue: bool = False
     sides: Sides | None = None
     _flattener: Flattener = msgspec.field(default_factory=Flattener)
     _cardinals: Cardinals = msgspec.field(default_factory=Cardinals)
@@ -213,7 +217,11 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
         return _good_view(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
-        return CurveView(curve, arrays.positions, arrays, last_good, refusal_of(problem, curve))
+        words = refusal_of(problem, curve)
+        is_overdue = isinstance(problem, OverdueCallError)
+        if is_overdue and last_good is not None:
+            words += " The last curve that could be drawn is shown."
+        return CurveView(curve, arrays.positions, arrays, last_good, words, is_overdue)
 
 
 def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CurveView:

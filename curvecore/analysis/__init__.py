@@ -5,4 +5,5 @@
 - ``continuity``: jumps at the joints, and the class that follows.
 - ``basis_checks``: what is wrong with basis functions: their sum, their values at the parameters.
 - ``stability``, ``cardinal``, ``sensitivity``, ``ensembles``, ``condition``: how errors of the data grow.
+  ``estimation``: rules for derivatives as linear maps of the points.
 """

@@ -3,7 +3,7 @@
 - ``curve``: the base class of all of them: everything follows from basis functions and breaks.
 - ``records``: its named results.
 - ``part``: its methods in groups.  ``evaluation``: `evaluate` and `basis`: t of any shape, inside the domain
-  or not.  ``polynomial_facts``: polynomial pieces.  ``control_points``: points that curves pass by.
+  or not.  ``polynomial_facts``: polynomial pieces.  ``approximating``: points that curves pass by.
   ``parameter_derivatives``: derivatives by the parameters, where a family has no formula.
 - ``lagrange``, ``hermite``, ``quintic_hermite``, ``septic_hermite``, ``cubic_spline``: the built-in
   families.

@@ -183,6 +183,11 @@ class BSplineCurve(ParametricCurve):
         return made_finite(np.stack(columns, axis=1))
 
     @classmethod
+    def check_shape(cls, curve: ParametricCurve) -> None:
+        """Raise where pieces are of a higher degree, or an acceleration jumps."""
+        joint_jets(pieces_of(curve, 3, cls.title), 2, cls.title)
+
+    @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> Self:
         """Return the control points of cubic pieces whose accelerations do not jump: a knot where they meet.
 

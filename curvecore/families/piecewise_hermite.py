@@ -23,7 +23,13 @@ from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import end_derivative_terms, slopes_of
 from curvecore.families.records import JOINT_ORDERS, Interpolant, JointDerivatives, LocalBasis, Slopes
-from curvecore.families.same_shape import BezierChain, joint_jets, pieces_of, smooth_stretches
+from curvecore.families.same_shape import (
+    BezierChain,
+    check_smooth_joints,
+    joint_jets,
+    pieces_of,
+    smooth_stretches,
+)
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
@@ -151,15 +157,23 @@ class PiecewiseHermite(ParametricCurve):
         return segment, moves
 
     @classmethod
+    def check_shape(cls, curve: ParametricCurve) -> None:
+        """Raise where pieces are of a higher degree, or a jerk jumps where the acceleration goes on."""
+        check_smooth_joints(cls._pieces_of(curve), cls.derivatives, cls.title)
+
+    @classmethod
+    def _pieces_of(cls, curve: ParametricCurve) -> BezierChain:
+        chains = [pieces_of(piece, 2 * cls.derivatives + 1, cls.title) for piece in curve.pieces]
+        controls = np.concatenate([chain.controls for chain in chains])
+        return BezierChain(controls, end_to_end(chain.breaks for chain in chains))
+
+    @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
         """Return the curve with the same derivatives at the breaks of another of at most its degree.
 
         A `Chain` where one of them jumps.
         """
-        chains = [pieces_of(piece, 2 * cls.derivatives + 1, cls.title) for piece in curve.pieces]
-        controls = np.concatenate([chain.controls for chain in chains])
-        whole = BezierChain(controls, end_to_end(chain.breaks for chain in chains))
-        parts = smooth_stretches(whole, cls.derivatives)
+        parts = smooth_stretches(cls._pieces_of(curve), cls.derivatives)
         curves = [cls.from_jets(joint_jets(part, cls.derivatives, cls.title), part.breaks) for part in parts]
         return curves[0] if len(curves) == 1 else Chain(curves)
 

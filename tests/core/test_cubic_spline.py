@@ -7,6 +7,7 @@ sum of the sizes of the terms is not reached for 20 points.
 
 import copy
 import itertools
+import math
 import pickle
 import tracemalloc
 
@@ -71,16 +72,16 @@ def exact_terms(t, nodes, seconds, order):
     """The exact B_j^(order)(t) of all points."""
     n = len(nodes)
     i = max((k for k in range(n - 1) if nodes[k] <= t), default=0)
-    h = nodes[i + 1] - nodes[i]
+    h, x = nodes[i + 1] - nodes[i], t - nodes[i]
+    # k (k - 1) ... x^(k - order) for the powers that are left.
+    left = [math.perm(k, order) * x ** (k - order) for k in range(order, 4)]
     # Power coefficients in x = t - t_i of c = p + x (slope - h (2 p'' + q'') / 6) + x^2 p'' / 2 + ...
     terms = []
     for j in range(n):
         p, q = fmpq(j == i), fmpq(j == i + 1)
         a, b = seconds[i, j], seconds[i + 1, j]
         powers = [p, (q - p) / h - h * (2 * a + b) / 6, a / 2, (b - a) / (6 * h)]
-        for _ in range(order):
-            powers = [k * c for k, c in enumerate(powers)][1:]
-        terms.append(sum((c * (t - nodes[i]) ** k for k, c in enumerate(powers)), fmpq(0)))
+        terms.append(sum((c * each for c, each in zip(powers[order:], left, strict=True)), fmpq(0)))
     return terms
 
 
@@ -94,7 +95,7 @@ def test_bound(exact, rng, name, ends):
     curve = CubicSplineCurve(points, parameters, ends=ends)
     nodes = [exact.rational(x) for x in parameters]
     seconds = exact_system(nodes, ends)
-    data = [[exact.rational(x) for x in column] for column in points.T]
+    data = [exact.enclosed(map(exact.rational, column)) for column in points.T]
     every = exact.probes(parameters, rng, 2)
     inside = every[(every >= parameters[0]) & (every <= parameters[-1])]
     for order in range(4):
@@ -104,15 +105,16 @@ def test_bound(exact, rng, name, ends):
         assert np.isfinite(values).all()
         for k, t in enumerate(np.concatenate((every, inside))):
             functions = exact_terms(exact.rational(t), nodes, seconds, order)
+            errors = [b - exact.rational(found) for b, found in zip(functions, basis[k], strict=True)]
             for d in range(2):
-                terms = [b * p for b, p in zip(functions, data[d], strict=True)]
-                errors = [b - exact.rational(found) for b, found in zip(functions, basis[k], strict=True)]
-                off = sum((abs(e * p) for e, p in zip(errors, data[d], strict=True)), fmpq(0))
+                terms = exact.products(functions, data[d])
+                off = sum(map(abs, exact.products(errors, data[d])))
                 constant = exact.worst_constant(values[k, d], terms)
                 if constant is None:
                     continue
                 assert constant <= LIMIT
-                assert off <= exact.rational(LIMIT * U) * sum((abs(x) for x in terms), fmpq(0))
+                # Certainly: both lie in intervals.
+                assert off <= LIMIT * U * sum(map(abs, terms))
 
 
 @pytest.mark.parametrize("ends", ENDS)
