@@ -135,7 +135,7 @@ def test_ticks_that_do_nothing_are_said_so(drawn, name):
     editor.drag_parameter(1, editor.parameters[1] + 0.02)
     assert np.array_equal(shape(editor), before)
     assert editor.session.document is document
-    editor.click_parameter(1)
+    editor.rail.click(1)
     panel.setFocus()
     QTest.keyClick(panel, Qt.Key.Key_Right)
     assert editor.session.undo_stack.count() == steps
