@@ -54,6 +54,11 @@ class KeptEditor:
             self._build(qtbot)
             self._reset()
             self._new = self._painted()
+        if QApplication.activeWindow() is not self._editor.window:
+            # Tests in between had windows of their own.
+            self._editor.window.activateWindow()
+            self._editor.window.canvas.setFocus()
+            self._editor.settle()
         return self._editor
 
     def _build(self, qtbot) -> None:
