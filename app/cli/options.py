@@ -226,6 +226,25 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         action="store_true",
         help="with --thin: the rows that a polyline this near turns at (Douglas-Peucker)",
     )
+    _add_family_options(convert)
+    add(
+        "--columns",
+        action="append",
+        default=[],
+        metavar="A,B",
+        help="of a table to read, which column is what, by title or number: t=time,x=pos_x,y=3; of one of "
+        "samples to write, which columns: t, x, y, vx, vy, ax, ay, jx, jy, curvature, length",
+    )
+    add(
+        "--missing",
+        choices=("refuse", "skip", "split"),
+        default="refuse",
+        help="of rows without numbers: leave them out, or end the curve there (default: %(default)s)",
+    )
+
+
+def _add_family_options(convert: argparse.ArgumentParser) -> None:
+    add = convert.add_argument
     add(
         "--family",
         type=_family_name,
@@ -240,20 +259,6 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         default=[],
         metavar="NAME=VALUE",
         help=f"of that family: {_settings_text()}",
-    )
-    add(
-        "--columns",
-        action="append",
-        default=[],
-        metavar="A,B",
-        help="of a table to read, which column is what, by title or number: t=time,x=pos_x,y=3; of one of "
-        "samples to write, which columns: t, x, y, vx, vy, ax, ay, jx, jy, curvature, length",
-    )
-    add(
-        "--missing",
-        choices=("refuse", "skip", "split"),
-        default="refuse",
-        help="of rows without numbers: leave them out, or end the curve there (default: %(default)s)",
     )
 
 
