@@ -110,17 +110,8 @@ def fit(
     if (count is None) == (tolerance is None):
         raise CurveError("either count or tolerance must be given")
     data = Data.of(points, parameters, closed, _grain(points, count, tolerance))
-    size = float(data.along[-1])
-    corners: list[int] = []
-    if with_corners and family.derivatives and family.is_local:
-        reach = 5.0 * tolerance if tolerance is not None else size / (4.0 * max(count or 0, 4))
-        spacing = size / len(data.points)
-        reach = max(reach, 4.0 * spacing)
-        if reach > _DENSE * spacing:
-            reach = max(reach, _ABOVE_ERRORS * scatter_of(data.points))
-        corners = sharp_turns(data.points, reach, closed=closed)
-        # So many are none.
-        corners = corners if len(corners) <= MOST // 4 else []
+    has_corners = with_corners and family.derivatives and family.is_local
+    corners = _corners_of(data, count, tolerance, closed=closed) if has_corners else []
     told = Told(progress)
     solve = partial(least_squares_curve, family, closed=closed, settings=settings)
     moves = parameters is None
@@ -138,6 +129,19 @@ def fit(
     found = fewest(fitter(few, corners=their_corners), persists=False)
     told.goes(_SEARCH, 1.0)
     return data.told(fewest(everything, (len(found.joints) - closed, found)).fit)
+
+
+def _corners_of(data: Data, count: int | None, tolerance: float | None, *, closed: bool) -> list[int]:
+    """Return the data at which the curve is to have a corner."""
+    size = float(data.along[-1])
+    reach = 5.0 * tolerance if tolerance is not None else size / (4.0 * max(count or 0, 4))
+    spacing = size / len(data.points)
+    reach = max(reach, 4.0 * spacing)
+    if reach > _DENSE * spacing:
+        reach = max(reach, _ABOVE_ERRORS * scatter_of(data.points))
+    corners = sharp_turns(data.points, reach, closed=closed)
+    # So many are none.
+    return corners if len(corners) <= MOST // 4 else []
 
 
 def _grain(points: ArrayLike, count: int | None, tolerance: float | None) -> float:
