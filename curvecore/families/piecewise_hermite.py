@@ -237,8 +237,9 @@ class PiecewiseHermite(ParametricCurve):
     def _are_worth_expansions(self, t: FloatArray) -> bool:
         # Whether or not the expansions are there already: in what order a curve is asked changes nothing.
         segments = len(self._parameters) - 1
-        most = _SAMPLED if self.degree == 3 and t.size >= _SAMPLES else _ALL
-        return segments <= most or t.size >= _DENSE * segments
+        if segments <= _ALL or t.size >= _DENSE * segments:
+            return True
+        return segments <= _SAMPLED and t.size >= _SAMPLES and self.degree == 3
 
     def _evaluate_inside(self, t: FloatArray, order: int) -> FloatArray | None:
         """Evaluate by expansions or through the control points, where that is possible."""

@@ -229,7 +229,8 @@ def test_it_is_a_polynomial_of_up_to_two_points_more_than_the_degree(degree, bey
     """n = d + 1 points: one polynomial. n = d + 2: two, blended as by Neville. Beyond: a quotient."""
     n = max(degree + 1 + beyond, 2)
     nodes = [fmpq(k * k) for k in range(n)]
-    values = [exact_functions(k + fmpq(1, 3), nodes, degree, 0)[0] for k in range(n + 1)]
+    weights = exact_weights(nodes, degree)
+    values = [exact_functions(k + fmpq(1, 3), nodes, degree, 0, weights)[0] for k in range(n + 1)]
     with ctx.workprec(_BITS):
         # The n-th difference of a polynomial of degree n - 1 is 0.
         difference = sum(((-1) ** k * math.comb(n, k) * value for k, value in enumerate(values)), arb(0))
