@@ -17,7 +17,7 @@ from app.tools.canvas.select import SELECT
 
 APP = Path(__file__).resolve().parent.parent.parent / "app"
 SHOWN = {"action_switch"}
-"""Modules with what shows an action: buttons, and the tick beside a name."""
+"""Modules with what shows an action: buttons that mirror one."""
 
 
 def store_of(tmp_path):
