@@ -36,7 +36,7 @@ _Fields = ParamSpec("_Fields")
 
 
 class Sight(msgspec.Struct, frozen=True):
-    """What an action is called and can do in the situation of the moment.
+    """Words and state of an action in the situation of the moment.
 
     Attributes
     ----------

@@ -68,7 +68,7 @@ class Background:
 
     @property
     def lines(self) -> tuple[tuple[Vector, ...], ...]:
-        """What is seen of the errands."""
+        """The lines of the errands, to be seen meanwhile."""
         return tuple(errand.line for errand in self._errands)
 
     def do(self, errand: Errand) -> None:

@@ -28,7 +28,7 @@ _ROUNDING = 1e-9
 
 
 class Outlook(msgspec.Struct, frozen=True):
-    """What a curve would become in another family, told before it is written there.
+    """The curve that another would become in a family, told before it is written there.
 
     Attributes
     ----------

@@ -64,7 +64,7 @@ class Command(msgspec.Struct, frozen=True):
 
     @property
     def entry(self) -> SearchEntry:
-        """What it is found by."""
+        """The words that it is found by."""
         return SearchEntry(self.name, self.path, self.action.statusTip(), keywords_of(self.action))
 
 

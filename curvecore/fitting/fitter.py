@@ -102,7 +102,7 @@ class Attempt(NamedTuple):
 
     @property
     def along(self) -> FloatArray:
-        """How far along the data the joints are, (k,)."""
+        """The lengths along the data at the joints, (k,)."""
         return self.data.along[self.joints]
 
     @property
