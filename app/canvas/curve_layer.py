@@ -91,7 +91,7 @@ class CurveLayer(Layer):
 
     def polyline(self, shown: PixelMap) -> Polyline | None:
         """Return the curve as it is drawn, None without one."""
-        if self._view is None or self._view.curve is None:
+        if self._view is None or not self._view.has_curve:
             return None
         return line_of(self._view, shown)
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from itertools import pairwise
+from typing import Protocol
 
 import msgspec
 
@@ -19,6 +20,12 @@ from ..document.edits import EditError, set_velocity
 from ..document.model import Curve, Document, Vector
 from .curve_view import CurveView
 from .jets import is_explicit
+
+
+class _Derivatives(Protocol):
+    """Tells a derivative at a point of a curve, None where it has none."""
+
+    def __call__(self, index: int, order: int, *, ahead: bool) -> Vector | None: ...
 
 
 class Handle(msgspec.Struct, frozen=True):
@@ -78,22 +85,24 @@ def _lone_handle(view: CurveView) -> list[Handle]:
 
 
 def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
-    if view.velocity_of(index, ahead=ahead) is None:
+    if not view.is_current:
         return []
     point, handles = view.source.points[index], list[Handle]()
     anchor = point.position
     for order in range(1, view.source.family.derivatives + 1):
-        tip = _control_point(view, index, order, order, ahead=ahead)
+        tip = _control_point(view, index, order, order, view.drawn_derivative, ahead=ahead)
         handles.append(Handle(order, ahead, tip, anchor, is_explicit(point, order, ahead=ahead)))
         anchor = tip
     return handles
 
 
-def _control_point(view: CurveView, index: int, place: int, highest: int, *, ahead: bool) -> Vector:
+def _control_point(
+    view: CurveView, index: int, place: int, highest: int, derivative_of: _Derivatives, *, ahead: bool
+) -> Vector:
     """Return where the control point `place` of a point lies, were derivatives above the `highest` zero."""
     at, h = view.source.points[index].position, _signed_spacing(view, index, ahead=ahead)
     for order in range(1, highest + 1):
-        derivative = view.derivative_of(index, order, ahead=ahead)
+        derivative = derivative_of(index, order, ahead=ahead)
         if derivative is not None:
             share = math.comb(place, order) * h**order / math.perm(_degree(view), order)
             at = _along(at, derivative, share)
@@ -107,7 +116,7 @@ def derivative_from_handle(
 
     Infinite where no number is large enough, on an interval of next to no length: no edit takes that.
     """
-    base = _control_point(view, index, order, order - 1, ahead=ahead)
+    base = _control_point(view, index, order, order - 1, view.derivative_of, ahead=ahead)
     h = _signed_spacing(view, index, ahead=ahead)
     x, y = (math.perm(_degree(view), order) * float(a - b) for a, b in zip(position, base, strict=True))
     # Not by a power of h: it may vanish where h does not.
