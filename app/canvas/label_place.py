@@ -91,3 +91,25 @@ def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF]) -> FloatArray
     leave = np.maximum(to_low, to_high).min(axis=2).clip(0.0, 1.0)
     lengths: FloatArray = np.maximum(leave - enter, 0.0) @ np.hypot(way[:, 0], way[:, 1])
     return lengths
+
+
+def number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
+    """Put the number on the outer side of the bend, where the curve is not, and a long one further away."""
+    last = len(pixels) - 1
+    around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
+    before, here, after = (complex(*place) for place in around)
+    outward = here - (before + after) / 2
+    if 0 < index < last and abs(outward) > 2:
+        outward /= abs(outward)
+    else:
+        outward = _beside(after - before)
+    place = here + distance * outward
+    return QPointF(place.real + beyond * outward.real, place.imag)
+
+
+def _beside(direction: complex) -> complex:
+    """Return the unit vector across `direction` (pixels) that points up; straight up without direction."""
+    if direction == 0:
+        return -1j
+    across = direction * -1j / abs(direction)
+    return -across if across.imag > 0 else across

@@ -24,11 +24,13 @@ class PenLayer(Layer):
         self._preview: CurveView | None = None
         self._line: tuple[Vector, ...] = ()
         self._stroke = Stroke()
+        self.set_visible(False)
 
     def render(self, preview: CurveView | None, line: tuple[Vector, ...]) -> None:
         """Draw this curve and this line from the next paint on; None and () for nothing."""
         if preview is not self._preview or line != self._line:
             self._preview, self._line = preview, line
+            self.set_visible(preview is not None or bool(line))
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

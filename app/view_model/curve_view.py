@@ -68,8 +68,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return core_after(self.source, self.arrays, self.motion.moves.curve)
 
     @property
-    def _is_unmade(self) -> bool:
-        """Whether nobody has asked for the core's curve yet, which there is."""
+    def is_followed(self) -> bool:
+        """Whether points are being dragged, and nobody has asked yet for the core's curve, which there is."""
         return self._made is None and "_core" not in self.__dict__
 
     def settle(self) -> None:
@@ -87,12 +87,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @property
     def has_curve(self) -> bool:
         """Whether there is a curve to draw, the present one or the last good one."""
-        return self._is_unmade or self._core.curve is not None
+        return self.is_followed or self._core.curve is not None
 
     @property
     def problem(self) -> str:
         """Why the present points and rules give no curve, as a sentence; empty where they do."""
-        return "" if self._is_unmade else self._core.problem
+        return "" if self.is_followed else self._core.problem
 
     @property
     def sides(self) -> Sides | None:
@@ -102,12 +102,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @property
     def is_current(self) -> bool:
         """Whether `curve` belongs to the present points and rules."""
-        return self._is_unmade or (self._core.curve is not None and not self._core.problem)
+        return self.is_followed or (self._core.curve is not None and not self._core.problem)
 
     @cached_property
     def corners(self) -> list[int]:
         """The points at which the curve may turn sharply; the ends of an open curve have one side only."""
-        if not self.source.family.derivatives:
+        if not self.source.family.derivatives or (self.motion is not None and not self.source.is_closed):
             return []
         last = len(self.points) - 1
         found: list[int] = np.flatnonzero(self.arrays.corners).tolist()
@@ -229,12 +229,6 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
             return None
         x, y = self.sides[ahead][index, order]
         return (float(x), float(y))
-
-    def drawn_derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
-        """Return a derivative as `derivative_of` does, but for roundings while nobody needs the curve."""
-        if self._is_unmade and self.motion is not None:
-            return self.motion.derivative(index, order, ahead=ahead)
-        return self.derivative_of(index, order, ahead=ahead)
 
     def spacing(self, index: int, *, ahead: bool) -> float | None:
         """Return the length in t of the segment ahead of or behind point `index`, None beyond the ends."""

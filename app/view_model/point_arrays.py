@@ -54,7 +54,8 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     if all(_has_only_moved(points[row], previous.points[row]) for row in rows):
         # As under nearly every drag.
         positions = previous.positions.copy()
-        positions[rows] = [(points[row].x, points[row].y) for row in rows]
+        for row in rows:
+            positions[row] = points[row].x, points[row].y
         positions.setflags(write=False)
         return PointArrays(points, positions, *old[1:])
     fresh, places = _columns([points[row] for row in rows]), np.array(rows)

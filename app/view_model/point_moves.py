@@ -7,6 +7,7 @@ polyline and its derivatives. The core's curve is made of the points as they are
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
@@ -20,11 +21,30 @@ from .jets import Sides, moved_with_points
 from .plane import at_knots
 from .point_arrays import PointArrays, rows_changed
 
+if TYPE_CHECKING:
+    from .handles import Handle
+
 _LARGEST = 1e150
 """Size of data up to which no sum or product of two overflows."""
 
 _ROUNDING = 1e-14
 """Differences between the ways of points that moved together, as a share of where they are."""
+
+
+class _Jets(msgspec.Struct, frozen=True, eq=False):
+    """Points and derivatives before and after each knot, (k, R, 2)."""
+
+    sides: Sides
+
+    def position(self, index: int) -> Vector:
+        """Return where a point is."""
+        x, y = self.sides.after[index, 0].tolist()
+        return (x, y)
+
+    def derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
+        """Return the derivative of an order at a point, on one side of it."""
+        x, y = self.sides[ahead][index, order].tolist()
+        return (x, y)
 
 
 class PointMoves:
@@ -43,6 +63,17 @@ class PointMoves:
     rows
         The points that move.
 
+    Attributes
+    ----------
+    curve
+        The curve before they moved.
+    rows
+        The points that move.
+    at_rest, unit
+        The data before they moved; by how much they move along, as for a way of 1 along x.
+    handles
+        Handles of some points, before they moved and by how much they move along: kept by `handles`.
+
     Raises
     ------
     CurveError
@@ -57,24 +88,27 @@ class PointMoves:
         sides: Sides | None,
         rows: Sequence[int],
     ) -> None:
-        self._rules, self._arrays, self._sides, self._rows = _rules(source), arrays, sides, list(rows)
-        self.curve = curve
+        self._rules, self._arrays = _rules(source), arrays
+        self.curve, self.rows = curve, list(rows)
+        points, is_closed = at_knots(arrays.positions, closed=source.is_closed), source.is_closed
+        self.at_rest = _Jets(sides or Sides(points[:, None], points[:, None]))
         which = np.zeros((len(arrays.points), 1))
-        which[self._rows] = 1.0
-        # What the points do to the jets before and after each knot, (k, R).
-        self._unit = [at_knots(which, closed=source.is_closed)] * 2
+        which[self.rows] = 1.0
+        unit = [at_knots(which, closed=is_closed)[:, :, None]] * 2
         if sides is not None:
-            points = at_knots(arrays.positions, closed=source.is_closed)
             derivatives = moved_with_points(source, points, curve.parameters, arrays)(which)
-            self._unit = [np.hstack([self._unit[0], each[:, :, 0]]) for each in derivatives]
+            unit = [np.hstack([unit[0], each]) for each in derivatives]
+        before, after = unit
+        self._unit_jets = np.vstack([after[:-1], before[-1:]])
+        # A way of 1 along x.
+        self.unit = _Jets(Sides(*(np.pad(each, ((0, 0), (0, 0), (0, 1))) for each in unit)))
+        self.handles: dict[tuple[int, bool], tuple[list[Handle], list[Handle]]] = {}
         self._polylines: tuple[FlatteningKey, MovedPoints] | None = None
-        before, after = self._unit
-        self._unit_jets = np.vstack([after[:-1], before[-1:]])[:, :, None]
 
     @property
     def is_safe(self) -> bool:
         """Whether no move to anywhere in a document can fail."""
-        data = [self.curve.jets, *self._unit]
+        data = [self.curve.jets, *self.unit.sides]
         return all(bool((np.abs(each) < _LARGEST).all()) for each in data)
 
     def to(self, curve: Curve, arrays: PointArrays) -> Motion | None:
@@ -91,15 +125,15 @@ class PointMoves:
         moved = rows_changed(arrays.points, old.points)
         if not moved:
             return Motion(self, (0.0, 0.0))
-        way = self._common_way(arrays) if moved == self._rows else None
+        way = self._common_way(arrays) if moved == self.rows else None
         return None if way is None else Motion(self, way)
 
     def _common_way(self, arrays: PointArrays) -> Vector | None:
-        if len(self._rows) == 1:
-            new, old = arrays.points[self._rows[0]], self._arrays.points[self._rows[0]]
+        if len(self.rows) == 1:
+            new, old = arrays.points[self.rows[0]], self._arrays.points[self.rows[0]]
             return (new.x - old.x, new.y - old.y)
-        places = arrays.positions[self._rows]
-        ways = places - self._arrays.positions[self._rows]
+        places = arrays.positions[self.rows]
+        ways = places - self._arrays.positions[self.rows]
         if np.abs(ways - ways[0]).max() > _ROUNDING * np.abs(places).max():
             return None
         x, y = ways[0].tolist()
@@ -112,14 +146,6 @@ class PointMoves:
             self._polylines = (key, MovedPoints(self.curve, unit, *key))
         return self._polylines[1].at(*way)
 
-    def derivative(self, way: Vector, index: int, order: int, *, ahead: bool) -> Vector | None:
-        """Return a derivative at a point after a move, but for roundings; None where there is none."""
-        if self._sides is None or order >= self.curve.jets.shape[1]:
-            return None
-        x, y = self._sides[ahead][index, order].tolist()
-        share = float(self._unit[ahead][index, order])
-        return (x + share * way[0], y + share * way[1])
-
 
 class Motion(msgspec.Struct, frozen=True, eq=False):
     """A move: which points move, and how far they came."""
@@ -130,10 +156,6 @@ class Motion(msgspec.Struct, frozen=True, eq=False):
     def polyline(self, key: FlatteningKey) -> Polyline | None:
         """Return the curve as a polyline, as `PointMoves` does."""
         return self.moves.polyline(self.way, key)
-
-    def derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
-        """Return a derivative at a point, as `PointMoves` does."""
-        return self.moves.derivative(self.way, index, order, ahead=ahead)
 
 
 def _rules(curve: Curve) -> tuple[object, ...]:

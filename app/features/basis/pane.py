@@ -56,6 +56,8 @@ class BasisPane(FollowsTheme, CentralPane):
         self._functions = self._title.text()
         self._kinds = [self._kind_button(kind) for kind in range(len(_NAMES))]
         self._formulas: tuple[str, ...] = ()
+        # The functions that the header is about, and whether with the estimates.
+        self._told_of: tuple[BasisView | None, bool] = (None, False)
         self._reach: tuple[float, float] | None = None
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
@@ -112,21 +114,26 @@ class BasisPane(FollowsTheme, CentralPane):
 
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`, and the legend that goes with its family."""
-        self._panel.drawing.render_view(view)
-        basis = self._panel.drawing.basis
+        drawing = self._panel.drawing
+        drawing.render_view(view)
+        basis = drawing.basis
+        if view.motion is not None and self._told_of == (basis, drawing.with_estimates):
+            # Points have moved, and the functions rest.
+            return
+        self._told_of = (basis, drawing.with_estimates)
         has_estimates = view.source.family.derivatives > 0
         self._estimates.setVisible(has_estimates)
-        shows_cardinals = self._panel.drawing.with_estimates and has_estimates
+        shows_cardinals = drawing.with_estimates and has_estimates
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-        drawing = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
+        note = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
         # Laying the header out costs more than drawing the curve: only when it says something else.
         functions = view.source.family.functions
-        if (formulas, drawing, functions) != (self._formulas, self._drawing.text(), self._functions):
+        if (formulas, note, functions) != (self._formulas, self._drawing.text(), self._functions):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
             self._functions, self._linearised = functions, view.linearised
-            self._drawing.setText(drawing)
+            self._drawing.setText(note)
             self._write_header()
 
     def show_findings(self, findings: Sequence[str]) -> None:
