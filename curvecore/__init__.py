@@ -64,7 +64,8 @@ drag                 updates while points or parameters move:
   moved_parameters   Lagrange functions after a few parameters moved
   left_out           Lagrange curves after a few points moved
 
-analysis.geometry    curvature, box, inflections, extrema of curvature
+analysis.curvature   curvature, its inflections and extrema
+  bounding_boxes     the smallest boxes
   lengths            lengths within a bound, and the way back
   quadrature         its arithmetic, for the arcs of many curves at once
   nearest_point      the nearest point of a curve, of all or within a reach
@@ -82,7 +83,8 @@ fitting.fit          few points near many data: `fit`
   least_squares      the linear problem: `least_squares_curve`
   joints             corners of data, and where joints should be
 
-rounding.evaluation  curves computed with k decimal digits, and the truth
+rounding.evaluation  curves computed with k decimal digits
+  exact_values       the truth, and the digits lost
   decimal_methods    its methods, operation by operation
   operations         what they cost
   rounded_data       data rounded to so many decimals or digits

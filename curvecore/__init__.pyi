@@ -1,15 +1,15 @@
 """The public names of curvecore and their modules: read by type checkers, and when one is first used."""
 
-from curvecore.analysis.basis_checks import BasisDefects as BasisDefects
 from curvecore.analysis.basis_checks import CardinalDefect as CardinalDefect
 from curvecore.analysis.basis_checks import Miss as Miss
 from curvecore.analysis.basis_checks import SlopeDefect as SlopeDefect
 from curvecore.analysis.basis_checks import SumDefect as SumDefect
-from curvecore.analysis.basis_checks import basis_defects as basis_defects
 from curvecore.analysis.basis_checks import cardinal_defect as cardinal_defect
 from curvecore.analysis.basis_checks import slope_defect as slope_defect
 from curvecore.analysis.basis_checks import sum_defect as sum_defect
 from curvecore.analysis.basis_checks import worst_miss as worst_miss
+from curvecore.analysis.bounding_boxes import Box as Box
+from curvecore.analysis.bounding_boxes import bounding_box as bounding_box
 from curvecore.analysis.cardinal import CardinalBasis as CardinalBasis
 from curvecore.analysis.cardinal import cardinal_basis as cardinal_basis
 from curvecore.analysis.cardinal import estimation_matrix as estimation_matrix
@@ -19,16 +19,14 @@ from curvecore.analysis.condition import segment_conditions as segment_condition
 from curvecore.analysis.condition import vandermonde_condition as vandermonde_condition
 from curvecore.analysis.continuity import Joint as Joint
 from curvecore.analysis.continuity import joint_report as joint_report
+from curvecore.analysis.curvature import CurvatureExtrema as CurvatureExtrema
+from curvecore.analysis.curvature import curvature as curvature
+from curvecore.analysis.curvature import curvature_extrema as curvature_extrema
+from curvecore.analysis.curvature import curvature_of as curvature_of
+from curvecore.analysis.curvature import inflections as inflections
+from curvecore.analysis.curvature import speed as speed
 from curvecore.analysis.ensembles import Ensemble as Ensemble
 from curvecore.analysis.ensembles import ensemble as ensemble
-from curvecore.analysis.geometry import Box as Box
-from curvecore.analysis.geometry import CurvatureExtrema as CurvatureExtrema
-from curvecore.analysis.geometry import bounding_box as bounding_box
-from curvecore.analysis.geometry import curvature as curvature
-from curvecore.analysis.geometry import curvature_extrema as curvature_extrema
-from curvecore.analysis.geometry import curvature_of as curvature_of
-from curvecore.analysis.geometry import inflections as inflections
-from curvecore.analysis.geometry import speed as speed
 from curvecore.analysis.intersections import SelfIntersections as SelfIntersections
 from curvecore.analysis.intersections import self_intersections as self_intersections
 from curvecore.analysis.lengths import ArcLength as ArcLength
@@ -99,10 +97,10 @@ from curvecore.parametrization import uniform as uniform
 from curvecore.rounding.evaluation import Method as Method
 from curvecore.rounding.evaluation import Rounding as Rounding
 from curvecore.rounding.evaluation import available_methods as available_methods
-from curvecore.rounding.evaluation import digits_lost as digits_lost
 from curvecore.rounding.evaluation import evaluate_rounded as evaluate_rounded
-from curvecore.rounding.evaluation import exact_values as exact_values
 from curvecore.rounding.evaluation import rounded_decimals as rounded_decimals
+from curvecore.rounding.exact_values import digits_lost as digits_lost
+from curvecore.rounding.exact_values import exact_values as exact_values
 from curvecore.rounding.operations import OperationCounts as OperationCounts
 from curvecore.rounding.operations import operation_counts as operation_counts
 from curvecore.rounding.rounded_data import round_data as round_data

@@ -17,6 +17,7 @@ from app import __version__
 from app.cli import main
 from app.cli.windows import open_windows
 from app.document.model import Document, make_curve
+from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
 
@@ -105,6 +106,32 @@ def test_info_as_json(capsys):
     assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
     assert curve["box"]["left"] == pytest.approx(0.35)
     assert curve["warnings"] == []
+
+
+@pytest.mark.parametrize(("count", "degree", "kind"), [(5, 4, None), (6, None, "rational, blended degree 3")])
+def test_info_says_what_a_rational_curve_is(tmp_path, capsys, count, degree, kind):
+    path = tmp_path / "rational.curve.json"
+    points = [(k, k % 2) for k in range(count)]
+    save(path, Document((make_curve(points, family=FAMILIES.named("floater_hormann")),)))
+    assert main(["info", str(path)]) == 0
+    text = capsys.readouterr().out
+    assert ("  degree           4\n" in text) == (degree is not None)
+    assert (f"  kind             {kind}\n" in text) == (kind is not None)
+    assert main(["info", "--json", str(path)]) == 0
+    (curve,) = json.loads(capsys.readouterr().out)["curves"]
+    assert (curve["degree"], curve["kind"]) == (degree, kind)
+
+
+@pytest.mark.parametrize(("own", "digits"), [("natural_spline", None), ("gaussian", [9, 8, 6])])
+def test_info_says_where_derivatives_are_differences(own, digits, tmp_path, capsys):
+    path, file = tmp_path / "own.curve.json", Path(__file__).parent / f"data/families/{own}.py"
+    family = FAMILIES.named(f"tests_{own}")
+    save(path, Document((make_curve([(0, 0), (1, 2), (2, 1), (3, 0)], family=family),)))
+    assert main(["info", str(path), "--families", str(file)]) == 0
+    row = "  derivatives      differences, some 9 digits of c′, 8 digits of c″ and 6 digits of c‴\n"
+    assert (row in capsys.readouterr().out) == (digits is not None)
+    assert main(["info", "--json", str(path), "--families", str(file)]) == 0
+    assert json.loads(capsys.readouterr().out)["curves"][0]["difference_digits"] == digits
 
 
 def test_info_of_a_sketch_just_begun(tmp_path, capsys):

@@ -28,6 +28,7 @@ from ..exchange.writing import export
 from ..families import FAMILIES, HERMITE
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from ..tasks.progress import Report, part
+from ..view_model.basis_findings import digits_in_words
 from ..view_model.curve_view import view_of
 from ..view_model.least_squares import Fitted, fitted_to_curve
 from ..view_model.motion_settings import Pace, Repeat
@@ -308,6 +309,8 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
         "family": facts.family.name,
         "settings": {setting.name: value for setting, value in facts.settings.items()},
         "degree": facts.degree,
+        "kind": facts.kind or None,
+        "difference_digits": facts.difference_digits or None,
         "points": facts.points,
         "closed": facts.closed,
         "corners": facts.corners,
@@ -327,6 +330,10 @@ def _as_text(facts: CurveFacts) -> str:
     if facts.degree is not None:
         where = "" if facts.pieces == 1 else " on every segment"
         rows.append(("degree", f"{facts.degree}{where}"))
+    if facts.kind:
+        rows.append(("kind", facts.kind))
+    if facts.difference_digits:
+        rows.append(("derivatives", f"differences, {digits_in_words(facts.difference_digits)}"))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))

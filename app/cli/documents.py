@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..document.model import Document
 from ..storage.files import load
-from ..storage.format import FormatError
+from ..storage.format_error import FormatError
 from .refusals import RefusalError
 
 

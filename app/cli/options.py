@@ -200,7 +200,7 @@ def _settings_text() -> str:
     return "; ".join(
         f"{family} {setting.name}, {setting.requirement} (default: {setting.default})"
         for family in FAMILIES
-        for setting in family.settings
+        for setting in family.settings.all
     )
 
 

@@ -1,6 +1,7 @@
 """The document: immutable values and the edits that make new ones.
 
-- ``model``: Document, Curve, Point and the enumerations.  ``limits``: the numbers that they may hold.
+- ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
+  rules that estimate them.  ``limits``: the numbers that they may hold.
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.

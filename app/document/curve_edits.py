@@ -10,8 +10,9 @@ from itertools import count
 
 from msgspec.structs import replace
 
+from .derivatives import DERIVATIVES
 from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
-from .model import DERIVATIVES, Curve, Document, Parametrization, Point, Vector, empty_document
+from .model import Curve, Document, Parametrization, Point, Vector, empty_document
 from .words import enumerated
 
 

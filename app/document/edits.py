@@ -13,6 +13,7 @@ from itertools import pairwise
 from msgspec.structs import replace
 
 from ..families import FAMILIES, Family, SettingValue, titles
+from .derivatives import DERIVATIVES, VECTORS, EstimateRule
 
 # Who edits needs these with the edits.
 from .kept_handles import stretched as stretched  # noqa: PLC0414
@@ -20,16 +21,7 @@ from .kept_handles import with_handles_kept
 from .limits import EditError as EditError  # noqa: PLC0414
 from .limits import checked as checked  # noqa: PLC0414
 from .limits import checked_vector, not_after
-from .model import (
-    DERIVATIVES,
-    VECTORS,
-    Curve,
-    Document,
-    EstimateRule,
-    ParametrizationKind,
-    Point,
-    Vector,
-)
+from .model import Curve, Document, ParametrizationKind, Point, Vector
 from .words import number
 
 LEAST_TO_CLOSE = 3
@@ -183,15 +175,22 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
     that does to the others, dt_new / dt_old, as for `append_point`: handles stay where the person put them.
     """
     old = document.curves[curve]
-    if closed and not old.family.can_close:
+    if closed and not old.family.curve_class.can_close:
         raise EditError(
-            f"Choose {titles(each for each in FAMILIES if each.can_close)} to close the curve: "
-            f"{old.family.a_curve} {old.family.why_open}."
+            f"Choose {titles(each for each in FAMILIES if each.curve_class.can_close)} to close the curve: "
+            f"{old.family.a_curve} {_why_open(old.family)}."
         )
     if closed and len(old.points) < LEAST_TO_CLOSE:
         raise EditError("A closed curve needs at least three points.")
     points = tuple(stretched(point, parameter_scale) for point in old.points)
     return document.with_curve(curve, _with_room_to_close(replace(old, points=points, closed=closed)))
+
+
+def _why_open(family: Family) -> str:
+    """Return the reason for its curves not to return to their first point, as said of one of them."""
+    if family.curve_class.is_one_polynomial:
+        return "is one polynomial, and one that is not constant cannot repeat itself smoothly"
+    return "does not come back smoothly to its first point"
 
 
 # Rules
@@ -205,12 +204,12 @@ def set_family(document: Document, curve: int, family: Family) -> Document:
 def set_family_setting(document: Document, curve: int, name: str, value: SettingValue) -> Document:
     """Choose a setting of the curve's family."""
     old = document.curves[curve]
-    setting = next((each for each in old.family.settings if each.name == name), None)
+    setting = old.family.settings.named(name)
     if setting is None:
         raise EditError(f"{old.family.label} has no setting “{name}”.")
     if not setting.allows(value):
         raise EditError(f"{setting.label} must be {setting.requirement}.")
-    chosen = old.family.without_defaults({**old.settings, name: value})
+    chosen = old.family.settings.without_defaults({**old.settings, name: value})
     return document if chosen == old.settings else document.with_curve(curve, replace(old, settings=chosen))
 
 

@@ -7,8 +7,9 @@ from collections.abc import Iterable
 import msgspec
 from msgspec.structs import replace
 
+from .derivatives import DERIVATIVES
 from .limits import checked_vector
-from .model import DERIVATIVES, Curve, Point, Vector
+from .model import Curve, Point, Vector
 
 
 class JetValue(msgspec.Struct, frozen=True):

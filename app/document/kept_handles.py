@@ -16,8 +16,9 @@ from itertools import pairwise
 import msgspec
 from msgspec.structs import replace
 
+from .derivatives import DERIVATIVES, VECTORS
 from .limits import checked_vector
-from .model import DERIVATIVES, VECTORS, Curve, ParametrizationKind, Point
+from .model import Curve, ParametrizationKind, Point
 
 _NOISE = 1e-12
 """A change of h that is rounding."""

@@ -10,6 +10,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
+from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .words import NamedEnum
 
 Vector = tuple[float, float]
@@ -71,147 +72,6 @@ class ParametrizationKind(NamedEnum):
     def asks_where_points_are(self) -> bool:
         """Whether the parameters change when points move."""
         return "points" in self.takes
-
-
-_SMALL_MOVES = "of small moves, the mean of x and y"
-
-
-class EstimateRule(NamedEnum):
-    """A rule that estimates derivatives.
-
-    Attributes
-    ----------
-    estimate
-        What is said of an estimate.
-    function
-        The function of ``curvecore`` that computes the estimates.
-    takes
-        Its arguments: ``points``, ``parameters``, ``alpha``.
-    changes
-        The function of ``curvecore`` for what moves of the points do to them, where these are not linear in
-        the points: it takes ``moves``, (n, k), too. Empty of a linear rule, whose estimates do as the points.
-    linearised
-        What the effects of points are that it gives, to follow "those".
-    """
-
-    def __init__(
-        self,
-        value: str,
-        label: str = "",
-        estimate: str = "",
-        function: str = "",
-        takes: tuple[str, ...] = ("points", "parameters"),
-        changes: str = "",
-        linearised: str = "",
-    ) -> None:
-        super().__init__(value, label)
-        self.estimate, self.function, self.takes = estimate, function, takes
-        self.changes, self.linearised = changes, linearised
-
-    @property
-    def is_linear(self) -> bool:
-        """Whether estimates are linear in the points, at given parameters."""
-        return not self.changes
-
-
-class VelocityRule(EstimateRule):
-    """The rule that estimates the velocity of a point that has none of its own."""
-
-    NATURAL_SPLINE = (
-        "natural_spline", "Natural C² spline", "estimated by the natural spline rule",
-        "natural_spline_velocities",
-    )  # fmt: skip
-    BESSEL = (
-        "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule", "bessel_velocities"
-    )  # fmt: skip
-    FINITE_DIFFERENCE = (
-        "finite_difference", "Finite difference", "estimated by the finite difference rule",
-        "finite_difference_velocities",
-    )  # fmt: skip
-    CATMULL_ROM = (
-        "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule",
-        "catmull_rom_velocities", ("points", "parameters", "alpha"),
-        "catmull_rom_changes", "of points whose knots stay",
-    )  # fmt: skip
-    MONOTONE = (
-        "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
-        "monotone_velocities", ("points", "parameters"), "monotone_changes", _SMALL_MOVES,
-    )  # fmt: skip
-    AKIMA = (
-        "akima", "Akima", "estimated by Akima's rule",
-        "akima_velocities", ("points", "parameters"), "akima_changes", _SMALL_MOVES,
-    )  # fmt: skip
-
-
-class AccelerationRule(EstimateRule):
-    """The rule that estimates the acceleration of a point that has none of its own."""
-
-    NATURAL_SPLINE = (
-        "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_accelerations",
-    )  # fmt: skip
-    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", ("points",)
-
-
-class JerkRule(EstimateRule):
-    """The rule that estimates the jerk of a point that has none of its own."""
-
-    NATURAL_SPLINE = (
-        "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_jerks",
-    )  # fmt: skip
-    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", ("points",)
-
-
-class Derivative(msgspec.Struct, frozen=True):
-    """A derivative that a point may carry: what all that lists them reads.
-
-    Attributes
-    ----------
-    order
-        1 for the first by t.
-    name
-        The field of a point that holds it, and what people call it.
-    plural
-        The argument of curves of the core that holds it.
-    letter
-        Its symbol.
-    unit
-        What it is per.
-    rules
-        The rules that estimate it.
-    """
-
-    order: int
-    name: str
-    plural: str
-    letter: str
-    unit: str
-    rules: type[EstimateRule]
-
-    @property
-    def after(self) -> str:
-        """The field of a point that holds the one after a corner."""
-        return f"{self.name}_after"
-
-    @property
-    def rule_field(self) -> str:
-        """The field of a curve that holds the rule."""
-        return f"{self.name}_rule"
-
-
-DERIVATIVES = (
-    Derivative(1, "velocity", "velocities", "v", "per unit of t", VelocityRule),
-    Derivative(2, "acceleration", "accelerations", "a", "per unit of t squared", AccelerationRule),
-    Derivative(3, "jerk", "jerks", "j", "per unit of t cubed", JerkRule),
-)
-"""The derivatives of a point, by their orders: `Point` has their fields, `Curve` their rules."""
-
-VECTORS = (
-    *((each.order, each.name) for each in DERIVATIVES),
-    *((each.order, each.after) for each in DERIVATIVES),
-)
-"""Orders and names of the fields of a point that hold derivatives: those before and those after a corner."""
 
 
 class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
@@ -339,13 +199,13 @@ class Curve(Value, frozen=True, dict=True):
             return self
         own = ((self.family, self.settings),) if self.settings else ()
         others = tuple(each for each in self.other_settings if each[0] != family)
-        settings = family.without_defaults(dict(self.other_settings).get(family, NO_SETTINGS))
+        settings = family.settings.without_defaults(dict(self.other_settings).get(family, NO_SETTINGS))
         return replace(self, family=family, settings=settings, other_settings=(*others, *own))
 
     @property
     def settings_in_effect(self) -> ChosenSettings:
         """The settings, with those that closing decides."""
-        return self.family.in_effect(self.settings, closed=self.is_closed)
+        return self.family.settings.in_effect(self.settings, closed=self.is_closed)
 
     @property
     def functions_key(self) -> tuple[Family, ChosenSettings]:
@@ -355,7 +215,7 @@ class Curve(Value, frozen=True, dict=True):
     @property
     def is_closed(self) -> bool:
         """Whether the curve returns to its first point: closed, and of a family that can."""
-        return self.closed and self.family.can_close and len(self.points) > 1
+        return self.closed and self.family.curve_class.can_close and len(self.points) > 1
 
     @cached_property
     def has_derivatives(self) -> bool:

@@ -14,7 +14,8 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from .model import VECTORS, Curve, Document, Point, Value, Vector, vectors_of
+from .derivatives import VECTORS
+from .model import Curve, Document, Point, Value, Vector, vectors_of
 
 Values = TypeVar("Values", bound=Value)
 

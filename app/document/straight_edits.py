@@ -18,7 +18,7 @@ def why_not_straight(family: Family) -> str:
         return ""
     is_so = (
         "is one polynomial and has no segments of its own"
-        if family.is_one_polynomial
+        if family.curve_class.is_one_polynomial
         else "has no velocities at its points, of which a straight segment is made"
     )
     return f"{family.subject} {is_so}; choose {titles_with_derivatives()}."

@@ -15,9 +15,10 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
+from .derivatives import VECTORS
 from .edits import EditError, placed, with_each_changed, with_points_elsewhere
 from .limits import checked_vector
-from .model import VECTORS, Document, Point, Vector
+from .model import Document, Point, Vector
 
 
 class Linear(msgspec.Struct, frozen=True):

@@ -19,7 +19,8 @@ from typing import IO
 import msgspec
 
 from ..storage.coding import from_plain, to_plain
-from ..storage.format import FormatError, validate
+from ..storage.format_error import FormatError
+from ..storage.validation import validate
 from ..tasks.progress import Report, silent
 from . import READER_PROCESS
 from .cubics_in import Imported

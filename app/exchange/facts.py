@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore import Length
-from curvecore.analysis.geometry import Box, bounding_boxes, pieces_of
-from curvecore.bezier.pieces import BezierPieces
+from curvecore.analysis.bounding_boxes import Box, bounding_boxes
+from curvecore.bezier.pieces import BezierPieces, bezier_pieces
 from curvecore.scaling import LARGEST
 
 from ..document.model import Curve, Document, Parametrization
@@ -67,6 +67,10 @@ class CurveFacts:
         How many points it may turn sharply at.
     degree
         Of the polynomial, or of each piece.
+    kind
+        Words for its functions where they are no polynomials; empty where that is not known.
+    difference_digits
+        Digits of the first derivatives where these are differences of values; empty where they are not.
     pieces
         How many pieces it has; 0 without a curve.
     domain
@@ -87,6 +91,8 @@ class CurveFacts:
     parametrization: Parametrization
     points: int
     degree: int | None = None
+    kind: str = ""
+    difference_digits: tuple[int, ...] = ()
     pieces: int = 0
     domain: tuple[float, float] | None = None
     length: Length | None = None
@@ -150,7 +156,7 @@ def _shape_of(curve: Curve) -> _Shape | str:
     if reason := too_much(curve):
         return reason
     view = view_of(curve)
-    return view.problem if view.curve is None else _Shape(curve, view, view.curve, pieces_of(view.curve))
+    return view.problem if view.curve is None else _Shape(curve, view, view.curve, bezier_pieces(view.curve))
 
 
 def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> Iterator[CurveFacts]:
@@ -175,6 +181,8 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
     return replace(
         _facts_of_points(curve),
         degree=core.degree,
+        kind=core.kind,
+        difference_digits=core.pieces[0].difference_digits,
         pieces=len(core.breaks) - 1,
         domain=core.domain,
         length=length if length is not None and length.value < np.finfo(float).max else None,
@@ -194,7 +202,7 @@ def _facts_of_points(curve: Curve) -> CurveFacts:
         curve.parametrization,
         len(curve.points),
         visible=curve.visible,
-        settings=curve.family.values_of(curve.settings_in_effect),
+        settings=curve.family.settings.values(curve.settings_in_effect),
     )
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from .. import exchange
 from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ..storage.files import document_in, read
-from ..storage.format import FormatError
+from ..storage.format_error import FormatError
 from ..tasks.progress import Report, silent
 from . import table
 from .errors import ExchangeError

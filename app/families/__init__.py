@@ -4,7 +4,7 @@ Whatever offers, names, stores or draws a family reads it here: menus, toolbar, 
 command line and tests.
 
 - ``family``: `Family`, the record, made from a curve class.
-- ``chosen``: `ChosenSettings`, the settings of a family that are not its defaults.
+- ``settings``: `FamilySettings`, those of a family; `ChosenSettings`, those that are not at their defaults.
 - ``registry``: `FAMILIES`, those of the program and then those of installed packages and of files.
 - ``family_file``: families that a person wrote in a file of Python, checked before they are used.
   ``time_limit``: an end for what runs in it.
@@ -13,8 +13,7 @@ command line and tests.
 from curvecore import FamilySetting
 from curvecore.families.setting import SettingValue
 
-from .chosen import NO_SETTINGS, ChosenSettings
-from .family import Family
+from .family import Family, may_be_name
 from .registry import (
     FAMILIES,
     HERMITE,
@@ -24,6 +23,7 @@ from .registry import (
     titles,
     titles_with_derivatives,
 )
+from .settings import NO_SETTINGS, ChosenSettings
 
 __all__ = [
     "FAMILIES",
@@ -36,6 +36,7 @@ __all__ = [
     "Family",
     "FamilySetting",
     "SettingValue",
+    "may_be_name",
     "titles",
     "titles_with_derivatives",
 ]

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from inspect import isabstract
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, Self, final
+from typing import Any, Self, final
 
 import numpy.typing as npt
 
-import curvecore
-from curvecore import CurveError, FamilySetting, ParametricCurve
+from curvecore import CurveError, ParametricCurve
 from curvecore.families.setting import SettingValue
 
-from .chosen import NO_SETTINGS, ChosenSettings
-
-if TYPE_CHECKING:
-    from curvecore import Fit
+from .settings import NO_SETTINGS, FamilySettings
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
+
+
+def may_be_name(name: object) -> bool:
+    """Whether a family, of this program or another one's, or a setting may have this name."""
+    return isinstance(name, str) and _NAME.fullmatch(name) is not None
 
 
 @final
@@ -60,11 +61,6 @@ class Family:
         """Whether a curve is one of this family, as it is now; of a chain, its pieces."""
         return type(curve.pieces[0]) is self._curve_class
 
-    @staticmethod
-    def may_be_called(name: object) -> bool:
-        """Whether a family, of this program or another one's, may have this name: a short identifier."""
-        return isinstance(name, str) and _NAME.fullmatch(name) is not None
-
     @property
     def name(self) -> str:
         """The name that documents store: ``quintic_hermite``."""
@@ -76,10 +72,15 @@ class Family:
         return self._curve_class is None
 
     @property
+    def curve_class(self) -> type[ParametricCurve]:
+        """The class of its curves; of a missing family the base of all classes, with its defaults."""
+        return self._curve_class or ParametricCurve
+
+    @property
     def is_built_in(self) -> bool:
         """Whether it is one of the core's, whose tests prove its functions."""
         core = ParametricCurve.__module__.partition(".")[0]
-        return self._curve_class is not None and self._curve_class.__module__.startswith(f"{core}.")
+        return not self.is_missing and self.curve_class.__module__.startswith(f"{core}.")
 
     @property
     def problem(self) -> str:
@@ -102,12 +103,6 @@ class Family:
         return self.title[:1].upper() + self.title[1:]
 
     @property
-    def short(self) -> str:
-        """A word for a button where room is short: its own, or the first of the label."""
-        own = "" if self._curve_class is None else self._curve_class.short_title
-        return f"{own[:1].upper()}{own[1:]}" or self.label.partition(" ")[0]
-
-    @property
     def a_curve(self) -> str:
         """One of its curves, within a sentence: an averaging curve."""
         return f"{'an' if self.title[0] in 'aeiouAEIOU' else 'a'} {self.title} curve"
@@ -120,12 +115,7 @@ class Family:
     @property
     def full_title(self) -> str:
         """The words where nothing else tells it from the others: cubic Hermite."""
-        return (self._curve_class.full_title if self._curve_class is not None else "") or self.title
-
-    @property
-    def functions(self) -> str:
-        """The name of its basis functions, to begin a sentence."""
-        return ParametricCurve.functions if self._curve_class is None else self._curve_class.functions
+        return self.curve_class.full_title or self.title
 
     @property
     def point(self) -> str:
@@ -135,17 +125,12 @@ class Family:
     @property
     def has_control_points(self) -> bool:
         """Whether its curves are meant to pass their points by; one that misses them by mistake has none."""
-        return self._curve_class is not None and not self._curve_class.interpolates
+        return not self.curve_class.interpolates
 
     @property
     def tip(self) -> str:
         """A line about its curves."""
-        return (self._curve_class.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
-
-    @property
-    def icon(self) -> str:
-        """The name of its icon; not every family has one."""
-        return self._name.replace("_", "-")
+        return (self.curve_class.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
 
     @property
     def action_name(self) -> str:
@@ -155,99 +140,24 @@ class Family:
     @property
     def derivatives(self) -> int:
         """The number of derivatives that a point carries beside its position."""
-        return 0 if self._curve_class is None else self._curve_class.derivatives
-
-    @property
-    def can_close(self) -> bool:
-        """Whether its curves can return to their first point."""
-        return self._curve_class is not None and self._curve_class.can_close
-
-    @property
-    def why_open(self) -> str:
-        """The reason for its curves not to return to their first point, as said of one of them."""
-        if self.is_one_polynomial:
-            return "is one polynomial, and one that is not constant cannot repeat itself smoothly"
-        return "does not come back smoothly to its first point"
-
-    @property
-    def is_one_polynomial(self) -> bool:
-        """Whether its curves are one polynomial from end to end."""
-        return self._curve_class is not None and self._curve_class.is_one_polynomial
+        return self.curve_class.derivatives
 
     @property
     def interpolates(self) -> bool:
         """Whether its curves run through their points: the class says so, and nothing else was found."""
-        return self._curve_class is None or (self._curve_class.interpolates and not self._misses_points)
+        return self.curve_class.interpolates and not self._misses_points
 
     @property
-    def is_calm(self) -> bool:
-        """Whether it is offered as a cure for a curve that swings out between its points."""
-        return self._curve_class is not None and self._curve_class.is_calm
-
-    @property
-    def is_local(self) -> bool:
-        """Whether what a point carries does nothing beyond the two segments that meet there."""
-        return self._curve_class is not None and self._curve_class.is_local
-
-    @property
-    def settings(self) -> tuple[FamilySetting, ...]:
+    def settings(self) -> FamilySettings:
         """The choices about its functions beside the parameters."""
-        return () if self._curve_class is None else self._curve_class.settings
-
-    def values_of(self, chosen: Mapping[str, SettingValue]) -> dict[FamilySetting, SettingValue]:
-        """Return the value of each setting: what was chosen, else the default."""
-        return {setting: chosen.get(setting.name, setting.default) for setting in self.settings}
-
-    def without_defaults(self, chosen: Mapping[str, SettingValue]) -> ChosenSettings:
-        """Return what was chosen of its settings, without defaults; of a family that is not there all of it.
-
-        One that was changed while its curves are open may no longer have, or allow, what was chosen.
-        """
-        if self.is_missing:
-            return ChosenSettings(chosen)
-        known = {setting.name: setting for setting in self.settings}
-        kept = (
-            (name, value) for name, value in chosen.items() if name in known and known[name].allows(value)
-        )
-        return ChosenSettings((name, value) for name, value in kept if value != known[name].default)
+        return FamilySettings(self.curve_class.settings, are_known=not self.is_missing)
 
     @property
     def takes_shapes(self) -> bool:
         """Whether curves of other families can be written as its own."""
-        if self._curve_class is None:
-            return False
-        own, base = self._curve_class.same_shape_as, ParametricCurve.same_shape_as
+        own, base = self.curve_class.same_shape_as, ParametricCurve.same_shape_as
         # Of methods of a class: the functions that they are.
         return getattr(own, "__func__", own) is not getattr(base, "__func__", base)
-
-    def same_shape_as(self, curve: ParametricCurve) -> ParametricCurve:
-        """Return `curve` as one of this family.
-
-        Raises
-        ------
-        CurveError
-            If it is none, or no way to it is known.
-        """
-        if self._curve_class is None:
-            raise CurveError(self.problem)
-        return self._curve_class.same_shape_as(curve)
-
-    def near(self, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
-        """Return a curve of this family within a tolerance of another one.
-
-        Raises
-        ------
-        CurveError
-            If it can be none, or no way to it is known.
-        """
-        if self._curve_class is None:
-            raise CurveError(self.problem)
-        return self._curve_class.near(curve, tolerance)
-
-    def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
-        """Return the settings of a curve, open or closed, of which these were chosen."""
-        fixed = {each.name: each.when_closed for each in self.settings if each.when_closed is not None}
-        return self.without_defaults({**chosen, **fixed}) if closed and fixed else chosen
 
     def make(
         self,
@@ -270,39 +180,7 @@ class Family:
         """
         if self._curve_class is None:
             raise CurveError(self.problem)
-        return self._curve_class.from_jets(jets, parameters, **self.without_defaults(settings))
-
-    def fit(
-        self,
-        points: npt.ArrayLike,
-        count: int | None = None,
-        *,
-        tolerance: float | None = None,
-        parameters: npt.ArrayLike | None = None,
-        settings: ChosenSettings = NO_SETTINGS,
-        closed: bool = False,
-        progress: Callable[[float], object] = lambda _share: None,
-    ) -> Fit:
-        """Return the curve of few points near many; see `curvecore.fit`.
-
-        Raises
-        ------
-        CurveError
-            If there is none, or the family is not there.
-        """
-        if self._curve_class is None:
-            raise CurveError(self.problem)
-        chosen = self.in_effect(settings, closed=closed)
-        return curvecore.fit(
-            points,
-            self._curve_class,
-            count,
-            tolerance=tolerance,
-            parameters=parameters,
-            settings=chosen,
-            closed=closed,
-            progress=progress,
-        )
+        return self._curve_class.from_jets(jets, parameters, **self.settings.without_defaults(settings))
 
     def __eq__(self, other: object) -> bool:
         return self._name == other._name if isinstance(other, Family) else NotImplemented

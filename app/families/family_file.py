@@ -11,7 +11,8 @@ Where `B_i(t_j)` is not 1 for i = j and 0 else, the curve misses its points; tha
 the file says so itself. It may say more: ``title``, what people read; ``basis(t, parameters, order)`` for
 derivatives, which else are differences; ``breaks(parameters)``, where they jump; ``interpolates = False``
 where the curve is meant to pass its points by, ``can_close = True`` where a curve whose last point is its
-first goes on smoothly there; a docstring: its first line says what its curves are.
+first goes on smoothly there; a docstring: its first line says what its curves are; ``settings``, a list of
+`FamilySetting`, whose values those functions get by name that take them: ``basis(t, parameters, width)``.
 Classes derived from `curvecore.ParametricCurve` with a name are families, too.
 """
 
@@ -29,10 +30,20 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from curvecore import BasisCurve, CurveError, ParametricCurve, Scheme, cardinal_defect, chebyshev, uniform
+from curvecore import (
+    BasisCurve,
+    CurveError,
+    FamilySetting,
+    ParametricCurve,
+    Scheme,
+    cardinal_defect,
+    chebyshev,
+    uniform,
+)
 from curvecore.arrays import FloatArray
+from curvecore.families.setting import SettingValue
 
-from .family import Family, families_of_module
+from .family import Family, families_of_module, may_be_name
 from .registry import Families
 from .time_limit import OverdueError, stopped_after
 
@@ -44,6 +55,9 @@ RUN_SECONDS, CALL_SECONDS = 8.0, 5.0
 
 _FACTS = {"title": str, "interpolates": bool, "can_close": bool}
 """The names that a file may define beside its functions, and their types."""
+
+_ARGUMENTS = ("t", "parameters", "order")
+"""The arguments of a file's functions that are no settings."""
 
 _Function = Callable[..., npt.ArrayLike]
 
@@ -144,7 +158,7 @@ def _run(path: Path) -> ModuleType:
 def _class_of(said: dict[str, Any], path: Path) -> type[ParametricCurve]:
     """Return the curve class of a file's functions."""
     name, basis, breaks = said.get("name"), said["basis"], said.get("breaks")
-    if not (isinstance(name, str) and Family.may_be_called(name)):
+    if not (isinstance(name, str) and may_be_name(name)):
         raise FamilyFileError(f"“{path}” must say its name, a short word as in name = “gaussian”.")
     for what, value in (("basis", basis), *([("breaks", breaks)] if breaks is not None else [])):
         if not callable(value):
@@ -153,25 +167,53 @@ def _class_of(said: dict[str, Any], path: Path) -> type[ParametricCurve]:
         if what in said and not isinstance(said[what], kind):
             raise FamilyFileError(f"“{path}”: {what} must be {kind.__name__}, not {said[what]!r}.")
     has_orders = "order" in inspect.signature(basis).parameters
+    settings = _settings_of(said, [basis, *([breaks] if breaks is not None else [])], path)
     scheme = Scheme(name, _told(basis, path), _told(breaks, path) if breaks else None, has_orders)
 
     facts = {what: said[what] for what in _FACTS if what in said}
     doc = inspect.getdoc(basis) if said.get("__doc__") is None else inspect.cleandoc(said["__doc__"])
-    body = {"title": name, **facts, "name": name, "scheme": scheme, "__slots__": (), "__doc__": doc}
-    return type("FileCurve", (BasisCurve,), body)
+    own = {"name": name, "settings": settings, "scheme": scheme, "__slots__": (), "__doc__": doc}
+    return type("FileCurve", (BasisCurve,), {"title": name, **facts, **own})
+
+
+def _settings_of(
+    said: dict[str, Any], functions: Sequence[_Function], path: Path
+) -> tuple[FamilySetting, ...]:
+    """Return the settings that a file lists, each of which one of its functions takes."""
+    listed = said.get("settings", ())
+    settings = tuple(listed) if isinstance(listed, list | tuple) else (listed,)
+    taken = {name for function in functions for name in inspect.signature(function).parameters}
+    for setting in settings:
+        if not isinstance(setting, FamilySetting):
+            raise FamilyFileError(f"“{path}”: settings must be a list of FamilySetting, not of {setting!r}.")
+        if not setting.allows(setting.default):
+            needed, default = setting.requirement, setting.default
+            raise FamilyFileError(
+                f"“{path}”: the default of the setting “{setting.name}” must be {needed}, not {default!r}."
+            )
+        if setting.name not in taken or setting.name in _ARGUMENTS:
+            raise FamilyFileError(
+                f"“{path}”: no function takes the setting “{setting.name}”, "
+                f"as basis(t, parameters, {setting.name}) would."
+            )
+    return settings
 
 
 def _told(function: _Function, path: Path) -> _Function:
     """Return a function of the file whose errors are refusals that name their line."""
     overdue: list[CurveError] = []
+    takes = inspect.signature(function).parameters
 
-    def told(*arguments: object) -> npt.ArrayLike:
+    def told(*arguments: object, **settings: SettingValue) -> npt.ArrayLike:
+        # By their names: who writes the function orders them as it suits.
+        named: dict[str, object] = {name: settings[name] for name in settings if name in takes}
+        named |= zip(_ARGUMENTS[2:], arguments[2:], strict=False)
         if overdue:
             # Once is enough to wait for: it is asked again for every frame.
             raise overdue[0]
         try:
             with stopped_after(CALL_SECONDS):
-                return function(*arguments)
+                return function(*arguments[:2], **named)
         except BaseException as problem:  # sys.exit, too, is a mistake there
             refusal = CurveError(f"“{path.name}”{_line(problem, path)}: {_words(problem)}")
             if isinstance(problem, OverdueError):

@@ -13,7 +13,7 @@ from typing import overload
 import curvecore.families
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 
-from .family import Family, families_of_module
+from .family import Family, families_of_module, may_be_name
 
 GROUP = "curvebench.families"
 """Entry points under which installed packages bring families: ``name = "package.module:CurveClass"``."""
@@ -60,7 +60,7 @@ class Families(Sequence[Family]):
         ValueError
             If there is one of that name, or the name is no short identifier.
         """
-        if not Family.may_be_called(family.name):
+        if not may_be_name(family.name):
             raise ValueError(f"“{family.name}” is no name of a family; one is like quintic_hermite")
         if family in self:
             raise ValueError(f"there is a family “{family.name}” already")

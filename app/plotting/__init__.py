@@ -3,7 +3,8 @@
 - ``pixel_map``: plane to pixels and back.
 - ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.
 - ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
-- ``plot_widget``: a pyqtgraph plot that we paint, with mouse and keys.  ``tool_plot``: one with tools.
+- ``painted_plot``: a pyqtgraph plot that we paint.  ``plot_widget``: one with mouse and keys.  ``tool_plot``:
+  one with tools.
 - ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``axes``: the axes beside it.
 - ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``keys``: keys and
   shapes of the pointer, as Qt has them.

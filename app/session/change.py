@@ -9,7 +9,8 @@ import msgspec
 from ..document.curve_edits import refuse_locked
 from ..document.edits import EditError
 from ..document.model import Document
-from ..storage.format import FormatError, validate_changes
+from ..storage.format_error import FormatError
+from ..storage.validation import validate_changes
 
 
 class Change(msgspec.Struct, frozen=True):

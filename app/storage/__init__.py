@@ -1,8 +1,9 @@
 """Documents on disk: the file format, atomic writing, locks and snapshots.
 
-- ``format``: documents to and from bytes, strictly; ``coding``: values that are no plain JSON values.
+- ``format``: documents to and from bytes, strictly; ``coding``: values that are no plain JSON values;
+  ``validation``: what goes beyond types; ``format_error``: refusals, in words.
   ``image_path``: where the file of a picture lies.
-- ``migration``: older versions of the format, step by step.  ``all_within``: a quick look at many numbers.
+- ``migration``: older versions of the format, step by step.
   ``repeated_keys``: what typed decoding passes over.  ``setting_check``: settings of families.
 - ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
   them; ``temporary``: temporary files, and removing stale ones; ``reasons``: why something failed, in words.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from types import NoneType
 
-from ..families import FAMILIES, ChosenSettings, Family
+from ..families import FAMILIES, ChosenSettings, Family, may_be_name
 
 _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
 """The names that msgspec has for the values of JSON in its own refusals."""
@@ -32,6 +32,6 @@ def from_plain(kind: type, value: object) -> Family | ChosenSettings:
         return ChosenSettings(value)
     if not isinstance(value, str):
         raise ValueError(f"Expected `str`, got `{_JSON_NAMES[type(value)]}`")
-    if not Family.may_be_called(value):
+    if not may_be_name(value):
         raise ValueError(f"Invalid enum value '{value}'")
     return FAMILIES.named(value)

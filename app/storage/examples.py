@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..document.model import Document, make_curve
 from .files import StorageError, load
-from .format import FormatError
+from .format_error import FormatError
 from .resources import resource
 
 _S_SKETCH = (

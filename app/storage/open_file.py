@@ -13,7 +13,8 @@ from ..document.model import Document
 from ..document.plain import plain
 from . import files
 from .files import MissingError, Stamp, StorageError, UnconfirmedError
-from .format import VERSION, FormatError, version_of
+from .format import VERSION, version_of
+from .format_error import FormatError
 from .lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
 from .temporary import remove_stale
 

@@ -19,7 +19,8 @@ import msgspec
 from .. import storage
 from ..document.model import Document
 from .files import Stamp, StorageError, load, read, read_content, write
-from .format import FormatError, decode, encode
+from .format import decode, encode
+from .format_error import FormatError
 from .lock import ProcessLock, acquire
 from .temporary import remove_stale
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from msgspec.structs import replace
 
 from ..document.model import MAX_MAGNITUDE, Curve
-from ..families import Family
+from ..families import Family, may_be_name
 
 
 def settings_problem(curve: Curve) -> str:
@@ -28,10 +28,12 @@ def settings_problem(curve: Curve) -> str:
 
 def without_default_settings(curve: Curve) -> Curve:
     """Return the curve with those settings alone that are not their families' defaults."""
-    others = ((family, family.without_defaults(settings)) for family, settings in curve.other_settings)
+    others = (
+        (family, family.settings.without_defaults(settings)) for family, settings in curve.other_settings
+    )
     return replace(
         curve,
-        settings=curve.family.without_defaults(curve.settings),
+        settings=curve.family.settings.without_defaults(curve.settings),
         other_settings=tuple(each for each in others if each[1]),
     )
 
@@ -41,11 +43,10 @@ def _problem(family: Family, settings: Mapping[str, object]) -> str:
 
     Of a family that is missing nobody knows which it has: names and values that one might are kept.
     """
-    known = {setting.name: setting for setting in family.settings}
     for name, value in settings.items():
-        if name in known:
-            is_allowed, requirement = known[name].allows(value), known[name].requirement
-        elif family.is_missing and Family.may_be_called(name):
+        if setting := family.settings.named(name):
+            is_allowed, requirement = setting.allows(value), setting.requirement
+        elif family.is_missing and may_be_name(name):
             is_allowed, requirement = _may_be_setting(value), "a whole number or a word"
         else:
             return f" has a key that {family} does not know: {_shown(name)}"
@@ -55,7 +56,7 @@ def _problem(family: Family, settings: Mapping[str, object]) -> str:
 
 
 def _may_be_setting(value: object) -> bool:
-    return Family.may_be_called(value) or (type(value) is int and abs(value) <= MAX_MAGNITUDE)
+    return may_be_name(value) or (type(value) is int and abs(value) <= MAX_MAGNITUDE)
 
 
 def _shown(value: object) -> str:

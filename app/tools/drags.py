@@ -7,7 +7,8 @@ import math
 import msgspec
 
 from ..document import edits, words
-from ..document.model import DERIVATIVES, Document, Vector
+from ..document.derivatives import DERIVATIVES
+from ..document.model import Document, Vector
 from ..document.several_curves import PointGroup, moved
 from ..document.transforms import step_points
 from ..view_model.bend import Bend

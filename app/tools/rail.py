@@ -6,8 +6,9 @@ import math
 from collections.abc import Callable, Sequence
 
 from ..document import words
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import freeze_parameters, set_parameters
-from ..document.model import DERIVATIVES, Document, Vector
+from ..document.model import Document, Vector
 from ..view_model.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingHost

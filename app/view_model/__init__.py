@@ -12,7 +12,7 @@ A curve:
   ``point_moves``: points that move together while all else rests, as under a drag.
 - ``jets``, ``handles``: derivatives set and estimated; the Bézier control points by which they are dragged.
 - ``basis_view``, ``cardinal_view``: basis and cardinal functions sampled for the basis panel.
-- ``basis_findings``: what is wrong with the functions, in sentences.
+- ``basis_findings``: what is wrong with the functions and what is to be known, in sentences.
 - ``cardinals``, ``growth``: cardinal functions, estimates included; the growth of errors of points.
 - ``parameter_slopes``: the effect of a parameter, estimates included.
 - ``refusals``: the reasons for having no curve, in the program's words.

@@ -72,7 +72,11 @@ def view_with_point(
     None where there is no such curve, or where it would take too long. `previous` is the view that this
     returned last; it lends what did not change.
     """
-    if not 0 < len(view.source.points) <= (_MOST_LOCAL if view.source.family.is_local else _MOST_GLOBAL):
+    if (
+        not 0
+        < len(view.source.points)
+        <= (_MOST_LOCAL if view.source.family.curve_class.is_local else _MOST_GLOBAL)
+    ):
         return None
     try:
         longer = with_point_appended(document, curve, view, position).curves[curve]

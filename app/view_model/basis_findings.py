@@ -1,15 +1,16 @@
-"""Sentences about what is wrong with the basis functions of a curve, measured; none where all is well."""
+"""Sentences about the basis functions of a curve: what is wrong, measured, and what derivatives are."""
 
 from __future__ import annotations
 
 from curvecore import cardinal_defect, slope_defect, sum_defect, worst_miss
 
-from ..document.words import number
+from ..document.words import enumerated, number
 from .curve_view import CurveView
 
 _MOST_KNOTS = 400
 """Knots up to which the functions are measured: it takes arrays of 640 numbers for each."""
 
+_PRIMES = ("′", "″", "‴")
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
@@ -41,6 +42,20 @@ def findings_of(view: CurveView) -> tuple[str, ...]:
             f"where the slope is {number(slope.found)}."
         )
     return tuple(found)
+
+
+def remark_on(view: CurveView) -> str:
+    """Return that derivatives are differences, and how good they are; empty where they are not."""
+    digits = view.pieces[0].difference_digits if view.is_current else ()
+    if not digits:
+        return ""
+    return f"Derivatives are differences: {digits_in_words(digits)}."
+
+
+def digits_in_words(digits: tuple[int, ...]) -> str:
+    """Return how many digits differences keep of each derivative."""
+    each = [f"{count} digits of c{mark}" for count, mark in zip(digits, _PRIMES, strict=False)]
+    return f"some {enumerated(each)}"
 
 
 def _near(value: float, wanted: int) -> str:

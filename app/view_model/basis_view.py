@@ -273,7 +273,7 @@ def basis_scales(curve: ParametricCurve) -> FloatArray:
 def basis_formulas(family: Family) -> tuple[str, ...]:
     """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
     if not family.derivatives:
-        return ("Lᵢ(t)",) if family.is_one_polynomial else ("Bᵢ(t)",)
+        return ("Lᵢ(t)",) if family.curve_class.is_one_polynomial else ("Bᵢ(t)",)
     factors = _FACTORS[family.derivatives][1:]
     functions = ("B₁ ∕ h", "B₂ ∕ h²", "B₃ ∕ h³")
     return ("B₀", *(f"{factor:g}·{each}" for factor, each in zip(factors, functions, strict=False)))

@@ -36,7 +36,7 @@ def converted(view: CurveView, family: Family) -> Reshaped:
     assert view.curve is not None
     try:
         tolerance = _FOLLOWED * max(size_of(view.points), float(np.finfo(float).tiny))
-        same = family.near(view.curve, tolerance)
+        same = family.curve_class.near(view.curve, tolerance)
     except CurveError as problem:
         raise EditError(f"This is no {family.title} curve: {problem}.") from None
     made = through(view, same, family)

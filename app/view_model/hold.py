@@ -78,7 +78,7 @@ def required_hold(view: CurveView, t: float, using: BendWith) -> Hold:
         If they have none.
     """
     family, segment = view.source.family, segment_at(view.parameters, t)
-    if not (family.derivatives and family.is_local):
+    if not (family.derivatives and family.curve_class.is_local):
         hold = _hold_of_points(view, t, range(len(view.source.points)))
     elif using is BendWith.POINTS:
         hold = _hold_of_points(view, t, (segment, segment + 1))

@@ -15,7 +15,8 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray, IntArray
 
-from ..document.model import Curve, EstimateRule, Point
+from ..document.derivatives import EstimateRule
+from ..document.model import Curve, Point
 from .plane import at_knots
 from .point_arrays import PointArrays
 

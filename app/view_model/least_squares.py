@@ -10,11 +10,13 @@ import numpy as np
 import numpy.typing as npt
 from msgspec.structs import replace
 
+import curvecore
 from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
-from ..document.model import DERIVATIVES, Curve, Parametrization, ParametrizationKind, Point, Vector
+from ..document.model import Curve, Parametrization, ParametrizationKind, Point, Vector
 from ..document.words import count_of, number
 from ..tasks.progress import Report, silent
 from .curve_view import CurveView
@@ -81,7 +83,7 @@ def data_of(view: CurveView) -> Data:
         raise EditError(view.problem)
     assert view.curve is not None
     t = view.parameters
-    if view.source.family.is_local and len(t) < _MANY:
+    if view.source.family.curve_class.is_local and len(t) < _MANY:
         share = np.arange(ceil(_MANY / len(t))) / ceil(_MANY / len(t))
         t = np.append((t[:-1, None] + share * np.diff(t)[:, None]).reshape(-1), t[-1])
         return Data(view.curve.evaluate(t), t)
@@ -138,14 +140,18 @@ def fitted(
         If there is no such curve.
     """
     data = np.asarray(points, dtype=np.float64)
-    is_closed = model.closed and model.family.can_close
+    family = model.family
+    if family.is_missing:
+        raise EditError(family.problem)
+    is_closed = model.closed and family.curve_class.can_close
     try:
-        found = model.family.fit(
+        found = curvecore.fit(
             data,
+            family.curve_class,
             count,
             tolerance=tolerance,
             parameters=times,
-            settings=model.settings,
+            settings=family.settings.in_effect(model.settings, closed=is_closed),
             closed=is_closed,
             progress=lambda share: report(share, "Fitting"),
         )

@@ -12,7 +12,7 @@ import numpy as np
 from curvecore.analysis.continuity import joint_report
 from curvecore.arrays import FloatArray
 
-from ..document.model import VelocityRule
+from ..document.derivatives import VelocityRule
 from ..families import HERMITE, QUINTIC_HERMITE, Family
 from .curve_view import CurveView, view_of
 from .line_styles import BLUE, GREEN, ORANGE, PURPLE

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
-from ..document.model import DERIVATIVES, Point, Vector, vectors_of
+from ..document.derivatives import DERIVATIVES
+from ..document.model import Point, Vector, vectors_of
 
 _NONE = (np.nan, np.nan)
 

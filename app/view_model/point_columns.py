@@ -17,9 +17,10 @@ from msgspec.structs import replace
 from curvecore.arrays import BoolArray, FloatArray
 
 from ..document import edits
+from ..document.derivatives import DERIVATIVES, Derivative
 from ..document.edits import EditError
 from ..document.limits import not_after
-from ..document.model import DERIVATIVES, Curve, Derivative, Document, Vector
+from ..document.model import Curve, Document, Vector
 from .curve_view import CurveView
 
 PARAMETER, POSITION = -1, 0

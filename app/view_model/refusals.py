@@ -9,7 +9,8 @@ import re
 
 from curvecore import CurveError
 
-from ..document.model import DERIVATIVES, Curve
+from ..document.derivatives import DERIVATIVES
+from ..document.model import Curve
 from ..document.words import with_minus
 
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

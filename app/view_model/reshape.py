@@ -146,7 +146,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     """
     source, kept = view.source, {point.position: point for point in view.source.points}
     family = family or source.family
-    is_closed = source.is_closed and family.can_close
+    is_closed = source.is_closed and family.curve_class.can_close
     count = len(curve.parameters) - is_closed
     corners = _corners_of(curve, is_closed=is_closed)
     places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)

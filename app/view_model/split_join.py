@@ -12,8 +12,9 @@ from msgspec.structs import replace
 
 from curvecore import chebyshev
 
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
-from ..document.model import DERIVATIVES, Curve, ParametrizationKind, Point, Vector
+from ..document.model import Curve, ParametrizationKind, Point, Vector
 from ..document.words import number
 from ..families import HERMITE, titles_with_derivatives
 from .curve_view import CurveView, view_of
@@ -67,9 +68,9 @@ def split(view: CurveView, t: float) -> Split:
     family = view.source.family
     parts = _restricted(view, t)
     if parts is None:
-        parts = _split_polynomial(view, t) if family.is_one_polynomial else _split_pieces(view, t)
+        parts = _split_polynomial(view, t) if family.curve_class.is_one_polynomial else _split_pieces(view, t)
     made = Split(parts, _residual_of_parts(view, parts))
-    if not family.is_one_polynomial and not is_kept(made.residual, parts):
+    if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
             f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, keeping the shape."
@@ -220,7 +221,7 @@ def _refuse_to_join(first: CurveView, second: CurveView) -> None:
         if view.source.is_closed:
             raise EditError(f"“{view.source.name}” is closed and has no end; open it first.")
     one, other = first.source.family, second.source.family
-    if one.is_one_polynomial or other.is_one_polynomial:
+    if one.curve_class.is_one_polynomial or other.curve_class.is_one_polynomial:
         raise EditError(f"Two polynomials make no third; choose {titles_with_derivatives()} for both curves.")
     if one != other:
         first_kind, second_kind = (each.full_title.partition(" ")[0] for each in (one, other))

@@ -49,7 +49,7 @@ class SettingSlider(QWidget):
         text_of: Callable[[float], str],
     ) -> None:
         super().__init__()
-        self._value_at, self._place_of, self._text_of = value_at, place_of, text_of
+        self._place_of, self._text_of = place_of, text_of
         self._value = self._at_press = value_at(steps[0])
         slider = LiveSlider(Qt.Orientation.Horizontal)
         self.slider = named(slider, name, label, f"{label}; Escape cancels a drag")

@@ -10,7 +10,7 @@ from PySide6.QtGui import QDropEvent
 
 from ..document.words import count_of, listed, names_of
 from ..storage.files import StorageError
-from ..storage.format import FormatError
+from ..storage.format_error import FormatError
 from ..workbench.context import WindowContext, hooks
 from .given import Given, given
 

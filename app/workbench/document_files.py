@@ -16,7 +16,7 @@ from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..storage.files import StorageError, load
-from ..storage.format import FormatError
+from ..storage.format_error import FormatError
 from ..storage.open_file import Reading, is_large
 from ..storage.resources import is_resource
 from ..tasks.progress import Report, part

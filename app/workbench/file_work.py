@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 from ..exchange.errors import ExchangeError
 from ..session import Session
 from ..storage.files import StorageError
-from ..storage.format import FormatError
+from ..storage.format_error import FormatError
 from ..tasks.single_task import SingleTask
 from ..tasks.task import Work
 

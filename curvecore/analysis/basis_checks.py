@@ -40,10 +40,8 @@ class SumDefect(NamedTuple):
     --------
     >>> import numpy as np
     >>> from curvecore import BasisCurve, Scheme, sum_defect
-    >>> class Doubled(BasisCurve):
-    ...     interpolates = False
-    ...     scheme = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
-    >>> sum_defect(Doubled([[0], [1]], [0, 1])).total
+    >>> doubled = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
+    >>> sum_defect(BasisCurve([[0], [1]], [0, 1], doubled)).total
     2.0
     """
 
@@ -68,10 +66,8 @@ class CardinalDefect(NamedTuple):
     --------
     >>> import numpy as np
     >>> from curvecore import BasisCurve, Scheme, cardinal_defect
-    >>> class Doubled(BasisCurve):
-    ...     interpolates = False
-    ...     scheme = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
-    >>> defect = cardinal_defect(Doubled([[0], [1]], [0, 1]))
+    >>> doubled = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
+    >>> defect = cardinal_defect(BasisCurve([[0], [1]], [0, 1], doubled))
     >>> defect.value, defect.wanted
     (2.0, 1)
     """
@@ -104,10 +100,8 @@ class Miss(NamedTuple):
     --------
     >>> import numpy as np
     >>> from curvecore import BasisCurve, Scheme, worst_miss
-    >>> class Doubled(BasisCurve):
-    ...     interpolates = False
-    ...     scheme = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
-    >>> worst_miss(Doubled([[0], [1]], [0, 1])).distance
+    >>> doubled = Scheme("doubled", lambda t, x: 2 * np.stack([1 - t, t], axis=1))
+    >>> worst_miss(BasisCurve([[0], [1]], [0, 1], doubled)).distance
     1.0
     """
 
@@ -163,7 +157,7 @@ def sum_defect(curve: ParametricCurve) -> SumDefect | None:
     See Also
     --------
     SumDefect : What it returns.
-    basis_defects : All that is measured.
+    cardinal_defect, worst_miss, slope_defect : Other checks.
 
     Examples
     --------
@@ -199,7 +193,7 @@ def cardinal_defect(curve: ParametricCurve) -> CardinalDefect | None:
     See Also
     --------
     CardinalDefect : What it returns.
-    basis_defects : All that is measured.
+    sum_defect, worst_miss, slope_defect : Other checks.
 
     Examples
     --------
@@ -231,7 +225,7 @@ def worst_miss(curve: ParametricCurve) -> Miss | None:
     See Also
     --------
     Miss : What it returns.
-    basis_defects : All that is measured.
+    sum_defect, cardinal_defect, slope_defect : Other checks.
 
     Examples
     --------
@@ -266,7 +260,7 @@ def slope_defect(curve: ParametricCurve) -> SlopeDefect | None:
     See Also
     --------
     SlopeDefect : What it returns.
-    basis_defects : All that is measured.
+    sum_defect, cardinal_defect, worst_miss : Other checks.
 
     Examples
     --------
@@ -306,61 +300,3 @@ def _places(curve: ParametricCurve) -> FloatArray:
     shares = np.arange(_PLACES) / _PLACES
     inner: FloatArray = (t[:-1, None] + np.diff(t)[:, None] * shares).ravel()
     return np.append(inner, t[-1])
-
-
-class BasisDefects(NamedTuple):
-    """All that was measured of a curve's functions; None stands for what is as it should be.
-
-    Attributes
-    ----------
-    total : SumDefect or None
-    cardinal : CardinalDefect or None
-    miss : Miss or None
-    slope : SlopeDefect or None
-
-    See Also
-    --------
-    basis_defects : The function that returns it.
-
-    Examples
-    --------
-    >>> from curvecore import LagrangeCurve, basis_defects
-    >>> list(basis_defects(LagrangeCurve([[0, 0], [1, 2], [3, 1]], [0, 1, 2])))
-    [None, None, None, None]
-    """
-
-    total: SumDefect | None
-    cardinal: CardinalDefect | None
-    miss: Miss | None
-    slope: SlopeDefect | None
-
-
-def basis_defects(curve: ParametricCurve) -> BasisDefects:
-    """Measure the functions of a curve: `sum_defect`, `cardinal_defect`, `worst_miss`, `slope_defect`.
-
-    Parameters
-    ----------
-    curve : ParametricCurve
-        Of any family; of up to some hundred points, for it takes arrays of 640 n numbers.
-
-    Returns
-    -------
-    BasisDefects
-        None for what is as it should be.
-
-    Raises
-    ------
-    CurveError
-        If a function is not finite somewhere.
-
-    See Also
-    --------
-    sum_defect, cardinal_defect, worst_miss, slope_defect : One of them.
-
-    Examples
-    --------
-    >>> from curvecore import LagrangeCurve, basis_defects
-    >>> basis_defects(LagrangeCurve([[0, 0], [1, 2], [3, 1]], [0, 1, 2])).slope is None
-    True
-    """
-    return BasisDefects(sum_defect(curve), cardinal_defect(curve), worst_miss(curve), slope_defect(curve))

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.analysis.geometry import curvature_of
+from curvecore.analysis.curvature import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import JointDerivatives

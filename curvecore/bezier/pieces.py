@@ -28,6 +28,8 @@ from curvecore.parametrization import chebyshev
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 _DEGREE = 8
+_FINE = 2.0**-46
+"""Share of the size of a curve within which pieces follow it where its shape is asked for."""
 _POINTS = 2 * _DEGREE + 1
 _ROUNDS = 12
 
@@ -64,14 +66,14 @@ class BezierPieces(NamedTuple):
     exponent: int
 
 
-def bezier_pieces(curve: ParametricCurve, tolerance: float) -> BezierPieces:
+def bezier_pieces(curve: ParametricCurve, tolerance: float = _FINE) -> BezierPieces:
     """Return pieces of a curve.
 
     Parameters
     ----------
     curve : ParametricCurve
         Of any family and dim.
-    tolerance : float
+    tolerance : float, optional
         The deviation that is aimed at, relative to the curve's size; not
         reached where rounding or `MAX_PIECES` do not allow it.
     """

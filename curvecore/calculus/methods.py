@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Self, cast
 
 from curvecore import calculus
 from curvecore.arrays import FloatArray
+from curvecore.families.part import CurvePart
 
 if TYPE_CHECKING:
     from scipy.interpolate import BPoly, PPoly
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     from curvecore.families.setting import SettingValue
 
 
-class Calculus:
-    """A part of `ParametricCurve`, whose other methods it calls."""
+class Calculus(CurvePart):
+    """A part of `ParametricCurve`: what may be done with any function."""
 
     __slots__ = ()
 
@@ -305,7 +306,3 @@ class Calculus:
         return cast(
             "Self", calculus.curve_of_bpoly(cast("type[ParametricCurve]", cls), polynomial, **settings)
         )
-
-    @property
-    def _this(self) -> ParametricCurve:
-        return cast("ParametricCurve", self)

@@ -1,8 +1,10 @@
 """The families of curves, one file each.
 
 - ``curve``: the base class of all of them: everything follows from basis functions and breaks.
-- ``records``: its named results.  ``polynomial_facts``: its methods about polynomial pieces.
-- ``evaluation``: its `evaluate` and `basis`: t of any shape, inside the domain or not.
+- ``records``: its named results.
+- ``part``: its methods in groups.  ``evaluation``: `evaluate` and `basis`: t of any shape, inside the domain
+  or not.  ``polynomial_facts``: polynomial pieces.  ``control_points``: points that curves pass by.
+  ``parameter_derivatives``: derivatives by the parameters, where a family has no formula.
 - ``lagrange``, ``hermite``, ``quintic_hermite``, ``septic_hermite``, ``cubic_spline``: the built-in
   families.
 - ``floater_hormann``: barycentric rational interpolation.  ``rational_form``: its basis functions, accurate
@@ -21,7 +23,6 @@
   derivatives, as products of power series.  ``product_kernels``: values and first derivatives, faster.
   ``differentiation_matrix``: derivatives by a short cut.
 - ``spline_system``: the derivatives of cubic splines at their joints, under conditions at the ends.
-- ``parameter_differences``: derivatives by the parameters, where a family has no formula.
 - ``setting``: what may be chosen about the functions of a family beside the parameters.
 - ``immutable``: copies and pickles of curves.
 """

@@ -12,6 +12,7 @@ from curvecore.arrays import FloatArray, jet_array, number_array, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
+from curvecore.families.setting import SettingValue
 
 _STENCIL = np.arange(-3.0, 4.0)
 _PROBES, _MOST_PROBES = 16, 320
@@ -21,6 +22,9 @@ _FINENESS = (400.0, 400.0, 120.0)
 At a break the stencil lies to one side: its polynomial is off by the 7th derivative times a power of the
 step, and values by their rounding over one.
 """
+_DIGITS = (9, 8, 6)
+"""Digits of the first derivatives that are left of functions as smooth as their parameters are spaced."""
+
 MEASURED = 1e-9
 """Difference up to which a function's value at a parameter counts as the 1 or 0 that it should be."""
 
@@ -34,10 +38,12 @@ class Scheme(NamedTuple):
         Of the family, for messages.
     basis : callable
         ``basis(t, parameters)``, with t (m,) and parameters (n,) ascending, returns B of shape (m, n), or
-        ``basis(t, parameters, order)`` where `has_orders`. Where B_i(t_j) is not 1 for i = j, else 0, the
-        curve misses its points.
+        ``basis(t, parameters, order)`` where `has_orders`; the values of `ParametricCurve.settings` of the
+        class follow as keyword arguments. Where B_i(t_j) is not 1 for i = j, else 0, the curve misses its
+        points.
     breaks : callable, optional
-        ``breaks(parameters)``: where derivatives may jump, ascending; without it nowhere.
+        ``breaks(parameters)``: where derivatives may jump, ascending; without it nowhere. With settings as
+        `basis`.
     has_orders : bool, optional
         Whether `basis` takes the order of a derivative. Without it derivatives are taken from the polynomial
         of degree 6 through values of the functions on a fine stencil, which keeps some 9 digits of the first,
@@ -60,7 +66,7 @@ class Scheme(NamedTuple):
 
     name: str
     basis: Callable[..., ArrayLike]
-    breaks: Callable[[FloatArray], ArrayLike] | None = None
+    breaks: Callable[..., ArrayLike] | None = None
     has_orders: bool = False
 
 
@@ -75,6 +81,8 @@ class BasisCurve(ParametricCurve):
         t_i, finite and strictly increasing. Copied.
     scheme : Scheme, optional
         The functions; those of the class where it has some. Whether the curve passes its points is measured.
+    **settings : int or str
+        Values of the class's `settings`, by their names; the defaults where none is given.
 
     Raises
     ------
@@ -106,11 +114,17 @@ class BasisCurve(ParametricCurve):
     _passes_points: bool
     _scheme: Scheme
 
-    def __init__(self, points: ArrayLike, parameters: ArrayLike, scheme: Scheme | None = None) -> None:
+    def __init__(
+        self,
+        points: ArrayLike,
+        parameters: ArrayLike,
+        scheme: Scheme | None = None,
+        **settings: SettingValue,
+    ) -> None:
         scheme = self.scheme if scheme is None else scheme
         if scheme is None:
             raise CurveError("scheme must be given: this class has no basis functions of its own")
-        super().__init__(points, parameters)
+        super().__init__(points, parameters, **settings)
         # All functions are asked for at all parameters to be checked.
         self._check_count(len(self._jets), scheme.name)
         self._scheme = scheme
@@ -143,9 +157,15 @@ class BasisCurve(ParametricCurve):
         """The parameters at which derivatives may jump, ascending, the ends included; shape (k,)."""
         return self._breaks
 
+    @property
+    def difference_digits(self) -> tuple[int, ...]:
+        """Some, unless the scheme `has_orders`; see `Evaluation`."""
+        return () if self._scheme.has_orders else _DIGITS
+
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
         """Return a curve of the same scheme with other data and other parameters; see `ParametricCurve`."""
-        return type(self)(jet_array(jets, (*np.shape(jets)[:1], 1))[:, 0], parameters, self._scheme)
+        points = jet_array(jets, (*np.shape(jets)[:1], 1))[:, 0]
+        return type(self)(points, parameters, self._scheme, **self.chosen)
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         if order == 0 or self._scheme.has_orders:
@@ -155,7 +175,7 @@ class BasisCurve(ParametricCurve):
     def _functions(self, t: FloatArray, order: int) -> FloatArray:
         scheme = self._scheme
         arguments = (t, self._parameters, order) if scheme.has_orders else (t, self._parameters)
-        found = number_array(scheme.basis(*arguments), f"the basis of {scheme.name}")
+        found = number_array(scheme.basis(*arguments, **self.chosen), f"the basis of {scheme.name}")
         shape = (len(t), len(self._parameters))
         if found.shape != shape:
             raise CurveError(
@@ -195,7 +215,8 @@ class BasisCurve(ParametricCurve):
         if self._scheme.breaks is None:
             return read_only(ends)
         found = number_array(
-            self._scheme.breaks(self._parameters.copy()), f"the breaks of {self._scheme.name}"
+            self._scheme.breaks(self._parameters.copy(), **self.chosen),
+            f"the breaks of {self._scheme.name}",
         )
         if found.ndim != 1 or not (np.isfinite(found).all() and (np.diff(found) > 0.0).all()):
             raise CurveError(f"the breaks of {self._scheme.name} must be finite and strictly increasing")

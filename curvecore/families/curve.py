@@ -8,27 +8,25 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import (
-    BoolArray,
     FloatArray,
-    IntArray,
     jet_array,
     parameter_array,
-    parameter_row,
     read_only,
     stacked_jets,
 )
 from curvecore.calculus.methods import Calculus
 from curvecore.errors import CurveError
+from curvecore.families.control_points import ControlPoints
 from curvecore.families.evaluation import Evaluation
 from curvecore.families.immutable import Immutable
-from curvecore.families.parameter_differences import parameter_difference
+from curvecore.families.parameter_derivatives import ParameterDerivatives
 from curvecore.families.polynomial_facts import PolynomialFacts
 from curvecore.families.records import JOINT_ORDERS, JointDerivatives, LocalBasis
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import made_finite
 
 
-class ParametricCurve(Calculus, PolynomialFacts, Evaluation, Immutable):
+class ParametricCurve(Calculus, ControlPoints, ParameterDerivatives, PolynomialFacts, Evaluation, Immutable):
     """A parametric curve that is linear in its data.
 
     c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for
@@ -198,11 +196,6 @@ class ParametricCurve(Calculus, PolynomialFacts, Evaluation, Immutable):
         return float(self._parameters[0]), float(self._parameters[-1])
 
     @property
-    def passes_points(self) -> bool:
-        """Whether c(t_i) is p_i: what the family says by `interpolates`, measured where that may be wrong."""
-        return self.interpolates
-
-    @property
     def degree(self) -> int | None:
         """The degree of the polynomial, or of each polynomial piece; None where they are none."""
         return None
@@ -359,55 +352,6 @@ class ParametricCurve(Calculus, PolynomialFacts, Evaluation, Immutable):
         """Whether no B_i0 is negative in the domain; they add up to 1, so that no error grows there."""
         return False
 
-    # What the points and parameters of a curve that passes its points by do
-
-    @property
-    def knot_points(self) -> FloatArray:
-        """The points c(t_i), shape (n, dim): p_i, or beside these."""
-        return self.points if self.passes_points else self.evaluate(self._parameters)
-
-    @property
-    def places(self) -> FloatArray:
-        """The parameters near which the points act most, shape (n,): t_i, of control points others."""
-        return self._parameters
-
-    @property
-    def idle_parameters(self) -> BoolArray:
-        """Whether the curve stays what it is when t_i alone changes, shape (n,)."""
-        return np.zeros(len(self._parameters), dtype=bool)
-
-    def refined(self, t: float) -> Self | None:
-        """Return the same curve with one more control point, for more detail near t.
-
-        Parameters
-        ----------
-        t : float
-            Inside the domain.
-
-        Returns
-        -------
-        ParametricCurve or None
-            None where that is done by one more point on the curve, or cannot be done.
-        """
-        return None
-
-    def restricted(self, start: float, end: float) -> Self | None:
-        """Return the same curve on a stretch of its domain, as one of its own family.
-
-        Parameters
-        ----------
-        start, end : float
-            Inside the domain, start < end.
-
-        Returns
-        -------
-        ParametricCurve or None
-            None where that takes the data at both ends of the stretch alone, or cannot be done.
-        """
-        return None
-
-    # Sides of joints, and changes of the parameters
-
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
         """Return c to c''' at the ends of all segments.
 
@@ -433,57 +377,3 @@ class ParametricCurve(Calculus, PolynomialFacts, Evaluation, Immutable):
         joints = self.evaluate(self._parameters)
         values[0] = joints[1:] if before else joints[:-1]
         return JointDerivatives(np.stack(values, axis=1), np.stack(scale, axis=1))
-
-    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
-        """Return dc(t)/dt_i at fixed t and data, for all i.
-
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            A scalar counts as m = 1.
-
-        Returns
-        -------
-        ndarray, shape (m, n, dim)
-            Per unit of t. Here by differences of curves with moved parameters, to some nine digits; the
-            ends are moved outwards only, for a basis may end where they are.
-        """
-        at = parameter_row(t)
-        moves = [parameter_difference(self, at, index) for index in range(len(self._parameters))]
-        return np.stack(moves, axis=1)
-
-    def parameter_derivative(self, index: int, t: ArrayLike) -> FloatArray:
-        """Return dc(t)/dt_i of one i.
-
-        Parameters
-        ----------
-        index : int
-            i, from 0 to n - 1.
-        t : float or array_like, shape (m,)
-            A scalar counts as m = 1.
-
-        Returns
-        -------
-        ndarray, shape (m, dim)
-            As from `parameter_derivatives`.
-        """
-        return self.parameter_derivatives(t)[:, index]
-
-    def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Return the segments of t, and dc(t)/dt_i of their two ends, where `is_local`.
-
-        Parameters
-        ----------
-        t : ndarray, shape (m,)
-            Finite.
-
-        Returns
-        -------
-        segment : ndarray of int, shape (m,)
-            Between which joints each t lies.
-        moves : ndarray, shape (m, 2, dim)
-            Of the two joints.
-        """
-        segment = self.local_basis(t).segment
-        moves = self.parameter_derivatives(t)
-        return segment, np.take_along_axis(moves, (segment[:, None] + np.arange(2))[:, :, None], axis=1)

@@ -8,6 +8,9 @@ References
 ----------
 .. [1] J.-P. Berrut and L. N. Trefethen, "Barycentric Lagrange
    interpolation", SIAM Review 46 (2004) 501-517; section 9.3.
+.. [2] R. Baltensperger and M. R. Trummer, "Spectral differencing with a
+   twist", SIAM J. Sci. Comput. 24 (2003) 1465-1487: the matrix
+   whose rows sum to 0.
 """
 
 from __future__ import annotations

@@ -35,6 +35,14 @@ class Evaluation(ABC):
     def domain(self) -> tuple[float, float]:
         """The first and the last parameter."""
 
+    @property
+    def difference_digits(self) -> tuple[int, ...]:
+        """Digits that the first, second and third derivatives keep where they are differences of values.
+
+        Of functions as smooth as their parameters are spaced. Empty where derivatives are no differences.
+        """
+        return ()
+
     @final
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
         """Return all basis functions, or their derivatives with respect to t.

@@ -1,4 +1,4 @@
-"""Barycentric rational interpolation: no polynomial, no poles, and no swings at uniform parameters."""
+"""Barycentric rational interpolation: quotients without poles, and without swings at uniform parameters."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.lagrange import LagrangeCurve
 from curvecore.families.rational_form import RationalForm
+from curvecore.families.records import Interpolant
 from curvecore.families.setting import FamilySetting
 from curvecore.scaling import Scaled, ScaledRows, normalise, scale_by_power
 
@@ -24,7 +26,7 @@ class FloaterHormannCurve(ParametricCurve):
         t_i, finite and strictly increasing. Copied.
     degree : int, optional
         d, from 0 to 10: the degree of the polynomials that are blended, each through d + 1 neighbouring
-        points. Where there are fewer points, n <= d, it counts as n - 1 and the curve is their polynomial.
+        points. Where there are fewer points, n <= d, it counts as n - 1.
 
     Raises
     ------
@@ -39,8 +41,9 @@ class FloaterHormannCurve(ParametricCurve):
     Notes
     -----
     c(t) is a quotient of polynomials whose denominator has no real zero, so that the curve is infinitely
-    smooth [1]_; it reproduces polynomials of degree d. Under uniform parameters the Lebesgue constant grows
-    like 2**(d - 1) (2 + log n), where that of the polynomial grows like 2**n [2]_.
+    smooth [1]_; it reproduces polynomials of degree d. Of n <= d + 2 points it is the polynomial through
+    them: blending two is Neville's formula. Under uniform parameters the Lebesgue constant grows like
+    2**(d - 1) (2 + log n), where that of the polynomial grows like 2**n [2]_.
 
     With u = 2**-53, values and derivatives differ from the exact ones by at most c u sum |B_i^(order)(t)|
     |p_i|, with c at most about 10: of values for any distinct parameters, of derivatives up to the third
@@ -95,6 +98,34 @@ class FloaterHormannCurve(ParametricCurve):
             self._form = RationalForm.of(self._parameters, int(self.chosen["degree"]))
         return self._form
 
+    @property
+    def degree(self) -> int | None:
+        """The degree n - 1 of the polynomial that the curve is where n <= d + 2; None of more points."""
+        degree = len(self._parameters) - 1
+        return degree if degree <= int(self.chosen["degree"]) + 1 else None
+
+    @property
+    def kind(self) -> str:
+        """The words for a quotient of polynomials; see `PolynomialFacts`."""
+        return f"rational, blended degree {self.chosen['degree']}" if self.degree is None else ""
+
+    def _vanishes(self, order: int) -> bool:
+        """Whether the derivatives of an order are 0 everywhere."""
+        return self.degree is not None and order > self.degree
+
+    @property
+    def _polynomial(self) -> LagrangeCurve | None:
+        """The same curve as one polynomial, where it is one."""
+        return None if self.degree is None else LagrangeCurve(self.points, self._parameters)
+
+    def exact_pieces(self) -> FloatArray | None:
+        """Return the control points of the one polynomial; None of a quotient."""
+        return None if (polynomial := self._polynomial) is None else polynomial.exact_pieces()
+
+    def interpolants(self) -> list[Interpolant] | None:
+        """Return the one polynomial, all points; None of a quotient."""
+        return None if (polynomial := self._polynomial) is None else polynomial.interpolants()
+
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
         """Return derivatives of several orders at many places, all of them in one pass.
 
@@ -108,13 +139,17 @@ class FloaterHormannCurve(ParametricCurve):
         return [found[order] for order in orders]
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
-        result = np.empty((len(self._parameters), t.size))
+        result = np.zeros((len(self._parameters), t.size))
+        if self._vanishes(order):
+            return result.T[:, :, None]
         with np.errstate(over="ignore", under="ignore"):
             for where, values, exponent in self._rational_form.parts(t, order):
                 result[:, where] = values if exponent is None else scale_by_power(values, exponent)
         return result.T[:, :, None]
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
+        if self._vanishes(order):
+            return np.zeros((t.size, self.points.shape[1]))
         # As in `LagrangeCurve.evaluate`: points near 1 keep a sum of large terms that cancel in range.
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         result = np.empty((self.points.shape[1], t.size))

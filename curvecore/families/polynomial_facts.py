@@ -19,6 +19,11 @@ class PolynomialFacts:
 
     title: ClassVar[str]
 
+    @property
+    def kind(self) -> str:
+        """Words for its functions where they are no polynomials; empty where they are, or it is not known."""
+        return ""
+
     def bezier_pieces(self) -> FloatArray | None:
         """Return the Bezier control points of the pieces between `breaks`.
 

@@ -17,8 +17,9 @@ from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import FloatArray
 from curvecore.errors import CurveError
+from curvecore.rounding.data import Data
 from curvecore.scaling import LARGEST
 
 _GUARD = 40
@@ -43,32 +44,6 @@ class Arithmetic(Protocol):
 
 
 Row: TypeAlias = list[Decimal]
-
-
-class Data(NamedTuple):
-    """Checked data of a curve.
-
-    Attributes
-    ----------
-    parameters : ndarray, shape (n,)
-    jets : ndarray, shape (n, R, dim)
-        R = 1 for one polynomial, 2 and 3 for piecewise Hermite curves.
-    """
-
-    parameters: FloatArray
-    jets: FloatArray
-
-    def segments(self, t: FloatArray) -> IntArray:
-        """Return the polynomial that counts at each t."""
-        if self.jets.shape[1] == 1:
-            return np.zeros(len(t), dtype=np.intp)
-        return np.searchsorted(self.parameters[1:-1], t, side="right")
-
-    def stretch(self, segment: int) -> tuple[FloatArray, FloatArray]:
-        """Return the parameters and jets that make a polynomial."""
-        if self.jets.shape[1] == 1:
-            return self.parameters, self.jets
-        return self.parameters[segment : segment + 2], self.jets[segment : segment + 2]
 
 
 def exact_context(data: Data, t: FloatArray) -> Context:

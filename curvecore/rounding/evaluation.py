@@ -47,7 +47,6 @@ from __future__ import annotations
 
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 from enum import StrEnum
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -55,25 +54,19 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import (
     FloatArray,
     integer,
-    number_array,
-    parameter_array,
     parameter_row,
-    stacked_jets,
 )
 from curvecore.errors import CurveError
+from curvecore.rounding.data import Data
 from curvecore.rounding.decimal_methods import (
     HERMITE_METHODS,
     LAGRANGE_METHODS,
-    Data,
     Form,
     decimals,
     exact_context,
 )
-from curvecore.rounding.exact import interpolated
-from curvecore.rounding.rounded_data import decimal_context, digit_count, round_significant
+from curvecore.rounding.rounded_data import decimal_context
 from curvecore.scaling import LARGEST
-
-_NAMES = ("velocities", "accelerations", "jerks")
 
 _SHOWN = 20
 """Digits of a result that was computed exactly: four more than any computation rounds to."""
@@ -275,7 +268,7 @@ def rounded_decimals(
     >>> print(digits)
     0.090
     """
-    data = _data(points, parameters, velocities, accelerations, jerks)
+    data = Data.of(points, parameters, velocities, accelerations, jerks)
     form, context = _form(data, method), decimal_context(digits)
     where = parameter_row(t)
     match _known(rounding):
@@ -285,127 +278,12 @@ def rounded_decimals(
             exact = exact_context(data, where)
             rows = form(data, decimals(where), exact, context.plus)
         case Rounding.DATA:
-            data = _rounded(data, digits)
+            data = data.rounded(digits)
             # In exact arithmetic they are all the same; these two need the least of it.
             form = _form(data, Method.BASIS if data.jets.shape[1] > 1 else Method.NEWTON)
             rows = form(data, decimals(where), exact_context(data, where))
     shown = Context(prec=_SHOWN, rounding=ROUND_HALF_EVEN, traps=[])
     return [[shown.plus(x) for x in row] for row in rows]
-
-
-def exact_values(
-    points: ArrayLike,
-    parameters: ArrayLike,
-    t: ArrayLike,
-    velocities: ArrayLike | None = None,
-    accelerations: ArrayLike | None = None,
-    jerks: ArrayLike | None = None,
-) -> FloatArray:
-    """Return the curve computed in fractions, each coordinate rounded once.
-
-    Parameters
-    ----------
-    points : array_like, shape (n, dim)
-        p_i; n >= 2.
-    parameters : array_like, shape (n,)
-        Strictly increasing.
-    t : float or array_like, shape (m,)
-        Any finite values; a scalar counts as m = 1.
-    velocities, accelerations, jerks : array_like, shape (n, dim), optional
-        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
-        septic one.
-
-    Returns
-    -------
-    ndarray, shape (m, dim)
-        The doubles nearest to the exact values.
-
-    See Also
-    --------
-    evaluate_rounded : The same with few digits.
-
-    Notes
-    -----
-    The polynomial's exact coefficients have some 50 n**2 bits for parameters
-    of full precision, hence about n**4 operations: 10 ms for 12 points and
-    200 parameters, 0.1 s for 20.
-
-    Examples
-    --------
-    >>> from curvecore import exact_values
-    >>> exact_values([[0.0], [1.0], [4.0]], [0, 1, 2], [0.5, 3]).tolist()
-    [[0.25], [9.0]]
-    """
-    data = _data(points, parameters, velocities, accelerations, jerks)
-    where = parameter_row(t)
-    segments = data.segments(where)
-    result = np.empty((len(where), data.jets.shape[2]))
-    for segment in sorted(set(segments.tolist())):
-        chosen = segments == segment
-        places, jets = data.stretch(segment)
-        for axis, values in enumerate(jets.transpose(2, 0, 1).tolist()):
-            polynomial = interpolated(places.tolist(), values)
-            result[chosen, axis] = [polynomial.value(x) for x in where[chosen].tolist()]
-    return result
-
-
-def digits_lost(computed: ArrayLike, exact: ArrayLike, digits: int, scale: float | None = None) -> FloatArray:
-    """Return how many of the k digits are wrong.
-
-    Parameters
-    ----------
-    computed, exact : array_like, shape (m, dim)
-        From `evaluate_rounded` and `exact_values`.
-    digits : int
-        k of the computation.
-    scale : float, optional
-        The size that digits are counted from, above 0; by default the largest
-        absolute coordinate of `exact`.
-
-    Returns
-    -------
-    ndarray, shape (m,)
-        log10 of the largest error of a coordinate over 1/2 10**(1-k) scale,
-        the rounding of a number of that size; from 0 (as good as can be) to k
-        (nothing is right, or not a number).
-
-    See Also
-    --------
-    evaluate_rounded, exact_values : What it compares.
-
-    Examples
-    --------
-    >>> from curvecore import digits_lost
-    >>> digits_lost([[1.2], [1.5]], [[1.2], [1.25]], 2, scale=1.0).round(3).tolist()
-    [0.0, 0.699]
-    """
-    k = digit_count(digits)
-    found, truth = number_array(computed, "computed"), _finite_rows(exact)
-    if found.shape != truth.shape:
-        raise CurveError(f"computed and exact must have the same shape, not {found.shape} and {truth.shape}")
-    size = float(np.abs(truth).max(initial=0.0)) if scale is None else float(scale)
-    with np.errstate(all="ignore"):
-        error = np.abs(found - truth).max(axis=1)
-        lost = np.log10(error / (0.5 * 10.0 ** (1 - k) * size))
-    lost = np.where(error == 0.0, 0.0, np.nan_to_num(lost, nan=float(k)))
-    return np.clip(lost, 0.0, float(k))
-
-
-def _finite_rows(values: ArrayLike) -> FloatArray:
-    """Check an array of shape (m, dim) of finite numbers, m from 0 on."""
-    array = number_array(values, "exact")
-    if array.ndim != 2 or not np.isfinite(array).all():
-        raise CurveError("exact must have the shape (m, dim) and finite values")
-    return array
-
-
-def _data(points: ArrayLike, parameters: ArrayLike, *derivatives: ArrayLike | None) -> Data:
-    given = dict(zip(_NAMES, derivatives, strict=True))
-    jets = stacked_jets(points, **{name: values for name, values in given.items() if values is not None})
-    for below, above in pairwise(_NAMES):
-        if given[below] is None and given[above] is not None:
-            raise CurveError(f"{above} need {below} beside them")
-    return Data(parameter_array(parameters, len(jets)), jets)
 
 
 def _forms(derivatives: int) -> dict[str, Form]:
@@ -424,12 +302,3 @@ def _known(rounding: Rounding | str) -> Rounding:
         return Rounding(rounding)
     except ValueError:
         raise CurveError(f"rounding must be one of {', '.join(Rounding)}, not {rounding!r}") from None
-
-
-def _rounded(data: Data, digits: int) -> Data:
-    parameters = round_significant(data.parameters, digits)
-    equal = np.flatnonzero(np.diff(parameters) <= 0)
-    if len(equal):
-        first = int(equal[0])
-        raise CurveError(f"to {digits} digits parameters[{first}] and parameters[{first + 1}] are equal")
-    return Data(parameters, round_significant(data.jets, digits))

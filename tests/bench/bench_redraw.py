@@ -35,7 +35,7 @@ SIZE = (1200, 600)
 def document(n: int, family: Family, kind: ParametrizationKind) -> Document:
     """A wave of n points; at Chebyshev points for Lagrange, the only sane choice for many."""
     s = np.linspace(0, 1, n)
-    if family.is_one_polynomial:
+    if family.curve_class.is_one_polynomial:
         s = (1 - np.cos(np.pi * s)) / 2
     x, y = 4 * s, 1 + 0.7 * np.sin(14 * s)
     points = tuple(Point(float(a), float(b)) for a, b in zip(x, y, strict=True))
@@ -135,7 +135,9 @@ EXPLAINING_GHOSTS = {
 
 def frozen(family: Family) -> ParametrizationKind:
     """The rule whose parameters do not follow the points."""
-    return ParametrizationKind.CHEBYSHEV if family.is_one_polynomial else ParametrizationKind.UNIFORM
+    return (
+        ParametrizationKind.CHEBYSHEV if family.curve_class.is_one_polynomial else ParametrizationKind.UNIFORM
+    )
 
 
 @pytest.mark.parametrize("family", FAMILIES)

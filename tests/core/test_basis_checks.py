@@ -12,7 +12,6 @@ from curvecore import (
     Miss,
     ParametricCurve,
     Scheme,
-    basis_defects,
     cardinal_defect,
     chebyshev,
     families,
@@ -63,10 +62,12 @@ PARAMETERS = {
 @pytest.mark.parametrize("times", PARAMETERS.values(), ids=PARAMETERS)
 def test_nothing_is_wrong_with_the_families_of_the_core(kind, times, rng):
     jets = rng.standard_normal((len(times), kind.derivatives + 1, 2))
-    found = basis_defects(kind.from_jets(jets, times))
-    if not kind.interpolates:
-        found = found._replace(cardinal=None, miss=None)
-    assert found == (None, None, None, None)
+    curve = kind.from_jets(jets, times)
+    if kind.interpolates:
+        assert cardinal_defect(curve) is None
+        assert worst_miss(curve) is None
+    assert sum_defect(curve) is None
+    assert slope_defect(curve) is None
 
 
 @pytest.mark.parametrize("off", [0.3, -0.02, 1e-8])
@@ -138,7 +139,7 @@ def test_of_many_points_a_part_is_looked_at():
         values[:, 150] *= 2.0
         return values
 
-    found = basis_defects(curve_of(doubled, times, points))
-    assert found.cardinal == CardinalDefect(150, 150, 2.0)
-    assert found.miss == Miss(150, pytest.approx(np.hypot(*points[150])))
-    assert found.total.t == pytest.approx(times[150], abs=1 / 300)
+    curve = curve_of(doubled, times, points)
+    assert cardinal_defect(curve) == CardinalDefect(150, 150, 2.0)
+    assert worst_miss(curve) == Miss(150, pytest.approx(np.hypot(*points[150])))
+    assert sum_defect(curve).t == pytest.approx(times[150], abs=1 / 300)

@@ -21,8 +21,9 @@ from curvecore import (
     speed,
     uniform,
 )
-from curvecore.analysis.geometry import bounding_boxes, pieces_of
+from curvecore.analysis.bounding_boxes import bounding_boxes
 from curvecore.analysis.lengths import arc_lengths
+from curvecore.bezier.pieces import bezier_pieces
 
 FAMILIES = ["lagrange", "hermite", "quintic_hermite"]
 every_family = pytest.mark.parametrize("name", FAMILIES)
@@ -194,7 +195,7 @@ def test_boxes_and_lengths_of_many_curves_are_those_of_each(rng):
     curves.append(
         Chain([HermiteCurve(*np.ones((2, 2, 2)), [0, 1]), HermiteCurve(np.eye(2), np.eye(2), [1, 3])])
     )
-    parts = [pieces_of(curve) for curve in curves]
+    parts = [bezier_pieces(curve) for curve in curves]
     for curve, part, box in zip(curves, parts, bounding_boxes(curves, parts), strict=True):
         alone = bounding_box(curve)
         assert np.array_equal(np.concatenate(alone[:2]), np.concatenate(box[:2]))

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 import pytest
-from flint import arb, ctx
+from flint import arb, ctx, fmpq
 from scipy.interpolate import FloaterHormannInterpolator
 
 from curvecore import CurveError, FloaterHormannCurve, LagrangeCurve, chebyshev, lebesgue_constant, uniform
@@ -201,6 +201,35 @@ def test_with_few_points_it_is_the_one_polynomial(rng, n):
     t = rng.random(20)
     scale = np.abs(polynomial.basis(t)[:, :, 0]) @ np.abs(points)
     assert (np.abs(curve.evaluate(t) - polynomial.evaluate(t)) <= 2.0 * LIMIT * 2.0**-53 * scale).all()
+
+
+@pytest.mark.parametrize("degree", [0, 1, 3, 9])
+@pytest.mark.parametrize("beyond", [0, 1, 2])
+def test_it_is_a_polynomial_of_up_to_two_points_more_than_the_degree(degree, beyond):
+    """n = d + 1 points: one polynomial. n = d + 2: two, blended as by Neville. Beyond: a quotient."""
+    n = max(degree + 1 + beyond, 2)
+    nodes = [fmpq(k * k) for k in range(n)]
+    values = [exact_functions(k + fmpq(1, 3), nodes, degree, 0)[0] for k in range(n + 1)]
+    with ctx.workprec(_BITS):
+        # The n-th difference of a polynomial of degree n - 1 is 0.
+        difference = sum(((-1) ** k * math.comb(n, k) * value for k, value in enumerate(values)), arb(0))
+    curve = FloaterHormannCurve(np.zeros((n, 1)), np.arange(n) ** 2.0, degree=degree)
+    assert curve.degree == (n - 1 if difference.contains(0) else None)
+    assert (curve.degree is None) == (n > degree + 2)
+    assert curve.kind == ("" if curve.degree is not None else f"rational, blended degree {degree}")
+
+
+@pytest.mark.parametrize("n", [2, 3, 5])
+def test_where_it_is_a_polynomial_its_pieces_are_known(rng, n):
+    points, parameters = rng.standard_normal((n, 2)), np.sort(rng.random(n))
+    curve, polynomial = FloaterHormannCurve(points, parameters), LagrangeCurve(points, parameters)
+    np.testing.assert_array_equal(curve.exact_pieces(), polynomial.exact_pieces())
+    (own,), (known,) = curve.interpolants(), polynomial.interpolants()
+    np.testing.assert_array_equal(own.parameters, known.parameters)
+    np.testing.assert_array_equal(own.jets, known.jets)
+    more = FloaterHormannCurve(rng.standard_normal((6, 2)), uniform(6))
+    assert more.exact_pieces() is None
+    assert more.interpolants() is None
 
 
 def test_points_are_passed_exactly(rng):

@@ -10,7 +10,7 @@ from app.document.edits import EditError
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.several_curves import move_curves, with_appearance
 from app.families import HERMITE, LAGRANGE
-from app.storage.format import validate
+from app.storage.validation import validate
 from app.view_model.curve_view import view_of
 
 SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))

@@ -21,7 +21,8 @@ from app.document.model import Document, ReferenceImage, empty_document, make_cu
 from app.document.several_curves import move_curves
 from app.families import HERMITE
 from app.storage.files import load, save
-from app.storage.format import FormatError, decode, encode
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
 
 IMAGE = ReferenceImage("letters/s.png", 0.1, -1 / 3, 3.0, 4.0, 0.25, True)
 

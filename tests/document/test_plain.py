@@ -13,7 +13,9 @@ from app.document import edits
 from app.document.model import Document, Parametrization, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.families import HERMITE
-from app.storage.format import FormatError, encode, validate
+from app.storage.format import encode
+from app.storage.format_error import FormatError
+from app.storage.validation import validate
 
 WILD = (
     np.float64(1 / 3),

@@ -9,6 +9,7 @@ import re
 import numpy as np
 import pytest
 from PIL import Image
+from scipy.spatial import cKDTree
 
 from app.document.model import Document, ParametrizationKind
 from app.exchange.drawing.animation import Film, write_film
@@ -64,8 +65,11 @@ def dense(document, count=6001):
 
 
 def to_line(points, line):
-    """How far points are from a polyline, at most."""
-    return max(segment_distance(each[None], line[:-1], line[1:]).min() for each in points)
+    """How far points are from a polyline, by the chords at its four nearest corners: never too little."""
+    at = cKDTree(line).query(points, k=4)[1]
+    beside = (np.maximum(at - 1, 0), np.minimum(at + 1, len(line) - 1))
+    away = [segment_distance(points[:, None], line[at], line[corner]) for corner in beside]
+    return np.minimum(*away).min(axis=1).max()
 
 
 def bezier_points(controls, scale=(1.0, 1.0)):

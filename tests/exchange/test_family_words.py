@@ -25,7 +25,7 @@ def other_value(setting):
 @pytest.mark.parametrize("name", [*EVERY, "tests_swaying"])
 def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
     family = FAMILIES.named(name)
-    settings = ChosenSettings((setting.name, other_value(setting)) for setting in family.settings)
+    settings = ChosenSettings((setting.name, other_value(setting)) for setting in family.settings.all)
     curve = replace(make_curve(POINTS, family=family), settings=settings)
     assert read_family_word(family_word(curve)) == (family, False, settings)
     path = tmp_path / "curve.points.csv"

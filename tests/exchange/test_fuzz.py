@@ -23,7 +23,9 @@ from app.exchange.svg.writer import svg_of
 from app.exchange.table.json_table import read_json
 from app.exchange.table.numpy_array import read_array
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.storage.format import FormatError, decode, encode, validate
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
+from app.storage.validation import validate
 from tests.tables import document_of_table, read_table
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]

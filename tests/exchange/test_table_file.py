@@ -17,7 +17,8 @@ from app.exchange.table.layout import TextLayout
 from app.exchange.table.text import preview_table
 from app.exchange.table.thinning import thinned
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.storage.format import encode, validate
+from app.storage.format import encode
+from app.storage.validation import validate
 from app.view_model.curve_view import view_of
 from tests.effort import calls_of
 from tests.tables import document_of_table, read_table

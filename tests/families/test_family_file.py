@@ -96,12 +96,10 @@ def test_the_least_and_what_a_title_adds(write):
     (family,) = families_in(write(GAUSSIAN))
     assert (family.name, family.title, family.action_name) == ("my_gaussian", "Gaussian", "familyMyGaussian")
     assert family.tip == "Bells that are made cardinal"
-    assert (family.derivatives, family.can_close, family.is_local, family.interpolates) == (
-        0,
-        False,
-        False,
-        True,
-    )
+    assert family.derivatives == 0
+    assert family.interpolates
+    assert not family.curve_class.can_close
+    assert not family.curve_class.is_local
     points = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]])
     curve = family.make(points[:, None], [0.0, 0.4, 1.0])
     assert np.array_equal(curve.evaluate(curve.parameters), points)
@@ -112,15 +110,84 @@ def test_breaks_derivatives_and_closing(write):
     (family,) = families_in(write(HATS))
     assert family.title == "hats"
     assert family.tip == "Polylines"
-    assert family.can_close
+    assert family.curve_class.can_close
     curve = family.make(np.array([[[0.0, 0.0]], [[2.0, 4.0]], [[3.0, 0.0]]]), [0.0, 1.0, 2.0])
     assert curve.breaks.tolist() == [0.0, 1.0, 2.0]
     assert curve.evaluate(0.5, 1).tolist() == [2.0, 4.0]
 
 
+BELLS = """from curvecore import FamilySetting
+import numpy as np
+
+name = "bells"
+settings = [
+    FamilySetting("width", "width of a bell", 3, limits=(1, 9)),
+    FamilySetting("shape", "shape", "round", choices=(("round", "Round"), ("pointed", "Pointed"))),
+]
+
+
+def breaks(parameters, shape):
+    return parameters if shape == "pointed" else parameters[[0, -1]]
+
+
+def bells(t, parameters, width, shape):
+    away = np.abs(t[:, None] - parameters) * len(parameters) / width
+    return np.exp(-away**2) if shape == "round" else np.exp(-away)
+
+
+def basis(t, parameters, shape, width):
+    return bells(t, parameters, width, shape) @ np.linalg.inv(bells(parameters, parameters, width, shape))
+"""
+
+
+def test_settings_of_a_file_s_functions(write):
+    (family,) = families_in(write(BELLS))
+    assert [each.name for each in family.settings] == ["width", "shape"]
+    points, parameters = np.array([[[0.0]], [[2.0]], [[1.0]], [[3.0]]]), np.arange(4.0)
+    curves = [
+        family.make(points, parameters, chosen)
+        for chosen in ({}, {"width": 3}, {"width": 1}, {"shape": "pointed"})
+    ]
+    values = [float(curve.evaluate(0.5)[0]) for curve in curves]
+    assert values[0] == values[1]
+    assert len(set(values)) == 3
+    assert curves[2].chosen == {"width": 1, "shape": "round"}
+    assert curves[2].with_data(points, parameters).evaluate(0.5) == curves[2].evaluate(0.5)
+    assert curves[2].functions_key == curves[2].with_jets(2.0 * points).functions_key
+    assert curves[2].functions_key != curves[0].functions_key
+    assert curves[3].breaks.tolist() == parameters.tolist()
+    assert curves[0].breaks.tolist() == [0.0, 3.0]
+
+
+def test_the_order_may_stand_anywhere(write):
+    setting = 'settings = [curvecore.FamilySetting("slope", "slope", 1, limits=(1, 2))]'
+    text = HATS.replace("order):", "slope, order):").replace("return slopes", "return slope * slopes")
+    text = text.replace("can_close = True", f"import curvecore\n{setting}")
+    (family,) = families_in(write(text))
+    curve = family.make(np.array([[[0.0]], [[2.0]]]), [0.0, 1.0], {"slope": 2})
+    assert curve.evaluate([0.5, 0.5], 1).tolist() == [[4.0], [4.0]]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "said"),
+    [
+        ("settings = [\n", "settings = [\n    4,\n", "settings must be a list of FamilySetting, not of 4"),
+        (
+            "3, limits",
+            "30, limits",
+            "the default of the setting “width” must be a whole number from 1 to 9, not 30",
+        ),
+        ('"width", "width', '"breadth", "width', "no function takes the setting “breadth”, as basis(t, par"),
+    ],
+)
+def test_a_mistake_in_settings_is_told(write, before, after, said):
+    with pytest.raises(FamilyFileError, match=re.escape(said)):
+        families_in(write(BELLS.replace(before, after)))
+
+
 def test_a_class_of_the_core_s_kind(write):
     (family,) = families_in(write(OWN_CLASS))
-    assert (family.name, family.derivatives, family.can_close) == ("stiff", 1, True)
+    assert (family.name, family.derivatives, family.curve_class.can_close) == ("stiff", 1, True)
 
 
 def test_a_curve_may_pass_its_points_by(write):

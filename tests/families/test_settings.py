@@ -12,7 +12,9 @@ from app.document import edits
 from app.document.model import Document, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, ChosenSettings
-from app.storage.format import FormatError, decode, encode, validate
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
+from app.storage.validation import validate
 from app.view_model.curve_view import view_of
 from curvecore import Chain, CurveError, LagrangeCurve
 from tests.own_families import EVERY
@@ -108,9 +110,9 @@ def test_numbers_of_numpy_become_plain(swaying):
 
 @pytest.mark.parametrize("name", EVERY)
 def test_settings_of_the_registry_are_sound(name):
-    names = [setting.name for setting in FAMILIES.named(name).settings]
+    names = [setting.name for setting in FAMILIES.named(name).settings.all]
     assert len(set(names)) == len(names)
-    for setting in FAMILIES.named(name).settings:
+    for setting in FAMILIES.named(name).settings.all:
         assert setting.name.isidentifier()
         assert setting.allows(setting.default)
         assert setting.title == setting.title.strip() != ""

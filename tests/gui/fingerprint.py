@@ -79,6 +79,8 @@ class _Kind:
     ----------
     is_opaque
         There is nothing to tell of them: what is the library's.
+    is_record
+        They never change, though what they refer to may.
     names
         The attributes that all objects of the type have.
     """
@@ -94,7 +96,10 @@ class _Kind:
         self.is_ours = not is_known and package == "app"
         self.is_of_tests = not is_known and package not in {*_LIBRARIES, "app"}
         self.is_opaque = not (is_known or self.is_ours or self.is_of_tests)
-        names = set(kind.__struct_fields__ if issubclass(kind, msgspec.Struct) else ())
+        is_struct = issubclass(kind, msgspec.Struct)
+        config = getattr(kind, "__struct_config__", None)
+        self.is_record = is_struct and config.frozen and not config.dict and not self.is_rendered_anew
+        names = set(kind.__struct_fields__ if is_struct else ())
         for base in kind.__mro__:
             slots = vars(base).get("__slots__", ())
             names.update((slots,) if isinstance(slots, str) else slots)
@@ -114,6 +119,53 @@ def _kind_of(value: object) -> _Kind:
     if kind is None:
         kind = _kinds[type(value)] = _Kind(type(value))
     return kind
+
+
+class _Record:
+    """What is told of a record, found out once: most that a window reaches is how its actions are declared.
+
+    Attributes
+    ----------
+    told
+        What is told of it and of what in it never changes either, with the places.
+    others
+        What it refers to beside that, with the places.
+    """
+
+    def __init__(self, value: object) -> None:
+        # Its id is its own as long as it lives.
+        self._value = value
+        told: list[tuple[str, object]] = []
+        self.others: list[tuple[str, object]] = []
+        self._tell("", value, told)
+        self.told = tuple(told)
+
+    def _tell(self, place: str, value: object, told: list[tuple[str, object]]) -> None:
+        kind = _kind_of(value)
+        if kind.is_plain:
+            told.append((place, value))
+        elif kind.is_function:
+            told.append((place, value.__qualname__))
+        elif kind.is_record:
+            told.append((place, kind.name))
+            for name in kind.names:
+                self._tell(f"{place}.{name}", getattr(value, name, None), told)
+        elif kind.type is tuple:
+            told.append((place, len(value)))
+            for index, each in enumerate(value):
+                self._tell(f"{place}.{index}", each, told)
+        elif not kind.is_opaque:
+            self.others.append((place, value))
+
+
+_records: dict[int, _Record] = {}
+
+
+def _record_of(value: object) -> _Record:
+    record = _records.get(id(value))
+    if record is None:
+        record = _records[id(value)] = _Record(value)
+    return record
 
 
 class Fingerprint:
@@ -157,6 +209,12 @@ class Fingerprint:
         elif kind.is_of_tests:
             # In place of something of ours, or of the library's: a clock, for one.
             self.told[place] = kind.name
+        elif kind.is_record:
+            record = _record_of(value)
+            self.told[place] = record.told
+            for within, each in record.others:
+                if id(each) not in self._seen:
+                    self._walk(f"{place}{within}", each, _kind_of(each))
         elif id(value) not in self._seen:
             self._seen[id(value)] = value
             if kind.is_ours:
@@ -198,7 +256,9 @@ def named_actions(window: QWidget) -> list[QAction]:
 
 def differences(told: Mapping[str, object], *known: Mapping[str, object]) -> dict[str, object]:
     """Return what is in none of the `known` fingerprints as it is in `told`, by its place."""
-    places = set(told).union(*known)
-    for each in known:
-        places = {place for place in places if told.get(place, _ABSENT) != each.get(place, _ABSENT)}
+    first, *others = known
+    places = [place for place, value in told.items() if first.get(place, _ABSENT) != value]
+    places += first.keys() - told.keys()
+    for each in others:
+        places = [place for place in places if told.get(place, _ABSENT) != each.get(place, _ABSENT)]
     return {place: told.get(place, _ABSENT) for place in places}

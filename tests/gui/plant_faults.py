@@ -33,6 +33,7 @@ from app.features.point_table.view import PointTableView
 from app.features.recovery.autosave import snapshot_folder
 from app.features.wiggle.weight_bars import WeightBars
 from app.plotting.layers import Layer
+from app.plotting.painted_plot import PaintedPlot
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.tool_plot import ToolPlot
 from app.session.history import UndoStep
@@ -151,7 +152,7 @@ def compute_beside_the_window(editor: Editor) -> None:
 PLACES = (
     Place(Layer, "draw", lambda editor: editor.window.canvas.grab()),
     Place(Layer, "draw", paint_behind_a_dialog),
-    Place(PlotWidget, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
+    Place(PaintedPlot, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
     Place(pg.AxisItem, "paint", lambda editor: editor.window.canvas.grab()),
     Place(
         pg.ViewBox, "resizeEvent", lambda editor: editor.window.resize(editor.window.size() + QSize(40, 40))

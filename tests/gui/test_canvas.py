@@ -465,7 +465,7 @@ def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
     arch.trigger("addTool")
     arch.click(arch.point(0))
     assert arch.session.document == before
-    closing = titles(family for family in FAMILIES if family.can_close)
+    closing = titles(family for family in FAMILIES if family.curve_class.can_close)
     assert arch.status.startswith(f"Choose {closing} to close the curve")
 
 

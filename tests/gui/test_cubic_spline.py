@@ -10,7 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel
 from scipy.interpolate import CubicSpline
 
-from app.document.model import Document, VelocityRule, make_curve
+from app.document.derivatives import VelocityRule
+from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.analysis.wiggle import explain
 from app.view_model.growth import growth_of_points

@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolB
 
 from app.appearance.theme import ThemeMode, apply_theme
 from app.document import edits
-from app.document.model import AccelerationRule, ParametrizationKind, VelocityRule, make_curve
+from app.document.derivatives import AccelerationRule, VelocityRule
+from app.document.model import ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session

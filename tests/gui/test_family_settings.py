@@ -48,6 +48,27 @@ def chosen(editor):
     return dict(editor.curve.settings)
 
 
+@pytest.mark.parametrize(
+    ("count", "said"),
+    [
+        (2, "2 points · degree 1 · one polynomial · 0 ≤ t ≤ 1"),
+        (5, "5 points · degree 4 · one polynomial · 0 ≤ t ≤ 1"),
+        (6, "6 points · rational, blended degree 3 · 0 ≤ t ≤ 1"),
+    ],
+)
+def test_the_form_says_what_a_rational_curve_is(editor, count, said):
+    """It said "no polynomial", of few points too, where the curve is one."""
+    points = [(float(k), float(k % 2)) for k in range(count)]
+    curve = make_curve(points, family=FAMILIES.named("floater_hormann"))
+    editor.session.commit(Document((curve,)), "Begin")
+    editor.show_dock("curveDock")
+    facts = widget(editor, QLabel, "curveFacts")
+    assert facts.text().replace("\N{NO-BREAK SPACE}", " ") == said
+    enter(editor, widget(editor, QLineEdit, "settingDegree"), "0")
+    is_one = "one polynomial" in facts.text().replace("\N{NO-BREAK SPACE}", " ")
+    assert is_one == (count == 2)
+
+
 def test_a_number_is_typed_and_undone(swaying):
     steps = swaying.session.undo_stack.count()
     assert amount(swaying).text() == "2"
@@ -178,7 +199,7 @@ def test_every_setting_of_every_family_has_a_field_with_a_tip(editor, name):
     family = FAMILIES.named(name)
     editor.session.commit(Document((make_curve(POINTS, family=family),)), "Begin")
     editor.show_dock("curveDock")
-    for setting in family.settings:
+    for setting in family.settings.all:
         words = "".join(word.capitalize() for word in setting.name.split("_"))
         field = widget(editor, QWidget, f"setting{words}")
         assert field.accessibleName() == setting.label

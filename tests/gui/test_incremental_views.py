@@ -8,15 +8,9 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from app.document import edits
+from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.edits import EditError
-from app.document.model import (
-    AccelerationRule,
-    Curve,
-    Document,
-    ParametrizationKind,
-    VelocityRule,
-    make_curve,
-)
+from app.document.model import Curve, Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.flattener import Flattener

@@ -12,8 +12,9 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
 
+from app.document.derivatives import VelocityRule
 from app.document.edits import set_position
-from app.document.model import Curve, Document, Parametrization, Point, VelocityRule
+from app.document.model import Curve, Document, Parametrization, Point
 from app.families import HERMITE
 from app.features.joints.model import COLUMNS
 from app.features.joints.panel import JointsPanel

@@ -20,7 +20,7 @@ from app.document.model import Document, make_curve
 from app.features.import_export.commands import ExchangeCommands
 from app.features.recovery.autosave import Autosave
 from app.storage.files import load, save
-from app.storage.format import FormatError
+from app.storage.format_error import FormatError
 from app.storage.open_file import OpenFile
 from app.tasks.task import Task
 

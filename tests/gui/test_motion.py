@@ -22,7 +22,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.document import edits
-from app.document.model import ParametrizationKind, VelocityRule
+from app.document.derivatives import VelocityRule
+from app.document.model import ParametrizationKind
 from app.exchange.drawing.animation import write_film
 from app.families import HERMITE
 from app.features.motion.bar import MotionBar

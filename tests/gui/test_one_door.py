@@ -23,7 +23,8 @@ from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot
 from app.features.point_table.delegate import CellEditor
-from app.storage.format import FormatError, validate
+from app.storage.format_error import FormatError
+from app.storage.validation import validate
 from app.view_model.curve_view import view_of
 
 LEFT = Qt.MouseButton.LeftButton

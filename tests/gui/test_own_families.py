@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QToolBar, QToolButton
+from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QMenu, QToolBar, QToolButton
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, family_file
@@ -15,7 +17,7 @@ from app.features.own_families.bar import FamilyBar
 from app.features.own_families.files import family_files
 from app.features.own_families.template import template
 from app.session import Session
-from app.storage.format import encode
+from app.storage.format import decode, encode
 from app.testing import Editor
 from app.view_model.basis_findings import findings_of
 from curvecore import LagrangeCurve
@@ -23,6 +25,7 @@ from curvecore import LagrangeCurve
 WAIT_MS = 30_000
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
 NAME = "my_lagrange"
+DIFFERENCES = "Derivatives are differences: some 9 digits of c′, 8 digits of c″ and 6 digits of c‴."
 
 
 @pytest.fixture(autouse=True)
@@ -135,12 +138,28 @@ def test_a_template_is_a_file_that_works_at_once(editor, path, ask, qtbot):
     known = LagrangeCurve(view.points, view.parameters)
     assert view.curve.evaluate(t) == pytest.approx(known.evaluate(t), abs=1e-12)
     assert findings_of(view) == ()
+    assert editor.window.findChild(QLabel, "basisFindings").text() == DIFFERENCES
+
+
+def test_a_file_that_says_its_derivatives_has_no_differences(using, save, path, qtbot):
+    said = using.window.findChild(QLabel, "basisFindings")
+    assert said.text() == DIFFERENCES
+    save("""import numpy as np
+name, title = "my_lagrange", "my lines"
+
+def basis(t, parameters, order):
+    hats = np.eye(len(parameters))
+    values = [np.interp(t, parameters, each) for each in hats]
+    return np.stack(values, axis=1) if order == 0 else np.zeros((len(t), len(parameters)))
+""")
+    qtbot.waitUntil(lambda: "is not the derivative of" in said.text(), timeout=WAIT_MS)
+    assert DIFFERENCES not in said.text()
 
 
 def test_a_template_is_short_and_says_what_there_is(path):
     text = template(path)
     assert text.count("\n") <= 30
-    for word in ("title", "order", "breaks", "interpolates = False", "can_close = True"):
+    for word in ("title", "order", "breaks", "interpolates = False", "can_close = True", "settings = ["):
         assert word in text
 
 
@@ -187,6 +206,40 @@ def test_it_is_offered_wherever_families_are(using):
     using.screenshot()
 
 
+# Settings
+
+
+def with_width(text, limits="limits=(1, 9)"):
+    """The template with the setting that it shows in a comment."""
+    (record,) = re.findall(r"# settings = \[(FamilySetting\(.*?\))\]", text)
+    setting = record.replace("limits=(1, 9)", limits)
+    head = f"from curvecore import FamilySetting\nsettings = [{setting}]\nname ="
+    text = text.replace("name =", head, 1)
+    return text.replace("basis(t, parameters):", "basis(t, parameters, width):", 1)
+
+
+def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save, path, qtbot):
+    using.show_dock("curveDock")
+    save(with_width(template(path)))
+    qtbot.waitUntil(lambda: using.window.findChild(QLineEdit, "settingWidth") is not None, timeout=WAIT_MS)
+    using.settle()
+    field = using.window.findChild(QLineEdit, "settingWidth")
+    field.setFocus()
+    field.selectAll()
+    using.type_text(field, "7")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert dict(using.curve.settings) == {"width": 7}
+    assert using.session.active_view.curve.chosen == {"width": 7}
+    assert using.session.undo_stack.undoText() == "Set width of a bell to 7"
+    assert decode(encode(using.session.document)).curves[0].settings == using.curve.settings
+    # A file that no longer allows what was chosen draws by its default.
+    save(with_width(template(path), "limits=(1, 5)"))
+    qtbot.waitUntil(lambda: using.session.active_view.curve.chosen == {"width": 3}, timeout=WAIT_MS)
+    save(template(path))
+    qtbot.waitUntil(lambda: using.session.active_view.curve.chosen == {}, timeout=WAIT_MS)
+    assert using.session.active_view.is_current
+
+
 # Saved again
 
 
@@ -203,9 +256,10 @@ def test_saving_draws_the_curves_anew(using, save, path, qtbot, way):
     assert said.isVisible()
     assert "The functions do not sum to 1" in said.text()
     assert "The curve misses its points" in said.text()
+    assert said.text().endswith(f" {DIFFERENCES}")
     assert "was run again" in using.status
     save(template(path), way)
-    qtbot.waitUntil(lambda: not said.isVisible(), timeout=WAIT_MS)
+    qtbot.waitUntil(lambda: said.text() == DIFFERENCES, timeout=WAIT_MS)
     assert using.session.active_view.curve.evaluate(0.4) == pytest.approx(before)
 
 
@@ -282,7 +336,8 @@ def test_a_gesture_in_flight_is_taken_back(using, save, path, qtbot):
     using.press(using.point(2))
     using.move((3.0, 2.0))
     save(template(path).replace(*BROKEN))
-    qtbot.waitUntil(lambda: using.window.findChild(QLabel, "basisFindings").isVisible(), timeout=WAIT_MS)
+    said = using.window.findChild(QLabel, "basisFindings")
+    qtbot.waitUntil(lambda: "sum to 1" in said.text(), timeout=WAIT_MS)
     assert using.point(2) == POINTS[2]
     assert not using.session.is_previewing
 
@@ -341,7 +396,7 @@ def test_all_windows_have_it_and_follow(using, second, save, path, qtbot):
     save(template(path).replace(*BROKEN))
     for each in (using, second):
         said = each.window.findChild(QLabel, "basisFindings")
-        qtbot.waitUntil(said.isVisible, timeout=WAIT_MS)
+        qtbot.waitUntil(lambda said=said: "sum to 1" in said.text(), timeout=WAIT_MS)
     assert second.session.active_view.curve is not curve
 
 
@@ -375,7 +430,7 @@ def test_a_file_of_the_command_line_is_watched_too(qtbot, path, save, tried_here
         editor.choose_family(NAME)
         save(template(path).replace(*BROKEN))
         said = editor.window.findChild(QLabel, "basisFindings")
-        qtbot.waitUntil(said.isVisible, timeout=WAIT_MS)
+        qtbot.waitUntil(lambda: "sum to 1" in said.text(), timeout=WAIT_MS)
         editor.session.files.give_up_changes()
 
 

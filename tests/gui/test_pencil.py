@@ -93,7 +93,7 @@ def test_every_family_can_be_drawn(editor, family):
     editor.new()
     editor.choose_family(family)
     editor.trigger("pencilTool")
-    line = draw(editor, PLACES["corner"] if family.is_local else PLACES["loop"][:60])
+    line = draw(editor, PLACES["corner"] if family.curve_class.is_local else PLACES["loop"][:60])
     assert editor.session.active_curve.family is family
     assert farthest(editor, line) <= 2.2
 
@@ -103,7 +103,7 @@ def test_a_zigzag_that_a_polynomial_would_follow_for_half_a_minute_comes_out_in_
     editor.choose_family(FAMILIES.named("bezier"))
     editor.trigger("pencilTool")
     line = draw(editor, [(100 + 4 * i, 160 + abs(10 * i % 160 - 80)) for i in range(100)])
-    assert editor.session.active_curve.family.is_local
+    assert editor.session.active_curve.family.curve_class.is_local
     assert farthest(editor, line) <= 2.2
     assert "It is a Hermite curve: a Bézier curve so near takes too long to find." in editor.status
     editor.trigger("undo")

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToo
 from app.appearance.colours import point_colours
 from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
 from app.document import edits
-from app.document.model import ParametrizationKind, VelocityRule, make_curve
+from app.document.derivatives import VelocityRule
+from app.document.model import ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.controller import PointTableController
 from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor

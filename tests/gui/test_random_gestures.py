@@ -18,7 +18,8 @@ from app.document.transforms import Edge, align_points, distribute_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.plotting.pixel_map import PixelMap
 from app.session import Session
-from app.storage.format import decode, encode, validate
+from app.storage.format import decode, encode
+from app.storage.validation import validate
 from app.tools.canvas.select import SELECT
 from app.tools.explain import EXPLAIN
 from app.tools.pointer import Hit, Part, Pointer

@@ -11,14 +11,8 @@ from PySide6.QtTest import QTest
 
 from app.actions.clipboard_watch import DERIVATIVES
 from app.document import edits
-from app.document.model import (
-    AccelerationRule,
-    Document,
-    Parametrization,
-    ParametrizationKind,
-    VelocityRule,
-    make_curve,
-)
+from app.document.derivatives import AccelerationRule, VelocityRule
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -151,7 +151,11 @@ CURES = (
     ("hermite", HERMITE, ParametrizationKind.UNIFORM),
     ("quintic", QUINTIC_HERMITE, ParametrizationKind.UNIFORM),
     ("spline", HERMITE, ParametrizationKind.UNIFORM),
-    *((family.name, family, ParametrizationKind.UNIFORM) for family in FAMILIES if family.is_calm),
+    *(
+        (family.name, family, ParametrizationKind.UNIFORM)
+        for family in FAMILIES
+        if family.curve_class.is_calm
+    ),
 )
 
 

@@ -12,7 +12,7 @@ import pytest
 from app.document.model import Document, empty_document, make_curve
 from app.storage import files
 from app.storage.files import StorageError, load, read, save, write
-from app.storage.format import FormatError
+from app.storage.format_error import FormatError
 
 posix_only = pytest.mark.skipif(os.name == "nt", reason="permissions and pipes of POSIX")
 NOBODY = 65534

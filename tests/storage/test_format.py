@@ -11,23 +11,22 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from app.document.derivatives import DERIVATIVES, AccelerationRule, JerkRule, VelocityRule
 from app.document.model import (
-    DERIVATIVES,
     MAX_MAGNITUDE,
-    AccelerationRule,
     Curve,
     Document,
-    JerkRule,
     Parametrization,
     ParametrizationKind,
     Point,
-    VelocityRule,
     empty_document,
     make_curve,
 )
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.storage import format as file_format
-from app.storage.format import FormatError, decode, encode, validate
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
+from app.storage.validation import validate
 
 quick = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 

@@ -19,7 +19,8 @@ from app.storage.files import (
     save,
     write,
 )
-from app.storage.format import FormatError, decode, encode
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
 from app.storage.lock import lock_place
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import FileChange, LockedError, OpenFile

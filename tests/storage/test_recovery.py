@@ -14,7 +14,8 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Point, ReferenceImage, make_curve
 from app.storage.files import save
-from app.storage.format import FormatError, encode
+from app.storage.format import encode
+from app.storage.format_error import FormatError
 from app.storage.lock import acquire
 from app.storage.processes import machine
 from app.storage.recovery import DAMAGED, SUFFIX, Origin, SnapshotFile, list_snapshots

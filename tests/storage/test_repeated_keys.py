@@ -6,7 +6,8 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.storage.format import FormatError, decode, encode
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
 
 NODES = (
     Point(0.0, 1.0, 0.0, velocity=(1.0, 2.0)),

@@ -204,7 +204,7 @@ def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
         assert made.residual == pytest.approx(
             np.linalg.norm(shape(after) - shape(view), axis=1).max(), rel=0.05, abs=1e-12
         )
-        if FAMILIES.named(name).derivatives or FAMILIES.named(name).is_one_polynomial:
+        if FAMILIES.named(name).derivatives or FAMILIES.named(name).curve_class.is_one_polynomial:
             assert moved < 1e-11
         assert made.sentence.startswith("Shape kept" if moved < 1e-11 else "The shape is another")
 
@@ -234,7 +234,7 @@ def test_a_split_keeps_the_shape_or_is_refused(name, t):
     if isinstance(made, str):
         family = FAMILIES.named(name)
         assert not family.derivatives
-        assert not family.is_one_polynomial
+        assert not family.curve_class.is_one_polynomial
         assert made.startswith(f"{family.subject} cannot be split")
         assert name != "tests_cosine_steps" or t == 1.9
         return
@@ -255,7 +255,11 @@ def test_a_join_keeps_both_shapes_or_is_refused(name):
     if isinstance(made, str):
         family = FAMILIES.named(name)
         assert name not in ("hermite", "quintic_hermite", "tests_cosine_steps")
-        assert "make no third" in made if family.is_one_polynomial else f"Two {family.title} curves" in made
+        assert (
+            "make no third" in made
+            if family.curve_class.is_one_polynomial
+            else f"Two {family.title} curves" in made
+        )
         return
     assert name not in ("lagrange", "tests_gaussian")
     whole = view_of(made.curve)
@@ -273,13 +277,13 @@ def test_two_families_are_not_joined(own):
 def test_closing_is_what_the_family_can(name):
     document = Document((curve_of(name),))
     family = FAMILIES.named(name)
-    if family.can_close:
+    if family.curve_class.can_close:
         closed = view_of(with_closed(document, 0, view_of(document.curves[0]), True).curves[0])
         assert closed.curve.evaluate(closed.curve.domain[1]) == pytest.approx(POINTS[0])
         return
     with pytest.raises(EditError, match=family.a_curve) as refusal:
         edits.set_closed(document, 0, True)
-    closing = titles(each for each in FAMILIES if each.can_close)
+    closing = titles(each for each in FAMILIES if each.curve_class.can_close)
     assert closing.startswith("Hermite, quintic Hermite")
     assert closing.endswith(" or cosine steps")
     assert str(refusal.value).startswith(f"Choose {closing} to close the curve")
@@ -287,7 +291,7 @@ def test_closing_is_what_the_family_can(name):
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
 def test_a_closed_curve_is_the_sum_of_its_functions_and_as_smooth_at_its_seam(name, kind):
-    if not FAMILIES.named(name).can_close:
+    if not FAMILIES.named(name).curve_class.can_close:
         return
     view = view_of(replace(curve_of(name, kind), closed=True))
     for t in (1.2, 2.3, 3.45):
@@ -304,7 +308,7 @@ def test_a_closed_curve_is_the_sum_of_its_functions_and_as_smooth_at_its_seam(na
 
 @pytest.mark.parametrize("using", [BendWith.ALL, BendWith.POINTS])
 def test_a_closed_curve_is_bent(name, using):
-    if not FAMILIES.named(name).can_close:
+    if not FAMILIES.named(name).curve_class.can_close:
         return
     view = view_of(replace(curve_of(name), closed=True))
     for t in (1.1, 2.2, 3.45):
@@ -395,7 +399,7 @@ def test_the_legend_mutes_what_is_not_drawn(name):
     settings = AnalysisSettings(overlays=frozenset([BEZIER]))
     pictures = live_picture(view, settings), settled_picture(view, settings)
     (row,) = legend_rows(view, settings, (), [figure for each in pictures for figure in each.figures], ())
-    is_drawn = view.curve.bezier_pieces() is not None or FAMILIES.named(name).is_one_polynomial
+    is_drawn = view.curve.bezier_pieces() is not None or FAMILIES.named(name).curve_class.is_one_polynomial
     assert is_drawn or view.curve.degree is None or name.startswith("tests_")
     assert row.is_muted is not is_drawn
     assert any("Not drawn" in each.notes.get(BEZIER, "") for each in pictures) is not is_drawn

@@ -9,15 +9,8 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import (
-    AccelerationRule,
-    Curve,
-    Document,
-    Parametrization,
-    ParametrizationKind,
-    Point,
-    VelocityRule,
-)
+from app.document.derivatives import AccelerationRule, VelocityRule
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.teaching import Topic, warnings_of

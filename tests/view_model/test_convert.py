@@ -44,7 +44,7 @@ def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
     before = view(one, count, manual=manual)
     size = np.ptp(before.points, axis=0).max()
     try:
-        other.near(before.curve, 1e-4 * size)
+        other.curve_class.near(before.curve, 1e-4 * size)
     except CurveError:
         with pytest.raises(EditError, match="This is no "):
             converted(before, other)

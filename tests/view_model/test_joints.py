@@ -7,7 +7,8 @@ from itertools import pairwise
 
 import pytest
 
-from app.document.model import AccelerationRule, Curve, Parametrization, Point, VelocityRule
+from app.document.derivatives import AccelerationRule, VelocityRule
+from app.document.model import Curve, Parametrization, Point
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.joints import JointKind, as_text, certificate_of
 from app.view_model.curve_view import view_of

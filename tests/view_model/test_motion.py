@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Parametrization, ParametrizationKind, Point, VelocityRule
+from app.document.derivatives import VelocityRule
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, QUINTIC_HERMITE, Family
 from app.storage.examples import first_sketch
 from app.view_model.curve_view import view_of

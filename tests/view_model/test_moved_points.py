@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.families import FAMILIES, NO_SETTINGS
+from app.families import FAMILIES
 from curvecore import CurveError, LagrangeCurve, chebyshev, uniform
 from curvecore.drag.moved_points import MovedPoints
 from tests.polylines import worst_distance
@@ -15,13 +15,13 @@ WAYS = ((0.0, 0.0), (0.05, 0.1), (0.1, 0.15), (-0.2, 0.4), (0.0, -1.5), (0.01, 0
 
 def wave(family, n, middle):
     """A wave of n points, and by how much it moves with the one in the middle."""
-    s = chebyshev(n) if family.is_one_polynomial else uniform(n)
+    s = chebyshev(n) if family.curve_class.is_one_polynomial else uniform(n)
     jets, unit = np.zeros((n, family.derivatives + 1, 2)), np.zeros((n, family.derivatives + 1, 1))
     jets[:, 0] = np.column_stack([4 * s, 1 + 0.7 * np.sin(9 * s)])
     if family.derivatives:
         jets[:, 1] = np.column_stack([np.full(n, 4.0), 6.3 * np.cos(9 * s)])
     unit[middle, 0] = 1.0
-    curve = family.make(jets, s, settings=family.in_effect(NO_SETTINGS, closed=False))
+    curve = family.curve_class.from_jets(jets, s)
     return curve, unit
 
 

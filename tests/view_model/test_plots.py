@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Parametrization, ParametrizationKind, Point, VelocityRule
+from app.document.derivatives import VelocityRule
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.plot import PLOTS

@@ -7,8 +7,9 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
+from app.document.derivatives import VelocityRule
 from app.document.edits import EditError
-from app.document.model import Document, ParametrizationKind, Point, VelocityRule, make_curve
+from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from app.view_model.measure import dense

@@ -217,7 +217,7 @@ def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) ->
 
 def too_much(curve: Curve) -> str:
     """Return why a curve cannot be computed in any sensible time, as a sentence; empty if it can."""
-    if curve.family.is_one_polynomial and len(curve.points) > MOST_POINTS:
+    if curve.family.curve_class.is_one_polynomial and len(curve.points) > MOST_POINTS:
         return f"{curve.family.subject} can have {MOST_POINTS} points, not {len(curve.points)}."
     return ""
 

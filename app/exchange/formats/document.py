@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ...document.model import Document
 from ...storage.files import folder_of
-from ...storage.format import FormatError, encode
+from ...storage.format import encode
+from ...storage.format_error import FormatError
 from ...storage.image_path import relative_to
 from ..errors import ExchangeError
 from ..options import Options

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from math import isnan, nan
 
+from ...document.derivatives import DERIVATIVES
 from ...document.edits import interval
-from ...document.model import DERIVATIVES, Document
+from ...document.model import Document
 from ...tasks.progress import part, told
 from ...view_model.curve_view import CurveView, view_of
 from ..options import DEFAULT, Options

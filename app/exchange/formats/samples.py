@@ -11,7 +11,8 @@ import numpy as np
 from curvecore import ArcLength, flatten_pieces
 from curvecore.arrays import FloatArray
 
-from ...document.model import DERIVATIVES, Document
+from ...document.derivatives import DERIVATIVES
+from ...document.model import Document
 from ...document.words import NamedEnum
 from ...tasks.progress import Report, part
 from ...view_model.arc_lengths import arc_lengths_of

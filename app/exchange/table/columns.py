@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
-from ...document.model import DERIVATIVES
+from ...document.derivatives import DERIVATIVES
 from ..errors import ExchangeError
 
 ROLES = ("t", "x", "y", *(f"{each.letter}{axis}" for each in DERIVATIVES for axis in "xy"))

@@ -9,19 +9,12 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 
-from ...document.model import (
-    DERIVATIVES,
-    VECTORS,
-    Curve,
-    Document,
-    Parametrization,
-    ParametrizationKind,
-    Point,
-    Vector,
-)
+from ...document.derivatives import DERIVATIVES, VECTORS
+from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from ...document.words import NamedEnum
 from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
-from ...storage.format import FormatError, validate
+from ...storage.format_error import FormatError
+from ...storage.validation import validate
 from ...tasks.progress import Report, part, silent
 from ..cubics_in import Imported
 from ..errors import ExchangeError

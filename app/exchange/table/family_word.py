@@ -47,14 +47,14 @@ def read_family_word(text: str) -> FamilyWord:
     if family.is_missing:
         raise ValueError(f"one of {', '.join(map(str, FAMILIES))}")
     chosen = dict(_read_setting(family, pair) for pair in pairs)
-    return FamilyWord(family, closed, family.without_defaults(chosen))
+    return FamilyWord(family, closed, family.settings.without_defaults(chosen))
 
 
 def _read_setting(family: Family, pair: str) -> tuple[str, SettingValue]:
     name, _, text = pair.partition("=")
-    setting = next((each for each in family.settings if each.name == name), None)
+    setting = family.settings.named(name)
     if setting is None:
-        known = ", ".join(f"{family} {each.name}={each.default}" for each in family.settings)
+        known = ", ".join(f"{family} {each.name}={each.default}" for each in family.settings.all)
         raise ValueError(known or f"{family} alone, which has no settings")
     value = _value(setting, text)
     if not setting.allows(value):

@@ -12,7 +12,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...storage.format import not_json
+from ...storage.format_error import not_json
 from ..errors import ExchangeError
 from ..naming import numbered
 from .columns import numbered_titles

@@ -110,7 +110,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
         rows = len(table.values)
         if choice.thinning is None and rows > MOST_POINTS:
             raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
-        if choice.thinning is None and choice.family.is_one_polynomial and rows > MOST_LAGRANGE:
+        if choice.thinning is None and choice.family.curve_class.is_one_polynomial and rows > MOST_LAGRANGE:
             raise ExchangeError(
                 f"{choice.family.subject} can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
                 f"{HERMITE.title}, or thin them out."

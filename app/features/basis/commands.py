@@ -16,7 +16,7 @@ from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState
 from ...tools.rail import RAIL
 from ...tools.toolbox import Toolbox
-from ...view_model.basis_findings import findings_of
+from ...view_model.basis_findings import findings_of, remark_on
 from ...view_model.curve_view import CurveView, view_of
 from ...view_model.growth import growth_of_points
 from ...workbench.central_pane import Pane
@@ -81,7 +81,7 @@ class BasisCommands:
         growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
         self._context.status_line.readouts.show_lebesgue(growth)
         if not self._session.is_previewing or len(view.points) <= _MOST_MEASURED_LIVE:
-            self._pane.show_findings(findings_of(view))
+            self._pane.show_findings(findings_of(view), remark_on(view))
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
-from ...document.model import DERIVATIVES
+from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
@@ -62,9 +62,10 @@ class BasisPane(FollowsTheme, CentralPane):
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
         self._fit = self._fit_button()
-        self._findings = Label(name="basisFindings", label="What is wrong with the functions", wordWrap=True)
+        self._findings = Label(name="basisFindings", label="What was found of the functions", wordWrap=True)
         self._findings.setContentsMargins(10, 0, 8, 2)
         self._findings.hide()
+        self._warns = False
         # How many words are left out of the header, from 0 to 3.
         self._brevity = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
@@ -129,19 +130,25 @@ class BasisPane(FollowsTheme, CentralPane):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
         note = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
         # Laying the header out costs more than drawing the curve: only when it says something else.
-        functions = view.source.family.functions
+        functions = view.source.family.curve_class.functions
         if (formulas, note, functions) != (self._formulas, self._drawing.text(), self._functions):
             self._formulas, self._shows_cardinals = formulas, shows_cardinals
             self._functions, self._linearised = functions, view.linearised
             self._drawing.setText(note)
             self._write_header()
 
-    def show_findings(self, findings: Sequence[str]) -> None:
-        """Show what is wrong with the functions, below the header; nothing where all is well."""
-        text = f"⚠ {' '.join(findings)}" if findings else ""
+    def show_findings(self, findings: Sequence[str], remark: str) -> None:
+        """Show what is wrong with the functions, and what is to be known of them, below the header."""
+        text = " ".join(filter(None, ("⚠" * bool(findings), *findings, remark)))
         if text != self._findings.text():
+            self._warns = bool(findings)
             self._findings.setText(text)
+            self._colour_findings()
             self._findings.setVisible(bool(text))
+
+    def _colour_findings(self) -> None:
+        colour = self.theme.warning if self._warns else self.theme.muted
+        self._findings.setStyleSheet(f"color: {colour.name()}")
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -181,8 +188,8 @@ class BasisPane(FollowsTheme, CentralPane):
             button.setIcon(QIcon(sign_pixmap(LineStyle("ink", width=1.5, dashes=dashes), theme, 2.0)))
         self._estimates.setStyleSheet(choice_style(theme))
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
-        for label in (self._extent, self._findings):
-            label.setStyleSheet(f"color: {theme.warning.name()}")
+        self._extent.setStyleSheet(f"color: {theme.warning.name()}")
+        self._colour_findings()
 
     def fit(self, *, whole: bool) -> None:
         drawing = self._panel.drawing

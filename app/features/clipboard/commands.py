@@ -14,12 +14,13 @@ from ...actions.declaration import action, also
 from ...actions.needs import HERMITE_POINTS, POINTS_OR_CURVES, Need
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_COPY_AS
 from ...actions.strips import CANVAS_MENU, POINT_MENU
-from ...document import curve_edits, edits, model
+from ...document import curve_edits, derivatives, edits
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
 from ...document.words import count_of
 from ...exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
-from ...storage.format import FormatError, decode, encode
+from ...storage.format import decode, encode
+from ...storage.format_error import FormatError
 from ...view_model.pasting import (
     appended,
     appended_with_parameters,
@@ -185,7 +186,7 @@ class ClipboardCommands:
             return
         point = view.source.points[index]
         before, after = (
-            [view.derivative_of(index, each.order, ahead=ahead) for each in model.DERIVATIVES]
+            [view.derivative_of(index, each.order, ahead=ahead) for each in derivatives.DERIVATIVES]
             for ahead in (False, True)
         )
         jet = Point(0.0, 0.0, corner=point.corner).with_derivatives(before, after)
@@ -280,7 +281,7 @@ def _derivatives_on_clipboard() -> Point | None:
 
 def _with_derivatives(point: Point, jet: Point) -> Point:
     """Return `point` with the derivatives of `jet`; of a higher order it keeps its own."""
-    copied = [each for each in model.DERIVATIVES if getattr(jet, each.name) is not None]
+    copied = [each for each in derivatives.DERIVATIVES if getattr(jet, each.name) is not None]
     vectors = {name: getattr(jet, name) for each in copied for name in (each.name, each.after)}
     return replace(point, corner=jet.corner, **vectors)
 

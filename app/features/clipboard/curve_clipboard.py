@@ -9,7 +9,8 @@ from ...document.edits import EditError
 from ...document.model import Document
 from ...document.several_curves import active_after_removal, add_curves, named, remove_curves
 from ...exchange.table.clipboard import write_block
-from ...storage.format import FormatError, decode, encode
+from ...storage.format import decode, encode
+from ...storage.format_error import FormatError
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import put_on_clipboard
 from ...workbench.context import WindowContext

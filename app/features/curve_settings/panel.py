@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document import edits
-from ...document.model import DERIVATIVES, Derivative
+from ...document.derivatives import DERIVATIVES, Derivative
 from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
@@ -179,14 +179,11 @@ def _facts(view: CurveView) -> str:
 
 
 def _kind_facts(curve: ParametricCurve) -> list[str]:
-    """Return the degree, and of how many polynomials the curve is made."""
+    """Return the degree, and of how many polynomials the curve is made; else the kind of its functions."""
     if curve.degree is None:
-        return ["no polynomial"]
+        return [curve.kind] if curve.kind else []
     pieces = len(curve.breaks) - 1
-    return [
-        f"degree {curve.degree}",
-        "one polynomial" if curve.is_one_polynomial else count_of(pieces, "piece"),
-    ]
+    return [f"degree {curve.degree}", "one polynomial" if pieces == 1 else count_of(pieces, "piece")]
 
 
 def _shape_facts(view: CurveView) -> list[str]:

@@ -108,10 +108,10 @@ class SettingFields(QObject):
 
     def render_view(self, view: CurveView) -> None:
         """Show the settings of a curve; its family decides which fields there are."""
-        family, closed = view.source.family, view.source.is_closed
-        if family.settings != tuple(self._fields):
-            self._rebuild(family.settings)
-        for setting, value in family.values_of(view.source.settings_in_effect).items():
+        settings, closed = view.source.family.settings, view.source.is_closed
+        if settings.all != tuple(self._fields):
+            self._rebuild(settings.all)
+        for setting, value in settings.values(view.source.settings_in_effect).items():
             self._fields[setting].render_value(value)
             self._fields[setting].row.setEnabled(not (closed and setting.when_closed is not None))
 

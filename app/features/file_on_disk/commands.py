@@ -12,7 +12,7 @@ from ...actions.sections import FILE_DISK
 from ...document.model import Document
 from ...state.window_state import FileSituation
 from ...storage.files import Stamp, StorageError
-from ...storage.format import FormatError
+from ...storage.format_error import FormatError
 from ...storage.open_file import FileChange, OpenFile
 from ...view_model.curve_view import view_of
 from ...workbench.context import WindowContext

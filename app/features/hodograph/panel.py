@@ -11,7 +11,7 @@ from ...appearance.colours import point_colours
 from ...appearance.icons import icon
 from ...appearance.theme import LIGHT, Theme
 from ...appearance.themed import FollowsTheme
-from ...document.model import DERIVATIVES
+from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.drawing import MARGIN, Stroke, draw_segments
 from ...plotting.layers import Layer

@@ -32,6 +32,8 @@ def basis(t, parameters):
 # def breaks(parameters): ...             where derivatives jump, as return parameters
 # interpolates = False                    the curve is meant to pass its points by
 # can_close = True                        it goes on smoothly where its last point is its first
+# settings = [FamilySetting("width", "width of a bell", 3, limits=(1, 9))]
+#     a field in the form of the curve, for basis(t, parameters, width); from curvecore import FamilySetting
 '''
 
 

@@ -9,8 +9,9 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document import edits
+from ...document.derivatives import DERIVATIVES
 from ...document.edits import EditError
-from ...document.model import DERIVATIVES, Document, Point
+from ...document.model import Document, Point
 from ...document.words import enumerated
 from ...view_model.appending import appended_parameter, with_points_appended
 from ...view_model.curve_view import CurveView, view_of

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 
 from ...document.model import Document
 from ...session import Session
-from ...storage.format import FormatError
+from ...storage.format_error import FormatError
 from ...storage.recovery import Origin, SnapshotFile
 
 

@@ -36,6 +36,18 @@ def _key_of(family: Family) -> str:
     return str(place) if place < _MOST_KEYS else ""
 
 
+def _icon_of(family: Family) -> str:
+    """Return the name of a family's icon, that of splines where it has none."""
+    own = family.name.replace("_", "-")
+    return own if has_resource("icons", f"{own}.svg") else "spline"
+
+
+def _short_word_for(family: Family) -> str:
+    """Return a word for a button where room is short: the family's own, or the first of the label."""
+    own = family.curve_class.short_title
+    return f"{own[:1].upper()}{own[1:]}" or family.label.partition(" ")[0]
+
+
 def _place_of(family: Family) -> Place:
     """Return where a family stands in the toolbar."""
     return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
@@ -82,9 +94,9 @@ class RuleCommands:
             family.label,
             CURVE_FAMILY,
             _key_of(family),
-            family.icon if has_resource("icons", f"{family.icon}.svg") else "spline",
+            _icon_of(family),
             family.tip,
-            short=family.short,
+            short=_short_word_for(family),
             checked=lambda now: now.view.source.family == family,
             group="family",
         ),
@@ -98,7 +110,7 @@ class RuleCommands:
             lambda document: edits.set_family(document, session.active_index, family),
         )
         if was_closed and not session.active_curve.is_closed:
-            closes = next(each.title for each in FAMILIES if each.can_close)
+            closes = next(each.title for each in FAMILIES if each.curve_class.can_close)
             session.say(
                 f"{family.subject} cannot close smoothly; it is shown open, and closes again as {closes}."
             )

@@ -108,13 +108,13 @@ def _fitted(model: Curve, line: Sequence[Vector], tolerance: float) -> Fitted:
     rounds = count()
 
     def wait(_share: float, _word: str) -> None:
-        if next(rounds) == _ROUNDS and not model.family.is_local:
+        if next(rounds) == _ROUNDS and not model.family.curve_class.is_local:
             raise Cancelled
 
     try:
         return fitted(model, line, tolerance=tolerance, report=wait)
     except Cancelled:
-        quick = next(family for family in FAMILIES if family.is_local)
+        quick = next(family for family in FAMILIES if family.curve_class.is_local)
         return fitted(model.with_family(quick), line, tolerance=tolerance)
 
 

@@ -11,7 +11,8 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document import edits
-from ...document.model import Curve, Document, ParametrizationKind, VelocityRule
+from ...document.derivatives import VelocityRule
+from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, told
 from ..curve_view import CurveView, view_of
@@ -75,7 +76,7 @@ CURES = (
     *(
         Remedy(family.name, family.label, f"Convert to {family.title}", family=family)
         for family in FAMILIES
-        if family.is_calm
+        if family.curve_class.is_calm
     ),
 )
 """All remedies, in the order of the window."""
@@ -142,8 +143,8 @@ def _tried(remedy: Remedy, document: Document, curve: int, view: CurveView, knot
     if _shape(source) == _shape(view.source):
         return Cure(remedy, overshoot=overshoot(view, knot)[0], lebesgue=_lebesgue(view), problem=_IN_USE)
     family = source.family
-    if not family.is_local and len(view.parameters) > _MOST_LAGRANGE:
-        what = "for one polynomial" if family.is_one_polynomial else "to try it"
+    if not family.curve_class.is_local and len(view.parameters) > _MOST_LAGRANGE:
+        what = "for one polynomial" if family.curve_class.is_one_polynomial else "to try it"
         return Cure(remedy, problem=f"Too many points {what}.")
     other = view_of(source)
     if not other.is_current or knot > len(other.parameters) - 2:
@@ -160,7 +161,7 @@ def _shape(source: Curve) -> Curve:
 
 def _lebesgue(view: CurveView) -> float:
     if view.basis_curve is None or (
-        not view.source.family.is_local and len(view.parameters) > _MOST_LAGRANGE
+        not view.source.family.curve_class.is_local and len(view.parameters) > _MOST_LAGRANGE
     ):
         return float("nan")
     return growth_of_points(view)

@@ -84,13 +84,15 @@ def ghost_views(
             variant = _variant(view.source, ghost)
             is_same_rule = variant.parametrization.kind is view.source.parametrization.kind
             is_real = variant.family == view.source.family and is_same_rule
-            if is_real or (in_drag and not variant.family.is_local and len(variant.points) > _LONG):
+            if is_real or (
+                in_drag and not variant.family.curve_class.is_local and len(variant.points) > _LONG
+            ):
                 views[ghost] = GhostView(ghost, view, is_real, not is_real)
                 continue
             old = previous.get(ghost)
             last = old.view if old is not None and not (old.is_real or old.waits) else None
             made = view_of(variant, last)
-            is_sketch = not is_quick(made) or (in_drag and not variant.family.is_local)
+            is_sketch = not is_quick(made) or (in_drag and not variant.family.curve_class.is_local)
             views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch)
     return views
 

@@ -104,7 +104,7 @@ def certificate_of(view: CurveView) -> Certificate:
     """Return the certificate of a curve; without joints, with the reason in its summary."""
     if view.curve is None or not view.is_current:
         return Certificate((), view.problem)
-    if view.source.family.is_one_polynomial:
+    if view.source.family.curve_class.is_one_polynomial:
         return Certificate((), "One polynomial: no joints. Every derivative goes on, everywhere.")
     breaks = view.curve.breaks
     if len(breaks) == 2 < len(view.parameters) and not view.source.is_closed:

@@ -130,7 +130,7 @@ def calculations(view: CurveView) -> tuple[Calculation, ...]:
     """Return the methods that there are for a curve: none unless polynomials through its data make it."""
     family, curve = view.source.family, view.curve
     is_hermite = family.derivatives and (curve is None or curve.degree == 2 * family.derivatives + 1)
-    if not (is_hermite or family.is_one_polynomial):
+    if not (is_hermite or family.curve_class.is_one_polynomial):
         return ()
     return tuple(Calculation(method.value) for method in available_methods(view.source.family.derivatives))
 

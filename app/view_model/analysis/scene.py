@@ -79,7 +79,7 @@ def _samples_of(view: CurveView) -> list[Samples]:
     if view.curve is None or not view.is_current:
         return []
     segments = len(view.parameters) - 1
-    least = _FEW if not view.source.family.is_local and segments > _LONG else _LEAST_A_SEGMENT
+    least = _FEW if not view.source.family.curve_class.is_local and segments > _LONG else _LEAST_A_SEGMENT
     count = max(least, min(_MOST // segments, 60))
     samples = []
     for piece in view.pieces:

@@ -9,7 +9,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 from curvecore.bezier.polylines import segment_distance
 
-from ...document.model import DERIVATIVES
+from ...document.derivatives import DERIVATIVES
 from ..basis_view import weights_at
 from ..curve_view import CurveView
 from ..growth import growth_at

@@ -1,6 +1,6 @@
-"""Shape of a curve: speed, curvature, box, inflections, extrema of curvature.
+"""Speed and curvature of a curve, its inflections and extrema of curvature.
 
-Signs and places of these do not depend on how fast t runs: they are roots of
+Signs and places of the curvature do not depend on how fast t runs: they are roots of
 polynomials in Bernstein form on the pieces of the curve, which are found by
 subdivision, all of them and without starting values.
 
@@ -8,14 +8,10 @@ References
 ----------
 .. [1] G. Farin, "Curves and Surfaces for CAGD", 5th ed., Morgan Kaufmann
    2002, section 11.5: curvature and its sign.
-.. [2] R. Baltensperger and M. R. Trummer, "Spectral differencing with a
-   twist", SIAM J. Sci. Comput. 24 (2003) 1465-1487: the differentiation
-   matrix whose rows sum to 0.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -28,44 +24,14 @@ from curvecore.bezier.bernstein_algebra import (
     product,
     sign_changes,
     squared_length,
-    values,
 )
-from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, parameters_at
+from curvecore.bezier.pieces import BezierPieces, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import LARGEST, UNIT_ROUNDOFF, scale_by_power
+from curvecore.scaling import LARGEST, UNIT_ROUNDOFF
 from curvecore.vectors import cross, vector_lengths
 
-_FINE = 2.0**-46  # of the size: how closely pieces follow a curve whose shape is asked for
 _KINK = 1e-6  # curvatures at a joint that differ by less, relatively, are one extremum and not a jump
-
-
-class Box(NamedTuple):
-    """The smallest box that holds a curve.
-
-    Attributes
-    ----------
-    minimum, maximum : ndarray, shape (dim,)
-        Values that the curve takes.
-    error : float
-        How far the curve may leave the box: a few roundings for the Hermite
-        families; measured, relative 1e-14 or so, for `LagrangeCurve`.
-
-    See Also
-    --------
-    bounding_box : The function that returns it.
-
-    Examples
-    --------
-    >>> from curvecore import LagrangeCurve, bounding_box
-    >>> box = bounding_box(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]))
-    >>> box.minimum.round(9).tolist(), box.maximum.round(9).tolist()
-    ([0.0, 0.0], [4.0, 2.0])
-    """
-
-    minimum: FloatArray
-    maximum: FloatArray
-    error: float
 
 
 class CurvatureExtrema(NamedTuple):
@@ -220,92 +186,6 @@ def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArra
     return np.where(largest[:, 0] > 0.0, np.clip(result, -LARGEST, LARGEST), np.nan)
 
 
-def bounding_box(curve: ParametricCurve) -> Box:
-    """Return the smallest axis-parallel box that holds the curve over its domain.
-
-    Parameters
-    ----------
-    curve : ParametricCurve
-        Of any family and dim.
-
-    Returns
-    -------
-    Box
-        Not the box of the control points, which is larger: extrema are where
-        a coordinate's derivative changes sign.
-
-    See Also
-    --------
-    Box : What it returns.
-    flatten : A polyline.
-
-    Examples
-    --------
-    >>> from curvecore import LagrangeCurve, bounding_box
-    >>> box = bounding_box(LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2]))
-    >>> box.minimum.round(9).tolist(), box.maximum.round(9).tolist()
-    ([0.0, 0.0], [4.0, 2.0])
-    """
-    return bounding_boxes([curve], [pieces_of(curve)])[0]
-
-
-def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[Box]:
-    """Return the boxes of many curves, whose pieces are at hand, in a fraction of the time.
-
-    Parameters
-    ----------
-    curves : sequence of ParametricCurve
-        Of any families and dims.
-    parts : sequence of BezierPieces
-        Of each curve; their errors are those of the boxes.
-
-    Returns
-    -------
-    list of Box
-        As `bounding_box`.
-    """
-    boxes: dict[int, Box] = {}
-    for same in alike(parts):
-        found = _turning_points([curves[index] for index in same], [parts[index] for index in same])
-        for index, reached in zip(same.tolist(), found, strict=True):
-            points = np.concatenate([*(piece.knot_points for piece in curves[index].pieces), reached])
-            error = float(scale_by_power(parts[index].error.max(keepdims=True), parts[index].exponent)[0])
-            boxes[index] = Box(points.min(axis=0), points.max(axis=0), error)
-    return [boxes[index] for index in range(len(curves))]
-
-
-def pieces_of(curve: ParametricCurve) -> BezierPieces:
-    """Return pieces that follow a curve as closely as its shape is asked for."""
-    return bezier_pieces(curve, _FINE)
-
-
-def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[FloatArray]:
-    """Return of each curve the points where a coordinate turns; all pieces have one degree and dim."""
-    controls = np.concatenate([part.controls for part in parts])
-    slopes = np.concatenate([part.slopes for part in parts])
-    after = np.cumsum([len(part.starts) for part in parts])
-    # All coordinates at once.
-    flat = slopes.transpose(2, 0, 1).reshape(-1, slopes.shape[1])
-    roots = sign_changes(flat, np.zeros(len(flat)))
-    piece, place = roots.piece % len(slopes), roots.place
-    owner = np.searchsorted(after, piece, side="right")
-    exponents = np.array([part.exponent for part in parts])
-    points = scale_by_power(values(controls[piece], place), exponents[owner][:, None])
-    order = np.argsort(owner, kind="stable")
-    bounds = np.searchsorted(owner[order], np.arange(len(parts) + 1))
-    found = []
-    for index, (curve, part) in enumerate(zip(curves, parts, strict=True)):
-        here = order[bounds[index] : bounds[index + 1]]
-        if curve.degree == controls.shape[1] - 1:
-            found.append(points[here])
-            continue
-        # Pieces of a lower degree follow the curve, they are not it; and it may turn where two of them meet.
-        t = parameters_at(part, piece[here] - (after[index] - len(part.starts)), place[here])
-        joints = scale_by_power(part.controls[:, 0], part.exponent)
-        found.append(np.concatenate([joints, curve.evaluate(t)]))
-    return found
-
-
 @np.errstate(under="ignore")
 def inflections(curve: ParametricCurve) -> FloatArray:
     """Return the parameters where the curvature changes its sign.
@@ -345,7 +225,7 @@ def inflections(curve: ParametricCurve) -> FloatArray:
     [2.0]
     """
     require_plane(curve.points, "have inflections")
-    pieces = pieces_of(curve)
+    pieces = bezier_pieces(curve)
     return _crossings(pieces, *_turn(pieces)).parameters
 
 
@@ -390,7 +270,7 @@ def curvature_extrema(curve: ParametricCurve) -> CurvatureExtrema:
     ([1.0], [True])
     """
     require_plane(curve.points, "have extrema of curvature")
-    pieces = pieces_of(curve)
+    pieces = bezier_pieces(curve)
     turn, turn_noise = _turn(pieces)
     square = squared_length(pieces.slopes)
     rising, falling = product(derivative(turn), square), product(turn, derivative(square))

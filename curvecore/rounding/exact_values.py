@@ -1,0 +1,118 @@
+"""Curves without rounding, and the digits of computed ones that are wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, number_array, parameter_row
+from curvecore.errors import CurveError
+from curvecore.rounding.data import Data
+from curvecore.rounding.exact import interpolated
+from curvecore.rounding.rounded_data import digit_count
+
+
+def exact_values(
+    points: ArrayLike,
+    parameters: ArrayLike,
+    t: ArrayLike,
+    velocities: ArrayLike | None = None,
+    accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
+) -> FloatArray:
+    """Return the curve computed in fractions, each coordinate rounded once.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        Strictly increasing.
+    t : float or array_like, shape (m,)
+        Any finite values; a scalar counts as m = 1.
+    velocities, accelerations, jerks : array_like, shape (n, dim), optional
+        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
+        septic one.
+
+    Returns
+    -------
+    ndarray, shape (m, dim)
+        The doubles nearest to the exact values.
+
+    See Also
+    --------
+    evaluate_rounded : The same with few digits.
+
+    Notes
+    -----
+    The polynomial's exact coefficients have some 50 n**2 bits for parameters
+    of full precision, hence about n**4 operations: 10 ms for 12 points and
+    200 parameters, 0.1 s for 20.
+
+    Examples
+    --------
+    >>> from curvecore import exact_values
+    >>> exact_values([[0.0], [1.0], [4.0]], [0, 1, 2], [0.5, 3]).tolist()
+    [[0.25], [9.0]]
+    """
+    data = Data.of(points, parameters, velocities, accelerations, jerks)
+    where = parameter_row(t)
+    segments = data.segments(where)
+    result = np.empty((len(where), data.jets.shape[2]))
+    for segment in sorted(set(segments.tolist())):
+        chosen = segments == segment
+        places, jets = data.stretch(segment)
+        for axis, values in enumerate(jets.transpose(2, 0, 1).tolist()):
+            polynomial = interpolated(places.tolist(), values)
+            result[chosen, axis] = [polynomial.value(x) for x in where[chosen].tolist()]
+    return result
+
+
+def digits_lost(computed: ArrayLike, exact: ArrayLike, digits: int, scale: float | None = None) -> FloatArray:
+    """Return how many of the k digits are wrong.
+
+    Parameters
+    ----------
+    computed, exact : array_like, shape (m, dim)
+        From `evaluate_rounded` and `exact_values`.
+    digits : int
+        k of the computation.
+    scale : float, optional
+        The size that digits are counted from, above 0; by default the largest
+        absolute coordinate of `exact`.
+
+    Returns
+    -------
+    ndarray, shape (m,)
+        log10 of the largest error of a coordinate over 1/2 10**(1-k) scale,
+        the rounding of a number of that size; from 0 (as good as can be) to k
+        (nothing is right, or not a number).
+
+    See Also
+    --------
+    evaluate_rounded, exact_values : What it compares.
+
+    Examples
+    --------
+    >>> from curvecore import digits_lost
+    >>> digits_lost([[1.2], [1.5]], [[1.2], [1.25]], 2, scale=1.0).round(3).tolist()
+    [0.0, 0.699]
+    """
+    k = digit_count(digits)
+    found, truth = number_array(computed, "computed"), _finite_rows(exact)
+    if found.shape != truth.shape:
+        raise CurveError(f"computed and exact must have the same shape, not {found.shape} and {truth.shape}")
+    size = float(np.abs(truth).max(initial=0.0)) if scale is None else float(scale)
+    with np.errstate(all="ignore"):
+        error = np.abs(found - truth).max(axis=1)
+        lost = np.log10(error / (0.5 * 10.0 ** (1 - k) * size))
+    lost = np.where(error == 0.0, 0.0, np.nan_to_num(lost, nan=float(k)))
+    return np.clip(lost, 0.0, float(k))
+
+
+def _finite_rows(values: ArrayLike) -> FloatArray:
+    """Check an array of shape (m, dim) of finite numbers, m from 0 on."""
+    array = number_array(values, "exact")
+    if array.ndim != 2 or not np.isfinite(array).all():
+        raise CurveError("exact must have the shape (m, dim) and finite values")
+    return array
