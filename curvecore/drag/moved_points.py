@@ -26,10 +26,12 @@ from curvecore.bezier.polylines import Pieces, chord_bound, may_enter
 from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LIMIT
 
-_REACH, _FARTHEST = 200.0, 1600.0  # tolerances: so far around a place vertices serve, as steps are long
+_REACH, _FARTHEST = 100.0, 1600.0  # tolerances: so far around a place vertices serve, as steps are long
+_STEPS = 8.0  # so many more of the last one shall be within reach
 _LEAST_REACH = 25.0
-_MOST_VERTICES = 1024  # above which choosing them anew at every place saves more than is gained here
-_FINER, _FINER_SAMPLES = 4.0, 2.0  # of the tolerance: room for vertices to be left out
+# Above these choosing them anew at every place saves more than is gained here.
+_MOST_VERTICES, _MOST_SAMPLES = 1024, 2048
+_FINER, _FINER_SAMPLES = 4.0, 6.0  # of the tolerance: room for vertices to be left out
 _MARGIN = 1.6  # on an estimate from one place for the whole of a piece
 _ROUNDS = 4  # of halving what is not close enough
 
@@ -91,7 +93,7 @@ class MovedPoints:
     ) -> None:
         self._curve, self._unit, self._tolerance = curve, unit, tolerance_value(tolerance)
         self._edges = None if box is None else box_edges(box)
-        self._reach, self._centre = 0.0, (math.inf, math.inf)
+        self._reach, self._centre, self._last = 0.0, (math.inf, math.inf), (0.0, 0.0)
         self._vertices: _Vertices | None = None
         # All samples, with those that are left out.
         self._samples: _Samples | None = None
@@ -109,8 +111,10 @@ class MovedPoints:
         Pieces or None
             None where choosing vertices for each place is quicker.
         """
-        if not (way := math.dist((dx, dy), self._centre)) <= self._reach:
-            self._centre, reach = (dx, dy), 2.0 * way / self._tolerance if way < math.inf else 0.0
+        here, last = (dx, dy), self._last
+        self._last = here
+        if not math.dist(here, self._centre) <= self._reach:
+            self._centre, reach = here, _STEPS * math.dist(here, last) / self._tolerance
             with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
                 self._choose(min(max(reach, _REACH), _FARTHEST))
         if self._vertices is None:
@@ -171,7 +175,7 @@ class MovedPoints:
                 self._samples = samples
                 return found
             t = np.sort(np.concatenate([samples.t, 0.5 * (samples.t[1:] + samples.t[:-1])[misses]]))
-            if len(t) > _MOST_VERTICES:
+            if len(t) > _MOST_SAMPLES:
                 break
             samples = self._sample(t)
         # From the beginning, the next time.
