@@ -1,10 +1,14 @@
 """The command ``curvebench``; in a checkout, ``python -m app`` is the same."""
 
+import os
 import sys
 
 
 def main() -> int:
     """Run the command line and return its exit code."""
+    # NumPy reads it at its import. A second thread takes the window's processor, and waits for it in a loop:
+    # at the sizes here nothing is done sooner, and the window stood still for seconds during a fit.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from .cli import main as run  # noqa: PLC0415 - it needs what the next lines are about
 

@@ -75,6 +75,7 @@ analysis.curvature   curvature, its inflections and extrema
   stability          Lebesgue function and constant
   cardinal           effects of points from which derivatives are estimated:
                      `CardinalBasis`
+  estimation         the rules for derivatives as linear maps of the points
   condition          condition numbers of monomial systems
   sensitivity        derivatives by the data, worst cases
   ensembles          curves with random errors

@@ -12,8 +12,6 @@ from curvecore.analysis.bounding_boxes import Box as Box
 from curvecore.analysis.bounding_boxes import bounding_box as bounding_box
 from curvecore.analysis.cardinal import CardinalBasis as CardinalBasis
 from curvecore.analysis.cardinal import cardinal_basis as cardinal_basis
-from curvecore.analysis.cardinal import estimation_matrix as estimation_matrix
-from curvecore.analysis.cardinal import follow_rules as follow_rules
 from curvecore.analysis.condition import monomial_condition as monomial_condition
 from curvecore.analysis.condition import segment_conditions as segment_conditions
 from curvecore.analysis.condition import vandermonde_condition as vandermonde_condition
@@ -27,6 +25,8 @@ from curvecore.analysis.curvature import inflections as inflections
 from curvecore.analysis.curvature import speed as speed
 from curvecore.analysis.ensembles import Ensemble as Ensemble
 from curvecore.analysis.ensembles import ensemble as ensemble
+from curvecore.analysis.estimation import estimation_matrix as estimation_matrix
+from curvecore.analysis.estimation import follow_rules as follow_rules
 from curvecore.analysis.intersections import SelfIntersections as SelfIntersections
 from curvecore.analysis.intersections import self_intersections as self_intersections
 from curvecore.analysis.lengths import ArcLength as ArcLength
@@ -81,9 +81,9 @@ from curvecore.families.records import LocalBasis as LocalBasis
 from curvecore.families.septic_hermite import SepticHermiteCurve as SepticHermiteCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.families.spline_system import SplineEnds as SplineEnds
-from curvecore.fitting.fit import Fit as Fit
 from curvecore.fitting.fit import fit as fit
 from curvecore.fitting.least_squares import least_squares_curve as least_squares_curve
+from curvecore.fitting.records import Fit as Fit
 from curvecore.limited_tangents import akima_changes as akima_changes
 from curvecore.limited_tangents import akima_velocities as akima_velocities
 from curvecore.limited_tangents import monotone_changes as monotone_changes

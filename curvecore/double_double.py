@@ -34,6 +34,19 @@ def difference(a: FloatArray, b: FloatArray) -> DoubleDouble:
     return _two_sum(a, -b)
 
 
+def halved_difference(a: FloatArray, b: FloatArray) -> tuple[DoubleDouble, IntArray32]:
+    """Return a_k - b_i, (n, m), and for each column 1 where they are halved, else 0.
+
+    They are where one exceeds the largest number; a difference of that size loses nothing that counts.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        exact = difference(a, b[:, None])
+    halved = np.asarray(np.isinf(exact.high).any(axis=0))
+    if halved.any():
+        exact.high[:, halved], exact.low[:, halved] = difference(0.5 * a[halved], 0.5 * b[:, None])
+    return exact, halved.astype(np.intc)
+
+
 def add(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
     """Return a + b.
 

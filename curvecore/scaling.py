@@ -66,3 +66,17 @@ def scale_by_power(values: FloatArray, exponent: ExponentArray | int) -> FloatAr
     with np.errstate(over="ignore", under="ignore"):
         result = np.ldexp(values, np.clip(exponent, -5000, 5000).astype(np.intc))
     return np.clip(result, -LARGEST, LARGEST, out=result)
+
+
+def scaled_differences(t: FloatArray, parameters: FloatArray, shift: int) -> Scaled:
+    """Return (t - t_i) * 2**shift, shape (n, m), where t - t_i may exceed the largest number."""
+    with np.errstate(over="ignore"):
+        difference = t - parameters[:, None]
+    mantissa, size = np.frexp(difference)
+    exponent = size.astype(np.int64) + shift
+    overflow = np.isinf(difference)
+    if overflow.any():
+        halved, size = np.frexp(0.5 * t - 0.5 * parameters[:, None])
+        mantissa = np.where(overflow, halved, mantissa)
+        exponent = np.where(overflow, size.astype(np.int64) + (shift + 1), exponent)
+    return Scaled(mantissa, exponent)

@@ -128,7 +128,7 @@ def test_info_says_where_derivatives_are_differences(own, digits, tmp_path, caps
     family = FAMILIES.named(f"tests_{own}")
     save(path, Document((make_curve([(0, 0), (1, 2), (2, 1), (3, 0)], family=family),)))
     assert main(["info", str(path), "--families", str(file)]) == 0
-    row = "  derivatives      differences, some 9 digits of c′, 8 digits of c″ and 6 digits of c‴\n"
+    row = "  derivatives      differences, c′, c″, c‴ to some 9, 8, 6 digits\n"
     assert (row in capsys.readouterr().out) == (digits is not None)
     assert main(["info", "--json", str(path), "--families", str(file)]) == 0
     assert json.loads(capsys.readouterr().out)["curves"][0]["difference_digits"] == digits
@@ -280,6 +280,33 @@ def test_convert_takes_settings_of_the_family_and_info_tells_them(tmp_path, caps
     assert "--setting must be of floater_hormann with degree= and a whole number" in capsys.readouterr().err
     assert main(["convert", str(table), str(curve), "--setting", "degree=5"]) == 1
     assert "hermite alone, which has no settings" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("typed", "name"),
+    [
+        *((family.name, family.name) for family in FAMILIES),
+        *((family.label, family.name) for family in FAMILIES),
+        ("BÉZIER", "bezier"),
+        ("quintic-hermite", "quintic_hermite"),
+        ("Cubic Hermite", "hermite"),
+        ("b-spline", "b_spline"),
+    ],
+)
+def test_a_family_is_named_as_people_see_it(typed, name, tmp_path, capsys):
+    """`--family Bézier` was refused, and with it a list that the title was not in."""
+    table, curve = tmp_path / "line.csv", tmp_path / "line.curve.json"
+    table.write_text("x,y\n0,0\n1,2\n2,1\n3,3\n")
+    assert main(["convert", str(table), str(curve), "--family", typed]) == 0
+    assert load(curve).curves[0].family.name == name
+
+
+def test_a_family_that_is_none_is_refused_with_those_there_are(tmp_path, capsys):
+    with pytest.raises(SystemExit):
+        main(["convert", LETTER, str(tmp_path / "a.curve.json"), "--family", "splines"])
+    said = " ".join(capsys.readouterr().err.split())
+    assert "argument --family: “splines” is no family; it can be lagrange, hermite, quintic_hermite" in said
+    assert all(family.name in said for family in FAMILIES)
 
 
 def test_convert_there_and_back(tmp_path, capsys):

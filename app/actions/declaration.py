@@ -35,6 +35,22 @@ _Record = TypeVar("_Record")
 _Fields = ParamSpec("_Fields")
 
 
+class Sight(msgspec.Struct, frozen=True):
+    """What an action is called and can do in the situation of the moment.
+
+    Attributes
+    ----------
+    text, tip
+        Its text, and what it does.
+    why_not
+        The reason why it cannot be used, as a sentence; empty where it can.
+    """
+
+    text: str
+    tip: str
+    why_not: str = ""
+
+
 class Action(msgspec.Struct, frozen=True):
     """Description of an action: its name, how it is reached, where it stands and what it needs.
 
@@ -63,10 +79,14 @@ class Action(msgspec.Struct, frozen=True):
         Name of the group of which one is on; empty for a switch of its own.
     title
         Its text where that changes.
+    on_sight
+        What is found out only when somebody looks at the action in a menu or in the palette.
     short
         What a button says of it beside its icon where there is little room; else it has its icon alone.
     during_gesture
         Whether it leaves a gesture in flight alone, in a menu whose actions interrupt.
+    keywords
+        Words by which the palette finds it, too, beside those of its name and tip.
     """
 
     name: str
@@ -82,6 +102,8 @@ class Action(msgspec.Struct, frozen=True):
     title: Callable[[Situation], str] | None = None
     short: str = ""
     during_gesture: bool = False
+    keywords: str = ""
+    on_sight: Callable[[Situation], Sight] | None = None
 
     @property
     def interrupts(self) -> bool:

@@ -24,7 +24,7 @@ RESERVED = {
 }
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
-_FULL_NAME, _NEEDS = "fullName", "needs"
+_FULL_NAME, _NEEDS, _REASON, _KEYWORDS = "fullName", "needs", "reason", "keywords"
 
 
 class Binding(msgspec.Struct, frozen=True):
@@ -176,13 +176,31 @@ def set_full_name(action: QAction, name: str) -> None:
     action.setProperty(_FULL_NAME, name)
 
 
+def set_keywords(action: QAction, keywords: str) -> None:
+    """Give an action words by which it is found, beside those of its name and tip."""
+    action.setProperty(_KEYWORDS, keywords)
+
+
+def keywords_of(action: QAction) -> str:
+    """Return the words by which an action is found, beside those of its name and tip."""
+    return str(action.property(_KEYWORDS) or "")
+
+
 def say_needs(action: QAction, needs: str) -> None:
     """Tell an action what must be there before it can be used."""
     action.setProperty(_NEEDS, needs)
 
 
+def say_reason(action: QAction, reason: str) -> None:
+    """Tell an action why it cannot be used, as a sentence; empty where it only needs something."""
+    action.setProperty(_REASON, reason)
+    action.setToolTip(tool_tip(action))
+
+
 def why_not(action: QAction) -> str:
     """Return what is missing where an action cannot be used, as a sentence."""
+    if reason := action.property(_REASON):
+        return str(reason)
     needs, name = action.property(_NEEDS), full_name_of(action).removesuffix("…")
     return f"“{name}” needs {needs}." if needs else f"“{name}” is not possible here."
 
@@ -229,5 +247,6 @@ def tool_tip(action: QAction) -> str:
     """Return what an action does, and the first of its keys; where it cannot be used, what it needs."""
     keys, needs = action.shortcuts(), action.property(_NEEDS)
     suffix = f" ({native(keys[0])})" if keys else ""
-    missing = f"\nNeeds {needs}" if needs and not action.isEnabled() else ""
+    reason = action.property(_REASON) or (f"Needs {needs}" if needs else "")
+    missing = f"\n{reason}" if reason and not action.isEnabled() else ""
     return f"{action.statusTip()}{suffix}{missing}"

@@ -11,8 +11,19 @@ from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
-from .declaration import Action, Declared, all_declared
-from .keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
+from ..view_model.curve_view import CurveView
+from .declaration import Action, Declared, Sight, all_declared
+from .keymap import (
+    Binding,
+    Keymap,
+    full_name_of,
+    keys_text,
+    say_needs,
+    say_reason,
+    set_full_name,
+    set_keywords,
+    tool_tip,
+)
 from .sections import Menu, Section
 from .situation import Situation
 from .strips import Strip
@@ -27,9 +38,12 @@ class Actions(QObject):
     -------
     redeclared
         There are other actions than before, or they are called otherwise.
+    switched
+        Others than before are on.
     """
 
     redeclared = Signal()
+    switched = Signal()
 
     def __init__(self, window: QWidget, command_sets: Sequence[type], now: Situation) -> None:
         super().__init__()
@@ -42,12 +56,17 @@ class Actions(QObject):
         self._handlers = all_declared(command_sets)
         self._declared = {each.action.name: each.action for each in self._handlers}
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
+        self._on = set[str]()
+        self._seen: dict[str, Sight] = {}
+        self._seen_of: CurveView | None = None
 
     def _make(self, each: Action) -> QAction:
         action = QAction(each.text, self._window)
         action.setObjectName(each.name)
         if each.full_name:
             set_full_name(action, each.full_name)
+        if each.keywords:
+            set_keywords(action, each.keywords)
         if each.needs.words:
             say_needs(action, each.needs.words)
             action.enabledChanged.connect(lambda _on: action.setToolTip(tool_tip(action)))
@@ -95,6 +114,7 @@ class Actions(QObject):
 
     def _give_up(self, name: str) -> None:
         action = self._actions.pop(name)
+        self._seen.pop(name, None)
         self.keymap.remove(name)
         # Gone from all menus at once, and found by nobody until it is deleted.
         action.setVisible(False)
@@ -161,22 +181,51 @@ class Actions(QObject):
         return each.short if short or not each.short else each.text
 
     def is_on(self, name: str) -> bool:
-        """Whether what an action switches is on; False of what is no switch."""
-        checked = self._declared[name].checked
-        return checked is not None and checked(self._now)
+        """Whether what an action switches is on; False of what is no switch, or is there no more."""
+        declared = self._declared.get(name)
+        return declared is not None and declared.checked is not None and declared.checked(self._now)
 
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
-        now = self._now
+        now, on = self._now, set[str]()
         for name, each in self._declared.items():
             action = self._actions[name]
             action.setEnabled(each.needs.is_met(now))
             if each.checked is not None:
-                action.setChecked(each.checked(now))
+                is_on = each.checked(now)
+                action.setChecked(is_on)
+                on |= {name} if is_on else set()
             if each.title is not None:
                 action.setText(each.title(now))
             if each.needs.why is not None:
                 action.setToolTip(each.needs.why(now) or tool_tip(action))
+        if now.view is not self._seen_of:
+            for name in self._seen:
+                self._show(name, Sight(self._declared[name].text, self._declared[name].tip))
+            self._seen.clear()
+        for name, sight in self._seen.items():
+            self._show(name, sight)
+        if on != self._on:
+            self._on = on
+            self.switched.emit()
+
+    def look(self) -> None:
+        """Find out about the actions that tell more when somebody looks at them: a menu or the palette opens.
+
+        It holds while the active curve stays what it is.
+        """
+        self._seen_of = self._now.view
+        for name, each in self._declared.items():
+            if each.on_sight is not None and name not in self._seen and each.needs.is_met(self._now):
+                self._seen[name] = each.on_sight(self._now)
+                self._show(name, self._seen[name])
+
+    def _show(self, name: str, sight: Sight) -> None:
+        action = self._actions[name]
+        action.setText(sight.text)
+        action.setStatusTip(sight.tip)
+        action.setEnabled(self._declared[name].needs.is_met(self._now) and not sight.why_not)
+        say_reason(action, sight.why_not)
 
     def set_theme(self, theme: Theme) -> None:
         """Tint the icons for `theme`."""

@@ -18,7 +18,7 @@ from .trace_layer import Trace, TraceLayer
 
 if TYPE_CHECKING:
     from ..view_model.analysis.legend import LegendRow
-    from .legend import Legend
+    from .legend import Legend, Room
 
 
 class Annotations(QObject):
@@ -44,9 +44,9 @@ class Annotations(QObject):
     ghost_chosen = Signal(object)
     ghost_hidden = Signal(object)
 
-    def __init__(self, plot: PlotWidget) -> None:
+    def __init__(self, plot: PlotWidget, room: Room) -> None:
         super().__init__(plot)
-        self._plot = plot
+        self._plot, self._room = plot, room
         self.figure_layer = FigureLayer(plot)
         self._file_layer = FileLayer(plot)
         self.trace_layer = TraceLayer(plot)
@@ -78,11 +78,18 @@ class Annotations(QObject):
                 return
             # Built when there is something to explain: nobody waits for it at the start.
 
-            self.legend = canvas.legend.Legend(self._plot.viewport(), self._plot.layers)
+            self.legend = canvas.legend.Legend(self._plot.viewport(), self._plot.layers, self._room)
+            self._plot.camera.changed.connect(self.legend.make_way)
             self._plot.style_changed.connect(self.legend.render_style)
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)
+        self.legend.make_way()
+
+    def make_way(self) -> None:
+        """Let the legend go where it covers less of the drawing."""
+        if self.legend is not None:
+            self.legend.make_way()
 
     def _explain_lines(
         self, group: str, lines: Sequence[tuple[LineStyle, str]], heading: str = "", *, muted: bool = False

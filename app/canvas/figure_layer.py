@@ -65,6 +65,10 @@ class FigureLayer(Layer):
                 layer.set_visible(bool(figures or ghosts))
                 layer.update()
 
+    def ghost_lines(self, shown: PixelMap) -> list[FloatArray]:
+        """Return the ghosts that are drawn, as polylines (k, 2) of the plane."""
+        return [_line_of(ghost, shown) for ghost in self.ghosts if ghost.is_drawn]
+
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
         for figure in self.figures:
@@ -114,8 +118,7 @@ class FigureLayer(Layer):
             return
         style = ghost.ghost.style
         painter.setPen(pen_of(style, self.theme, self.scale))
-        line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
-        draw_line(painter, _pixels(line, shown), style.dashes, shown)
+        draw_line(painter, _pixels(_line_of(ghost, shown), shown), style.dashes, shown)
 
     def _paint_label(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
         """Write beside the last point, on a plate of paper, inside the drawing."""
@@ -126,6 +129,10 @@ class FigureLayer(Layer):
         size = size_of(painter, figure.label, 8, 2)
         plate = inside(x + 8, y - size.height() - 4, size, shown)
         write_on_plate(painter, plate, figure.label, self.theme.paper, self.theme.ink)
+
+
+def _line_of(ghost: GhostView, shown: PixelMap) -> FloatArray:
+    return ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
 
 
 def _pixels(points: FloatArray, shown: PixelMap) -> FloatArray:

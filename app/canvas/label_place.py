@@ -1,12 +1,12 @@
-"""Placing of a few words beside a point: on the corner where they cover least."""
+"""Placing of a few words beside a point, where they cover least, and of numbers outside of the bend."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSizeF
+from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF
 
 from curvecore.arrays import FloatArray
 
@@ -79,7 +79,7 @@ def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: in
     return box
 
 
-def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF]) -> FloatArray:
+def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF | QRect]) -> FloatArray:
     """Return how many pixels of segments (k, 4) each of the boxes covers, (len(boxes),)."""
     low = np.array([(box.left(), box.top()) for box in boxes])[:, None]
     high = np.array([(box.right(), box.bottom()) for box in boxes])[:, None]
@@ -94,7 +94,7 @@ def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF]) -> FloatArray
 
 
 def number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
-    """Put the number on the outer side of the bend, where the curve is not, and a long one further away."""
+    """Return the middle of a number: on the outer side of the bend, where the curve is not."""
     last = len(pixels) - 1
     around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
     before, here, after = (complex(*place) for place in around)
@@ -113,3 +113,20 @@ def _beside(direction: complex) -> complex:
         return -1j
     across = direction * -1j / abs(direction)
     return -across if across.imag > 0 else across
+
+
+class Taken:
+    """Room that numbers take already."""
+
+    def __init__(self) -> None:
+        self._boxes: list[QRectF] = []
+
+    def take(self, centres: Iterable[QPointF], size: QSizeF) -> QPointF | None:
+        """Take the first of some places that is free, and return its middle; None where none is."""
+        for centre in centres:
+            box = QRectF(QPointF(), size)
+            box.moveCenter(centre)
+            if not any(map(box.intersects, self._boxes)):
+                self._boxes.append(box)
+                return centre
+        return None

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from enum import Enum, IntEnum
+from typing import NamedTuple, Protocol
 
-from PySide6.QtCore import QEvent, Qt, Signal
+import numpy as np
+from PySide6.QtCore import QEvent, QPoint, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton, QWidget
+
+from curvecore.arrays import FloatArray
 
 from ..appearance.icons import icon
 from ..appearance.theme import mix
@@ -17,6 +22,7 @@ from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.legend import LegendRow
 from ..widgets.overlay_frame import OverlayFrame
 from ..widgets.tool_buttons import tool_button
+from .label_place import covered_lengths
 
 _MARGIN = 10
 
@@ -24,8 +30,73 @@ FIRST = "overlays"
 """The group of the curve itself, with what is drawn over it and its ghosts."""
 
 
+_SOON_MS = 120
+"""Milliseconds that the drawing rests before the legend makes way for it."""
+
+_WORTH_MOVING = 12.0
+"""Pixels of curve by which another corner has to cover less than the one where the legend lies."""
+
+_FREE = 1.0
+"""Pixels of curve up to which a corner is free."""
+
+_COVERED_FRAME = 1000.0
+"""Cost of a corner where another frame lies, in pixels of curve covered."""
+
+
+class Corner(Enum):
+    """The corners of the drawing, the usual one first: to the right or left, below or above."""
+
+    LOWER_RIGHT = (True, True)
+    UPPER_RIGHT = (True, False)
+    LOWER_LEFT = (False, True)
+    UPPER_LEFT = (False, False)
+
+
+class Form(IntEnum):
+    """The forms of the legend: all of it, with short words, and with these alone."""
+
+    WHOLE = 0
+    BRIEF = 1
+    BARE = 2
+
+
+class _Shown(NamedTuple):
+    """A row on screen: its words, and what stands behind them."""
+
+    row: LegendRow
+    words: QLabel | QToolButton
+    behind: tuple[QWidget, ...]
+
+    def say(self, form: Form) -> None:
+        """Take the form of the moment."""
+        self.words.setText(self.row.brief if form >= Form.BRIEF and self.row.brief else self.row.text)
+        for widget in self.behind:
+            widget.setVisible(form < Form.BARE)
+
+
+class Room(Protocol):
+    """The drawing that the legend lies on.
+
+    Attributes
+    ----------
+    area
+        The drawing in pixels of the viewport.
+    is_busy
+        Whether a gesture goes on, during which nothing else moves.
+    """
+
+    @property
+    def area(self) -> QRect: ...
+
+    @property
+    def is_busy(self) -> bool: ...
+
+    def segments(self) -> FloatArray:
+        """Return what should be seen, as line segments (k, 4) in pixels of the viewport."""
+
+
 class Legend(OverlayFrame):
-    """Legend in the lower right corner; what is pressed beside its buttons is meant for the drawing below.
+    """Legend in the corner where it covers least; a press beside its buttons is meant for the drawing.
 
     Signals
     -------
@@ -38,11 +109,15 @@ class Legend(OverlayFrame):
     chosen = Signal(object)
     hidden = Signal(object)
 
-    def __init__(self, below: QWidget, style: LayerStack) -> None:
+    def __init__(self, below: QWidget, style: LayerStack, room: Room) -> None:
         super().__init__("legend", below)
         self.setAccessibleName("Legend")
         self._groups: dict[str, Sequence[LegendRow]] = {}
-        self._style = style
+        self._style, self._room = style, room
+        self._corner, self._form = Corner.LOWER_RIGHT, Form.WHOLE
+        self._shown: list[_Shown] = []
+        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._make_way)
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(8, 5, 6, 5)
         self._grid.setHorizontalSpacing(7)
@@ -72,14 +147,19 @@ class Legend(OverlayFrame):
             self._grid.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
+        self._shown = []
         for place, row in enumerate(self.rows):
             self._add(place, row)
+        if self.isHidden():
+            self._corner = Corner.LOWER_RIGHT
         self.setVisible(bool(self._groups))
         # A layout counts what is visible only.
         for widget in self._children():
             widget.show()
+        for each in self._shown:
+            each.say(self._form)
         self._grid.activate()
-        self.place()
+        self._make_way()
 
     def _children(self) -> list[QWidget]:
         items = [self._grid.itemAt(place) for place in range(self._grid.count())]
@@ -98,7 +178,7 @@ class Legend(OverlayFrame):
             choose.setFont(font)
             self._grid.addWidget(choose, place, 1)
             self._grid.addWidget(hide, place, 3)
-            self._add_figure(place, row, font)
+            self._shown.append(_Shown(row, choose, (hide, *self._add_figure(place, row, font))))
             return
         text = Label(row.text)
         text.setFont(font)
@@ -108,18 +188,22 @@ class Legend(OverlayFrame):
         )
         first = 0 if row.style is None else 1
         self._grid.addWidget(text, place, first, 1, (2 if row.figure else 4) - first)
-        self._add_figure(place, row, font)
+        self._shown.append(_Shown(row, text, self._add_figure(place, row, font)))
 
-    def _add_figure(self, place: int, row: LegendRow, font: QFont) -> None:
-        if row.figure:
-            figure = Label(row.figure)
-            figure.setFont(font)
-            figure.setToolTip("The Lebesgue constant: how much errors in the points can grow")
-            figure.setStyleSheet(f"color: {self._style.theme.muted.name()}")
-            self._grid.addWidget(figure, place, 2, Qt.AlignmentFlag.AlignRight)
+    def _add_figure(self, place: int, row: LegendRow, font: QFont) -> tuple[QWidget, ...]:
+        if not row.figure:
+            return ()
+        figure = Label(row.figure)
+        figure.setFont(font)
+        figure.setToolTip("The Lebesgue constant: how much errors in the points can grow")
+        figure.setStyleSheet(f"color: {self._style.theme.muted.name()}")
+        self._grid.addWidget(figure, place, 2, Qt.AlignmentFlag.AlignRight)
+        return (figure,)
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
-        choosing, hiding = row.tip or f"Make this the curve: {row.text}", f"Hide the ghost: {row.text}"
+        # With the figure, which the narrowest form leaves out.
+        named = f"{row.text} ({row.figure})" if row.figure else row.text
+        choosing, hiding = row.tip or f"Make this the curve: {named}", f"Hide the ghost: {row.text}"
         choose = tool_button(
             f"legendChoose_{ghost.name}", choosing, tip_of(choosing), text=row.text, flat=True
         )
@@ -135,16 +219,61 @@ class Legend(OverlayFrame):
         return choose, hide
 
     def place(self) -> None:
-        """Lie in the lower right corner, as small as can be."""
-        size = self.sizeHint()
-        room = self.below.rect()
-        self.setGeometry(
-            max(room.width() - size.width() - _MARGIN, 0),
-            # Above the numbers of the axis.
-            max(room.height() - size.height() - _MARGIN - 22, 0),
-            size.width(),
-            size.height(),
-        )
+        """Lie in a corner of the drawing, as small as can be."""
+        self.setGeometry(self._box_in(self._corner))
+
+    def make_way(self) -> None:
+        """Go to another corner, if that covers less, once the drawing rests."""
+        if not self.isHidden():
+            self._soon.start()
+
+    def _make_way(self) -> None:
+        if self._room.is_busy:
+            self.place()
+            self._soon.start()
+            return
+        segments, found = self._room.segments(), dict[tuple[Form, Corner], float]()
+        for form in Form:
+            self._show_form(form)
+            covered = self._covered(segments)
+            found |= {(form, corner): length for corner, length in covered.items()}
+            best = min(covered, key=lambda corner: covered[corner])
+            if covered[best] <= _FREE:
+                break
+        else:
+            # There is no free corner: as much of the words as that costs nothing.
+            form, best = min(found, key=lambda place: (found[place], place[0]))
+            self._show_form(form)
+        if found[form, self._corner] > found[form, best] + _WORTH_MOVING:
+            self._corner = best
+        self.place()
+
+    def _covered(self, segments: FloatArray) -> dict[Corner, float]:
+        """Return how much the legend covers in each corner, in pixels of curve."""
+        boxes = [self._box_in(corner) for corner in Corner]
+        here = Qt.FindChildOption.FindDirectChildrenOnly
+        frames = [each for each in self.below.findChildren(OverlayFrame, options=here) if each is not self]
+        taken = [
+            any(each.isVisible() and each.geometry().intersects(box) for each in frames) for box in boxes
+        ]
+        lengths = covered_lengths(segments, boxes) + _COVERED_FRAME * np.array(taken)
+        return dict(zip(Corner, lengths.tolist(), strict=True))
+
+    def _show_form(self, form: Form) -> None:
+        if form is self._form:
+            return
+        self._form = form
+        for each in self._shown:
+            each.say(self._form)
+        self._grid.activate()
+
+    def _box_in(self, corner: Corner) -> QRect:
+        """Return where the legend lies in a corner; inside the viewport, however small that is."""
+        size, area = self.sizeHint(), self._room.area
+        is_right, is_below = corner.value
+        x = area.right() - size.width() - _MARGIN if is_right else area.left() + _MARGIN
+        y = area.bottom() - size.height() - _MARGIN if is_below else area.top() + _MARGIN
+        return QRect(QPoint(max(x, 0), max(y, 0)), size)
 
     def event(self, event: QEvent) -> bool:
         # The frame of a style sheet counts later than the rows.

@@ -19,7 +19,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.line_styles import DASHED
-from ..view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of
+from ..view_model.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of
 
 _TRAIL_DOT = 3.0
 _FAR = 1e5
@@ -82,7 +82,7 @@ class MotionLayer(Layer):
             colour = curve_colour(colour_of(dot, arrow), self.theme)
             words = f"{dot.role.title} {arrow.text}".strip()
             self._paint_arrow(painter, shown, (x, y), shown.point(*arrow.tip), colour, words)
-        if dot.role is not Role.OWN:
+        if dot.role is not OWN:
             painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
             painter.setBrush(self._colour(dot.role))
             radius = dot.role.radius * self.scale
@@ -114,11 +114,14 @@ class MotionLayer(Layer):
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
         plate = inside(x, y, size, shown)
-        for other in self._written:
-            # Two arrows with nearly one tip: one name stands below the other.
-            if plate.intersects(other):
-                plate.moveTop(
-                    other.bottom() if plate.center().y() >= other.center().y() else other.top() - height
-                )
+        # Arrows with nearly one tip: one name stands below or above the other, and those that are there.
+        side = 0
+        while covered := [other for other in self._written if plate.intersects(other)]:
+            side = side or (1 if plate.center().y() >= covered[0].center().y() else -1)
+            plate.moveTop(
+                max(other.bottom() for other in covered)
+                if side > 0
+                else min(other.top() for other in covered) - height
+            )
         self._written.append(plate)
         write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())

@@ -1,4 +1,4 @@
-"""Preview of the pen before it is pressed: the curve with one point more; the line that the pencil draws."""
+"""Preview of the pen before it is pressed: the curve with one point more; the lines that the pencil draws."""
 
 from __future__ import annotations
 
@@ -22,24 +22,25 @@ class PenLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._preview: CurveView | None = None
-        self._line: tuple[Vector, ...] = ()
+        self._lines: tuple[tuple[Vector, ...], ...] = ()
         self._stroke = Stroke()
         self.set_visible(False)
 
-    def render(self, preview: CurveView | None, line: tuple[Vector, ...]) -> None:
-        """Draw this curve and this line from the next paint on; None and () for nothing."""
-        if preview is not self._preview or line != self._line:
-            self._preview, self._line = preview, line
-            self.set_visible(preview is not None or bool(line))
+    def render(self, preview: CurveView | None, lines: tuple[tuple[Vector, ...], ...]) -> None:
+        """Draw this curve and these lines from the next paint on; None and () for nothing."""
+        if preview is not self._preview or lines != self._lines:
+            self._preview, self._lines = preview, lines
+            self.set_visible(preview is not None or bool(lines))
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the line."""
+        """Draw the curve or the lines."""
         if self._preview is not None:
             self._stroke.show(line_of(self._preview, shown).points, shown)
             painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
             self._stroke.draw(painter)
-        elif self._line:
-            self._stroke.show(np.array(self._line), shown)
-            painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+            return
+        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+        for line in self._lines:
+            self._stroke.show(np.array(line), shown)
             self._stroke.draw(painter)

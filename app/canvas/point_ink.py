@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QBrush, QFontMetrics, QFontMetricsF, QPainter, QPen
 
 from ..appearance.theme import Theme
@@ -22,14 +22,14 @@ class PointInk:
         self.lines = [QPen(ink, 1.2 * scale, style) for style in _LINES]
         self.outline, self.filled, self.hollow = QPen(ink, 1.5 * scale), QBrush(ink), QBrush(theme.paper)
         self.font = fonts.times(0.95 * scale)
-        self._written: dict[tuple[str, float], tuple[int, QPointF]] = {}
+        self._written: dict[tuple[str, float], tuple[QSize, QPointF]] = {}
 
-    def written(self, text: str, painter: QPainter) -> tuple[int, QPointF]:
-        """Return the width of a text in whole pixels, and the way from its middle to where it is begun."""
+    def written(self, text: str, painter: QPainter) -> tuple[QSize, QPointF]:
+        """Return the size of a text in whole pixels, and the way from its middle to where it is begun."""
         device = painter.device()
         key = (text, device.devicePixelRatioF())
         if key not in self._written:
             exact = QFontMetricsF(self.font, device)
             to_start = QPointF(-exact.horizontalAdvance(text) / 2, exact.ascent() - exact.height() / 2)
-            self._written[key] = (QFontMetrics(self.font, device).horizontalAdvance(text), to_start)
+            self._written[key] = (QFontMetrics(self.font, device).size(0, text), to_start)
         return self._written[key]

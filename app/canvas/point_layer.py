@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
@@ -20,9 +21,10 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Stamps
+from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import Handle, handles_of
-from .label_place import number_place
+from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 from .point_ink import PointInk
 
@@ -46,7 +48,11 @@ _MARGIN = 60.0
 _FEW_MOVED = 8
 """Points that move, up to which each is located for itself."""
 
+_LARGE = 100.0
+"""Size of a weight from which on decimals say nothing."""
+
 _WEIGHED_UP_TO = 24
+"""Points up to which all weights are written; of more, the largest."""
 _LEAST_WEIGHT = 5e-3
 _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
@@ -59,6 +65,13 @@ class _Roles(msgspec.Struct, frozen=True):
     hovered: list[int]
     selected: list[int]
     numbered: list[int]
+
+
+class _NumberLabel(NamedTuple):
+    text: str
+    colour: QColor
+    centre: QPointF
+    start: QPointF
 
 
 class PointLayer(Layer):
@@ -256,23 +269,40 @@ class PointLayer(Layer):
         if not numbered:
             return
         painter.setFont(self._ink.font)
+        for label in self._labels(painter, pixels, numbered):
+            self.numbers.append((label.centre, len(label.text)))
+            if self.over_picture:
+                self._paint_plate(painter, label.centre, label.text)
+            painter.setPen(label.colour)
+            painter.drawText(label.start, label.text)
+
+    def _labels(
+        self, painter: QPainter, pixels: FloatArray, indices: Sequence[int]
+    ) -> Iterator[_NumberLabel]:
+        """Yield the numbers of points and their weights; what would cover other weights is left out."""
         with_weight = None if self.weights is None else self._has_weight_text(len(pixels))
-        for index in numbered:
+        half, taken = _HALF_NUMBER * self.scale, Taken()
+        if self.weights is not None and len(self.weights) == len(pixels):
+            # The largest first, after those that are asked for: what finds no room beside them says least.
+            sizes, named = np.abs(self.weights), {*self.selection, self.hovered}
+            indices = sorted(indices, key=lambda index: (index not in named, -sizes[index]))
+        for index in indices:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
             if with_weight is not None and self.weights is not None and with_weight[index]:
                 weight = float(self.weights[index])
-                text += f"  {with_decimals(weight, 2)}"
+                text += f"  {short(weight) if abs(weight) >= _LARGE else with_decimals(weight, 2)}"
                 colour = self.theme.warning if weight < 0 else self.theme.ink
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
-            width, to_start = self._ink.written(text, painter)
-            beyond = max(width / 2 - _HALF_NUMBER * self.scale, 0.0)
-            centre = number_place(pixels, index, away, beyond)
-            self.numbers.append((centre, len(text)))
-            if self.over_picture:
-                self._paint_plate(painter, centre, text)
-            painter.setPen(colour)
-            painter.drawText(centre + to_start, text)
+            size, to_start = self._ink.written(text, painter)
+            beyond = max(size.width() / 2 - half, 0.0)
+            centre: QPointF | None = number_place(pixels, index, away, beyond)
+            if self.weights is not None and centre is not None:
+                further = number_place(pixels, index, away + size.height(), beyond)
+                aside = QPointF(size.width(), 0.0)
+                centre = taken.take((centre, further, centre - aside, centre + aside), QSizeF(size))
+            if centre is not None:
+                yield _NumberLabel(text, colour, centre, centre + to_start)
 
     def _numbered(self, count: int, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
@@ -297,9 +327,12 @@ class PointLayer(Layer):
 
     def _has_weight_text(self, count: int) -> BoolArray:
         """Tell beside which points their weight is written."""
-        if self.weights is None or len(self.weights) != count or count > _WEIGHED_UP_TO:
+        if self.weights is None or len(self.weights) != count:
             return np.zeros(count, dtype=bool)
-        return np.abs(self.weights) >= _LEAST_WEIGHT
+        sizes, least = np.abs(self.weights), _LEAST_WEIGHT
+        if count > _WEIGHED_UP_TO:
+            least = max(least, float(np.partition(sizes, -_LABELLED_UP_TO)[-_LABELLED_UP_TO]))
+        return sizes >= least
 
     # Handles
 

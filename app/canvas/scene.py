@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
+from PySide6.QtCore import QRect
 from PySide6.QtGui import QImage
 
 from curvecore.arrays import FloatArray
 
 from .. import canvas
 from ..document.model import Curve, ReferenceImage, Vector
-from ..plotting.drawing import cut_segments
+from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hit, Pointer
@@ -37,6 +38,10 @@ from .unit_layer import UnitLayer
 if TYPE_CHECKING:
     from ..view_model.motion_picture import Dot, Role
     from .motion_layer import MotionLayer
+
+
+_DISC = 5.0
+"""Half of what a point takes, in pixels."""
 
 
 class CanvasScene:
@@ -72,7 +77,7 @@ class CanvasScene:
         self.selected = SelectedCurvesLayer(plot)
         self.polygon = ControlPolygonLayer(plot)
         self.curve = CurveLayer(plot)
-        self.annotations = Annotations(plot)
+        self.annotations = Annotations(plot, self)
         self.points = PointLayer(plot)
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
@@ -88,6 +93,7 @@ class CanvasScene:
         self.curve.render(view)
         self._show_weights()
         self.points.render(view)
+        self.annotations.make_way()
         self._show_marks_now()
 
     def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
@@ -178,7 +184,7 @@ class CanvasScene:
     def show_marks(self, marks: GestureMarks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""
         self.marks.render(marks)
-        self.pen.render(marks.preview_curve, marks.line)
+        self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         """Return what of the drawing a tool hits at the pointer."""
@@ -192,6 +198,30 @@ class CanvasScene:
         if hit is None and tool.finds_other_curves:
             return self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
         return hit
+
+    @property
+    def area(self) -> QRect:
+        """The drawing in pixels of the viewport."""
+        return self._plot.camera.area
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a gesture goes on."""
+        return self._plot.is_dragging
+
+    def segments(self) -> FloatArray:
+        """Return curve, ghosts and points as line segments (k, 4) in pixels of the viewport."""
+        shown, origin = self._plot.pixel_map, self._plot.camera.origin
+        polyline = self.curve.polyline(shown)
+        lines = [polyline.points] if polyline is not None else []
+        lines += self.annotations.figure_layer.ghost_lines(shown)
+        found = [visible_segments(shown.points(each), shown.width, shown.height) for each in lines]
+        if self.view is not None:
+            places, disc = shown.points(self.view.points), np.array([_DISC, 0.0])
+            found.append(np.hstack([places - disc, places + disc]))
+        offset = np.tile([origin.x(), origin.y()], 2)
+        segments: FloatArray = np.concatenate([np.empty((0, 4)), *found]) + offset
+        return segments
 
     def _surroundings_of(self, pixel: Vector) -> Surroundings:
         """Return what words beside a pixel should not cover: curve, handles, and numbers of points."""

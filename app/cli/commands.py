@@ -238,7 +238,8 @@ def _fitted(
         if options.fit_tolerance is not None and fit.deviation > options.fit_tolerance:
             raise RefusalError(
                 f"“{curve.name}”: no {model.family.title} curve within {options.fit_tolerance:g} was found; "
-                f"the nearest has {fit.words} Try another --family, or a larger tolerance."
+                f"the nearest has {fit.words} Try another --family, a larger tolerance, "
+                f"or --fit {len(fit.curve.points)}."
             )
         fits.append(fit)
     return replace(document, curves=tuple(fit.curve for fit in fits)), fits

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ..document.model import Document
+from ..document.words import enumerated
 from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, endings_of
@@ -22,6 +23,14 @@ STYLES = {"light": LIGHT, "dark": DARK}
 def whole_number(text: str) -> int:
     """Return the positive whole number that was typed."""
     return int(_positive(text, int))
+
+
+def _family_name(text: str) -> str:
+    """Return the name of the family that was typed, by its name or its title."""
+    if (family := FAMILIES.called(text)) is None:
+        known = enumerated([each.name for each in FAMILIES], "or")
+        raise argparse.ArgumentTypeError(f"“{text}” is no family; it can be {known}")
+    return family.name
 
 
 def positive_number(text: str) -> float:
@@ -219,9 +228,11 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
     )
     add(
         "--family",
-        choices=[family.name for family in FAMILIES],
+        type=_family_name,
+        metavar="NAME",
         help=f"of a curve through the rows of a table (default: {HERMITE.name}), or of those that --fit and "
-        "--fit-tolerance make (default: that of each curve)",
+        "--fit-tolerance make (default: that of each curve): "
+        f"{enumerated([family.name for family in FAMILIES], 'or')}",
     )
     add(
         "--setting",

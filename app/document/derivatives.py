@@ -18,6 +18,8 @@ class EstimateRule(NamedEnum):
         What is said of an estimate.
     function
         The function of ``curvecore`` that computes the estimates.
+    tip
+        What it gives, in a line.
     takes
         Its arguments: ``points``, ``parameters``, ``alpha``.
     changes
@@ -33,12 +35,13 @@ class EstimateRule(NamedEnum):
         label: str = "",
         estimate: str = "",
         function: str = "",
+        tip: str = "",
         takes: tuple[str, ...] = ("points", "parameters"),
         changes: str = "",
         linearised: str = "",
     ) -> None:
         super().__init__(value, label)
-        self.estimate, self.function, self.takes = estimate, function, takes
+        self.estimate, self.function, self.tip, self.takes = estimate, function, tip, takes
         self.changes, self.linearised = changes, linearised
 
     @property
@@ -53,26 +56,33 @@ class VelocityRule(EstimateRule):
     NATURAL_SPLINE = (
         "natural_spline", "Natural C² spline", "estimated by the natural spline rule",
         "natural_spline_velocities",
+        "Velocities with which accelerations go on at all points and vanish at the ends",
     )  # fmt: skip
     BESSEL = (
-        "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule", "bessel_velocities"
+        "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule", "bessel_velocities",
+        "The velocity of the parabola through a point and its two neighbours",
     )  # fmt: skip
     FINITE_DIFFERENCE = (
         "finite_difference", "Finite difference", "estimated by the finite difference rule",
         "finite_difference_velocities",
+        "The mean of the slopes of both chords at a point",
     )  # fmt: skip
     CATMULL_ROM = (
         "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule",
-        "catmull_rom_velocities", ("points", "parameters", "alpha"),
-        "catmull_rom_changes", "of points whose knots stay",
+        "catmull_rom_velocities",
+        "The velocity of a spline over knots of its own, spaced by the distances to the power of α",
+        ("points", "parameters", "alpha"), "catmull_rom_changes", "of points whose knots stay",
     )  # fmt: skip
     MONOTONE = (
         "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
-        "monotone_velocities", ("points", "parameters"), "monotone_changes", _SMALL_MOVES,
+        "monotone_velocities",
+        "Velocities with which x and y rise and fall where the points do, and never overshoot them",
+        ("points", "parameters"), "monotone_changes", _SMALL_MOVES,
     )  # fmt: skip
     AKIMA = (
-        "akima", "Akima", "estimated by Akima's rule",
-        "akima_velocities", ("points", "parameters"), "akima_changes", _SMALL_MOVES,
+        "akima", "Akima", "estimated by Akima's rule", "akima_velocities",
+        "The mean of both slopes, weighted by how straight the other side is: an outlier bends little",
+        ("points", "parameters"), "akima_changes", _SMALL_MOVES,
     )  # fmt: skip
 
 
@@ -81,9 +91,11 @@ class AccelerationRule(EstimateRule):
 
     NATURAL_SPLINE = (
         "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_accelerations",
+        "natural_spline_accelerations", "The accelerations of the natural C² spline through the points",
     )  # fmt: skip
-    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", ("points",)
+    ZERO = (
+        "zero", "Zero", "estimated as zero", "zero_accelerations", "No acceleration at any point", ("points",)
+    )  # fmt: skip
 
 
 class JerkRule(EstimateRule):
@@ -91,9 +103,9 @@ class JerkRule(EstimateRule):
 
     NATURAL_SPLINE = (
         "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_jerks",
+        "natural_spline_jerks", "The jerks of the natural C² spline through the points, a mean of both sides",
     )  # fmt: skip
-    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", ("points",)
+    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", "No jerk at any point", ("points",)
 
 
 class Derivative(msgspec.Struct, frozen=True):

@@ -18,7 +18,7 @@ from msgspec.structs import replace
 
 from .derivatives import DERIVATIVES, VECTORS
 from .limits import checked_vector
-from .model import Curve, ParametrizationKind, Point
+from .model import Curve, Point
 
 _NOISE = 1e-12
 """A change of h that is rounding."""
@@ -29,7 +29,7 @@ def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = (
 
     Those of the points `together` went with them.
     """
-    exponent = _exponent(after)
+    exponent = after.parametrization.exponent
     if exponent is None or not before.has_derivatives:
         return after
     old, new = _spacings(before, exponent), _spacings(after, exponent)
@@ -93,12 +93,6 @@ class _Growth(msgspec.Struct, frozen=True):
         ]
         was, now = (sum(each[segment] for segment in alike or segments) for each in (self.old, self.new))
         return now / was if was > 0.0 and now > 0.0 else 1.0
-
-
-def _exponent(curve: Curve) -> float | None:
-    """Return the power of the distances that the spacings are in proportion to; None where to nothing."""
-    rule = curve.parametrization
-    return rule.alpha if rule.kind is ParametrizationKind.POWER else rule.kind.alpha
 
 
 def _spacings(curve: Curve, exponent: float) -> list[float]:

@@ -151,6 +151,11 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
     start: float = 0.0
     end: float = 1.0
 
+    @property
+    def exponent(self) -> float | None:
+        """The power of the distances that the spacings are in proportion to; None where to nothing."""
+        return self.alpha if self.kind is ParametrizationKind.POWER else self.kind.alpha
+
 
 vectors_of: Callable[[Point], tuple[Vector | None, ...]] = attrgetter(*(name for _, name in VECTORS))
 """Returns the derivatives of a point in the order of `VECTORS`."""

@@ -16,6 +16,7 @@ from .curve_edits import locked_sentence, refuse_locked, remove_curve
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
 from .transforms import Linear, transform_points
+from .words import points
 
 PointsEdit = Callable[[Document, int, Collection[int]], Document]
 """An edit of some points of one curve."""
@@ -38,6 +39,11 @@ class PointGroup(msgspec.Struct, frozen=True):
     def is_several(self) -> bool:
         """Whether it is several curves, whole."""
         return len(self.parts) > 1
+
+    @property
+    def words(self) -> str:
+        """The words "point 3", "4 points" or "3 curves"."""
+        return f"{len(self.parts)} curves" if self.is_several else points(self.parts[0][1])
 
     @property
     def first_point(self) -> tuple[int, int]:

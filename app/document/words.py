@@ -5,11 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Sequence
 from enum import StrEnum
-from typing import TYPE_CHECKING, Self
-
-if TYPE_CHECKING:
-    from .model import Vector
-    from .several_curves import PointGroup
+from typing import Self
 
 NOTHING = "–"
 """Stands where there is no number."""
@@ -42,9 +38,9 @@ def number(value: float, digits: int = 4, mark: str = ".") -> str:
     return polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
 
 
-def with_decimals(value: float, decimals: int, mark: str = ".") -> str:
+def with_decimals(value: float, decimals: int) -> str:
     """Return a number with so many decimals and a true minus sign."""
-    return polished(f"{value:.{decimals}f}", mark) if math.isfinite(value) else NOTHING
+    return polished(f"{value:.{decimals}f}") if math.isfinite(value) else NOTHING
 
 
 def polished(text: str, mark: str = ".") -> str:
@@ -62,7 +58,7 @@ def with_minus(text: str) -> str:
     return text.replace("-", "−")
 
 
-def vector(value: Vector) -> str:
+def vector(value: tuple[float, float]) -> str:
     """Return both coordinates."""
     return f"{number(value[0])}, {number(value[1])}"
 
@@ -72,17 +68,12 @@ def points(indices: Collection[int]) -> str:
     return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
 
 
-def group(chosen: PointGroup) -> str:
-    """Return "point 3", "4 points" or "3 curves"."""
-    return f"{len(chosen.parts)} curves" if chosen.is_several else points(chosen.parts[0][1])
-
-
-def point_at(index: int, place: Vector) -> str:
+def point_at(index: int, place: tuple[float, float]) -> str:
     """Return "Point 3 at 2.4, 5.158"."""
     return f"Point {index} at {vector(place)}"
 
 
-def polar(value: Vector) -> str:
+def polar(value: tuple[float, float]) -> str:
     """Return length and direction, "3.2 at 45°"."""
     return f"{number(math.hypot(*value))} at {angle(math.degrees(math.atan2(value[1], value[0])))}"
 

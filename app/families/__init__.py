@@ -7,7 +7,7 @@ command line and tests.
 - ``settings``: `FamilySettings`, those of a family; `ChosenSettings`, those that are not at their defaults.
 - ``registry``: `FAMILIES`, those of the program and then those of installed packages and of files.
 - ``family_file``: families that a person wrote in a file of Python, checked before they are used.
-  ``time_limit``: an end for what runs in it.
+  ``file_calls``: calls of its functions.  ``time_limit``: an end for what runs in it.
 """
 
 from curvecore import FamilySetting

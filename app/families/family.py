@@ -23,6 +23,10 @@ def may_be_name(name: object) -> bool:
     return isinstance(name, str) and _NAME.fullmatch(name) is not None
 
 
+class OverdueCallError(CurveError):
+    """A curve is refused because functions of a family's file take too long for its number of points."""
+
+
 @final
 class Family:
     """A curve family as the program knows it; compares and hashes by its name.
@@ -101,6 +105,12 @@ class Family:
     def label(self) -> str:
         """The words on a button: Quintic Hermite."""
         return self.title[:1].upper() + self.title[1:]
+
+    @property
+    def short(self) -> str:
+        """A word where room is short: the class's own, or the first of the label."""
+        own = self.curve_class.short_title
+        return f"{own[:1].upper()}{own[1:]}" or self.label.partition(" ")[0]
 
     @property
     def a_curve(self) -> str:

@@ -20,19 +20,16 @@ from __future__ import annotations
 
 import inspect
 import sys
-import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from curvecore import (
     BasisCurve,
-    CurveError,
     FamilySetting,
     ParametricCurve,
     Scheme,
@@ -41,25 +38,20 @@ from curvecore import (
     uniform,
 )
 from curvecore.arrays import FloatArray
-from curvecore.families.setting import SettingValue
 
 from .family import Family, families_of_module, may_be_name
+from .file_calls import ARGUMENTS, PATIENCE, FileCalls, Function, line_of, words
 from .registry import Families
-from .time_limit import OverdueError, stopped_after
+from .time_limit import stopped_after
 
 _MODULE = "curvebench_families_of_a_file"
 _COUNTS = (2, 3, 4, 7)
 
-RUN_SECONDS, CALL_SECONDS = 8.0, 5.0
-"""Seconds that a file may run, and that its functions may take at a time."""
+RUN_SECONDS = 8.0
+"""Seconds that a file may run."""
 
 _FACTS = {"title": str, "interpolates": bool, "can_close": bool}
 """The names that a file may define beside its functions, and their types."""
-
-_ARGUMENTS = ("t", "parameters", "order")
-"""The arguments of a file's functions that are no settings."""
-
-_Function = Callable[..., npt.ArrayLike]
 
 
 class FamilyFileError(ValueError):
@@ -131,7 +123,8 @@ def families_in(path: Path) -> list[Family]:
         raise FamilyFileError(
             f"“{path}” defines no family: it needs a name and a function basis(t, parameters)."
         )
-    return [_tried(curve_class, path, _first_line(basis)) for curve_class, basis in found.items()]
+    with PATIENCE.as_at_the_start():
+        return [_tried(curve_class, path, _first_line(basis)) for curve_class, basis in found.items()]
 
 
 def _run(path: Path) -> ModuleType:
@@ -149,7 +142,7 @@ def _run(path: Path) -> ModuleType:
     except SyntaxError as problem:
         raise FamilyFileError(f"“{path}”, line {problem.lineno or 1}: {problem.msg}.") from None
     except BaseException as problem:  # sys.exit, too, is a mistake there
-        raise FamilyFileError(f"“{path}”{_line(problem, path)}: {_words(problem)}.") from None
+        raise FamilyFileError(f"“{path}”{line_of(problem, path)}: {words(problem)}.") from None
     finally:
         del sys.modules[_MODULE]
     return module
@@ -168,16 +161,16 @@ def _class_of(said: dict[str, Any], path: Path) -> type[ParametricCurve]:
             raise FamilyFileError(f"“{path}”: {what} must be {kind.__name__}, not {said[what]!r}.")
     has_orders = "order" in inspect.signature(basis).parameters
     settings = _settings_of(said, [basis, *([breaks] if breaks is not None else [])], path)
-    scheme = Scheme(name, _told(basis, path), _told(breaks, path) if breaks else None, has_orders)
-
     facts = {what: said[what] for what in _FACTS if what in said}
+    calls = FileCalls(path, name, str(facts.get("title", name)))
+    scheme = Scheme(name, calls.told(basis), calls.told(breaks) if breaks else None, has_orders)
     doc = inspect.getdoc(basis) if said.get("__doc__") is None else inspect.cleandoc(said["__doc__"])
     own = {"name": name, "settings": settings, "scheme": scheme, "__slots__": (), "__doc__": doc}
     return type("FileCurve", (BasisCurve,), {"title": name, **facts, **own})
 
 
 def _settings_of(
-    said: dict[str, Any], functions: Sequence[_Function], path: Path
+    said: dict[str, Any], functions: Sequence[Function], path: Path
 ) -> tuple[FamilySetting, ...]:
     """Return the settings that a file lists, each of which one of its functions takes."""
     listed = said.get("settings", ())
@@ -191,36 +184,12 @@ def _settings_of(
             raise FamilyFileError(
                 f"“{path}”: the default of the setting “{setting.name}” must be {needed}, not {default!r}."
             )
-        if setting.name not in taken or setting.name in _ARGUMENTS:
+        if setting.name not in taken or setting.name in ARGUMENTS:
             raise FamilyFileError(
                 f"“{path}”: no function takes the setting “{setting.name}”, "
                 f"as basis(t, parameters, {setting.name}) would."
             )
     return settings
-
-
-def _told(function: _Function, path: Path) -> _Function:
-    """Return a function of the file whose errors are refusals that name their line."""
-    overdue: list[CurveError] = []
-    takes = inspect.signature(function).parameters
-
-    def told(*arguments: object, **settings: SettingValue) -> npt.ArrayLike:
-        # By their names: who writes the function orders them as it suits.
-        named: dict[str, object] = {name: settings[name] for name in settings if name in takes}
-        named |= zip(_ARGUMENTS[2:], arguments[2:], strict=False)
-        if overdue:
-            # Once is enough to wait for: it is asked again for every frame.
-            raise overdue[0]
-        try:
-            with stopped_after(CALL_SECONDS):
-                return function(*arguments[:2], **named)
-        except BaseException as problem:  # sys.exit, too, is a mistake there
-            refusal = CurveError(f"“{path.name}”{_line(problem, path)}: {_words(problem)}")
-            if isinstance(problem, OverdueError):
-                overdue.append(refusal)
-            raise refusal from problem
-
-    return told
 
 
 def _tried(curve_class: type[ParametricCurve], path: Path, line: str) -> Family:
@@ -237,7 +206,7 @@ def _tried(curve_class: type[ParametricCurve], path: Path, line: str) -> Family:
             own = problem.__cause__ or problem
             at = ", ".join(f"{t:g}" for t in parameters)
             raise FamilyFileError(
-                f"“{path}”{_line(own, path) or line}: {_words(own)} (with the parameters {at})."
+                f"“{path}”{line_of(own, path) or line}: {words(own)} (with the parameters {at})."
             ) from None
         if not all(np.isfinite(each).all() for each in found):
             raise FamilyFileError(f"“{path}”{line}: {curve_class.name} makes a curve that is not finite.")
@@ -255,17 +224,3 @@ def _trials() -> Iterator[FloatArray]:
 def _first_line(function: object) -> str:
     code = getattr(inspect.unwrap(function), "__code__", None) if callable(function) else None
     return f", line {code.co_firstlineno}" if code is not None else ""
-
-
-def _line(problem: BaseException, path: Path) -> str:
-    """Return the last line of the file that an error came through."""
-    frames = traceback.extract_tb(problem.__traceback__)
-    lines = [frame.lineno for frame in frames if frame.filename == str(path)]
-    return f", line {lines[-1]}" if lines else ""
-
-
-def _words(problem: BaseException) -> str:
-    text = str(problem).rstrip(".")
-    if isinstance(problem, (CurveError, OverdueError)):
-        return text
-    return f"{type(problem).__name__}: {text}" if text else type(problem).__name__

@@ -52,6 +52,13 @@ class Families(Sequence[Family]):
         self._look_for_installed()
         return self._known.setdefault(name, Family(name, None))
 
+    def called(self, words: str) -> Family | None:
+        """Return the family whose name or title these words are, in small or capital letters; else None."""
+        wanted = _plain(words)
+        return next(
+            (each for each in self if wanted in map(_plain, (each.name, each.title, each.full_title))), None
+        )
+
     def add(self, family: Family) -> None:
         """Append a family.
 
@@ -97,6 +104,10 @@ class Families(Sequence[Family]):
                 yield Family.of(entry.load())
             except Exception as problem:
                 self.problems.append(f"The family “{entry.name}” of an installed package failed: {problem}.")
+
+
+def _plain(words: str) -> str:
+    return " ".join(words.casefold().replace("_", " ").replace("-", " ").split())
 
 
 def _any_package_brings_families() -> bool:

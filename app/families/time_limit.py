@@ -10,67 +10,92 @@ from __future__ import annotations
 import signal
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from types import FrameType
+from types import FrameType, TracebackType
+
+_AGAIN_S = 0.02
+"""Seconds between alarms from the first one on: code may catch what an alarm raises."""
+
+_BUSY = 0.8
+"""Share of the limit that must have gone by at work, not waiting for other programs."""
+
+_WAITING_S = 1.0
+"""Seconds beyond the limit after which code that waits is stopped, too."""
 
 
-class OverdueError(RuntimeError):
-    """Code ran for longer than it may; its traceback ends where it was."""
+class OverdueError(BaseException):
+    """Code ran for longer than it may; its traceback ends where it was.
+
+    No `Exception`: code that passes over all mistakes shall end, too.
+    """
 
 
 class _Clock:
     """The alarm of this process, and what it was for before."""
 
     def __init__(self) -> None:
-        self._until: float | None = None
+        self._seconds: float | None = None
+        self._began = self._worked = 0.0
         self._before: object = None
+        self._theirs = (0.0, 0.0)
 
     @property
     def is_free(self) -> bool:
         """Whether there is an alarm, this thread hears it, and it is not set yet."""
         is_main = threading.current_thread() is threading.main_thread()
-        return hasattr(signal, "setitimer") and is_main and self._until is None
+        return hasattr(signal, "setitimer") and is_main and self._seconds is None
 
-    @contextmanager
-    def set_to(self, seconds: float) -> Iterator[None]:
-        """Have the alarm after so many seconds; who had one gets what is left of it afterwards."""
+    def start(self, seconds: float) -> None:
+        """Have the alarm after so many seconds, and then again and again."""
         if signal.getsignal(signal.SIGALRM) != self._ring:
             # Never put back: one that comes a moment too late must find somebody who lets it pass.
             self._before = signal.signal(signal.SIGALRM, self._ring)
-        began = time.monotonic()
-        self._until = began + seconds
-        theirs, interval = signal.setitimer(signal.ITIMER_REAL, seconds)
-        try:
-            yield
-        finally:
-            self._until = None
-            left = max(theirs - (time.monotonic() - began), 1e-3) if theirs else 0.0
-            signal.setitimer(signal.ITIMER_REAL, left, interval)
+        self._began, self._worked, self._seconds = time.monotonic(), time.thread_time(), seconds
+        self._theirs = signal.setitimer(signal.ITIMER_REAL, seconds, _AGAIN_S)
+
+    def stop(self) -> None:
+        """Have no alarm any more; who had one before gets what is left of it."""
+        self._seconds = None
+        theirs, interval = self._theirs
+        left = max(theirs - (time.monotonic() - self._began), 1e-3) if theirs else 0.0
+        signal.setitimer(signal.ITIMER_REAL, left, interval)
 
     def _ring(self, number: int, frame: FrameType | None) -> None:
-        if self._until is not None and time.monotonic() >= self._until:
-            self._until = None
+        if self._seconds is None:
+            if callable(self._before):
+                self._before(number, frame)
+        elif self._is_over(self._seconds) and (frame is None or frame.f_code.co_filename != __file__):
+            # In this file it is just being stopped.
             raise OverdueError
-        if self._until is None and callable(self._before):
-            self._before(number, frame)
+
+    def _is_over(self, seconds: float) -> bool:
+        worked = time.thread_time() - self._worked
+        return worked >= _BUSY * seconds or time.monotonic() - self._began >= seconds + _WAITING_S
 
 
 _clock = _Clock()
 
 
-@contextmanager
-def stopped_after(seconds: float) -> Iterator[None]:
+class stopped_after:  # noqa: N801 - reads as a word of the language
     """Raise `OverdueError` in what runs within as soon as the time is over.
 
-    That bounds every loop of Python's; one in C is bounded by the size of its arrays.
+    That bounds every loop of Python's; one in C is bounded by the size of its arrays. Time that the machine
+    gives to other programs does not count, up to a second.
     """
-    if not _clock.is_free:
-        yield
-        return
-    try:
-        with _clock.set_to(seconds):
-            yield
-    except OverdueError as problem:
-        text = f"it ran for longer than {seconds:g} s and was stopped"
-        raise OverdueError(text).with_traceback(problem.__traceback__) from None
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds, self._is_set = seconds, False
+
+    def __enter__(self) -> None:
+        if _clock.is_free:
+            self._is_set = True
+            _clock.start(self._seconds)
+
+    def __exit__(
+        self, kind: type[BaseException] | None, problem: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if not self._is_set:
+            return
+        _clock.stop()
+        if isinstance(problem, OverdueError):
+            text = f"it ran for longer than {self._seconds:g} s and was stopped"
+            raise OverdueError(text).with_traceback(trace) from None

@@ -11,8 +11,8 @@ from collections.abc import Callable
 import numpy as np
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from pyqtgraph.Qt.internals import PrimitiveArray
-from PySide6.QtCore import QLineF, QRectF
-from PySide6.QtGui import QPainter, QPolygonF
+from PySide6.QtCore import QLineF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPen, QPolygonF
 
 from curvecore.arrays import BoolArray, FloatArray
 
@@ -20,6 +20,12 @@ from .pixel_map import PixelMap
 
 _PIECE = 24
 """Segments in one piece of a stroke."""
+
+_CROWD_FROM = 400
+"""Segments among which a stroke may be a crowd."""
+
+_CROWDED = 50_000.0
+"""Pixels of line that are a crowd: where they fill the area, one joint cannot be told from the next."""
 
 _FAR = 1e5
 
@@ -53,8 +59,11 @@ def cut_segments(segments: FloatArray, width: float, height: float) -> FloatArra
 def _clipped(segments: FloatArray, limit: FloatArray) -> tuple[FloatArray, BoolArray]:
     """Cut segments (m, 4) to the box from −MARGIN to `limit`, and tell which of them meet it.
 
-    Liang and Barsky, ACM Transactions on Graphics 3 (1984) 1–22.
+    Liang and Barsky, ACM Transactions on Graphics 3 (1984) 1–22, from the end that is nearer: seen from one
+    at 1e20 pixels, all that lies in the box is at one place.
     """
+    comes = np.abs(segments[:, :2]).max(axis=1) > np.abs(segments[:, 2:]).max(axis=1)
+    segments = np.where(comes[:, None], _turned(segments), segments)
     start, end = segments[:, :2], segments[:, 2:]
     # Halved, because the difference of two huge numbers must not overflow.
     half = end / 2 - start / 2
@@ -70,7 +79,13 @@ def _clipped(segments: FloatArray, limit: FloatArray) -> tuple[FloatArray, BoolA
     meets = enter.max(axis=1) <= np.minimum(leave.min(axis=1), 1.0)
     cut = np.hstack([start + 2 * first[:, None] * half, start + 2 * last[:, None] * half])
     # Rounding at 1e300 may leave the box; what is left of it must not.
-    return np.clip(cut, -MARGIN, np.tile(limit, 2)), meets & (leave.min(axis=1) >= 0)
+    cut = np.clip(cut, -MARGIN, np.tile(limit, 2))
+    return np.where(comes[:, None], _turned(cut), cut), meets & (leave.min(axis=1) >= 0)
+
+
+def _turned(segments: FloatArray) -> FloatArray:
+    """Return segments (m, 4) from their ends to their starts."""
+    return np.roll(segments, 2, axis=1)
 
 
 def is_near(x: float, y: float) -> bool:
@@ -78,76 +93,14 @@ def is_near(x: float, y: float) -> bool:
     return abs(x) < _FAR and abs(y) < _FAR
 
 
-class Stroke:
-    """A polyline drawn in pieces, wide and smooth.
-
-    Within a piece Qt joins the segments, so that no joint shows; the pieces are short, because the time Qt's
-    stroker takes for one polyline grows faster than its length.
-    """
-
-    def __init__(self) -> None:
-        self._pieces: list[QPolygonF] = []
-        self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
-        self._shown: tuple[FloatArray | None, PixelMap | None] = (None, None)
-
-    def show(self, points: FloatArray, shown: PixelMap) -> None:
-        """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
-        if self._shown[0] is not points or self._shown[1] is not shown:
-            self._shown = (points, shown)
-            self.fill(shown.points(points), shown.width, shown.height)
-
-    def fill(self, points: FloatArray, width: float, height: float) -> None:
-        """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
-        self._pieces = [
-            self._polygon(number, piece) for number, piece in enumerate(_pieces(points, width, height))
-        ]
-
-    def _polygon(self, number: int, vertices: FloatArray) -> QPolygonF:
-        """Return a polygon; filling one that was made before takes a third of the time of making one."""
-        made = self._made.get(number)
-        if made is None or len(made[1]) != len(vertices):
-            fresh: QPolygonF = create_qpolygonf(len(vertices))
-            made = self._made[number] = (fresh, ndarray_from_qpolygonf(fresh))
-        made[1][:] = vertices
-        return made[0]
-
-    def draw(self, painter: QPainter) -> None:
-        """Draw with the painter's pen."""
-        for piece in self._pieces:
-            painter.drawPolyline(piece)
-
-
-def _pieces(points: FloatArray, width: float, height: float) -> list[FloatArray]:
-    """Return the vertices (k, 2) of short pieces of what lies near the area, each from end to end."""
-    if len(points) < 2:
-        return []
-    limit = np.array([width + MARGIN, height + MARGIN])
-    inside = (points >= -MARGIN) & (points <= limit)
-    runs = [points] if inside.all() else _runs(visible_segments(points, width, height))
-    return [run[i : i + _PIECE + 1] for run in runs for i in range(0, len(run) - 1, _PIECE)]
-
-
-def _runs(segments: FloatArray) -> list[FloatArray]:
-    """Return the vertices of segments (m, 4), split where they do not continue each other."""
-    if not len(segments):
-        return []
-    breaks = np.flatnonzero(np.any(segments[1:, :2] != segments[:-1, 2:], axis=1)) + 1
-    return [np.concatenate([run[:, :2], run[-1:, 2:]]) for run in np.split(segments, breaks)]
-
-
-def thinned(points: FloatArray, tolerance: float) -> FloatArray:
-    """Leave out every other vertex of a polyline (k, 2) that is so close to the middle of its neighbours."""
-    off = np.abs(points[1:-1:2] - 0.5 * (points[:-2:2] + points[2::2]))
-    kept = np.ones(len(points), dtype=bool)
-    kept[1:-1:2] = np.maximum(off[:, 0], off[:, 1]) > tolerance
-    return points[kept]
-
-
 class _Batch:
     """Many shapes of four numbers each, drawn in one call with the painter's pen and brush."""
 
     def __init__(self, shape: type[QLineF | QRectF], draw: Callable[..., None]) -> None:
         self._shapes, self._draw = PrimitiveArray(shape, 4), draw
+
+    def __len__(self) -> int:
+        return len(self._shapes)
 
     def fill(self, shapes: FloatArray) -> None:
         """Take shapes (m, 4)."""
@@ -165,6 +118,94 @@ class Segments(_Batch):
 
     def __init__(self) -> None:
         super().__init__(QLineF, QPainter.drawLines)
+
+
+class Stroke:
+    """A polyline drawn in pieces, wide and smooth.
+
+    Within a piece Qt joins the segments, so that no joint shows; the pieces are short, because the time Qt's
+    stroker takes for one polyline grows faster than its length. A crowd, such as a polynomial that crosses
+    the area a thousand times, is drawn as separate segments: without joints Qt takes a sixth of the time.
+    """
+
+    def __init__(self) -> None:
+        self._pieces: list[QPolygonF] = []
+        self._crowd = Segments()
+        self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
+        self._shown: tuple[FloatArray | None, PixelMap | None] = (None, None)
+
+    def show(self, points: FloatArray, shown: PixelMap) -> None:
+        """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
+        if self._shown[0] is not points or self._shown[1] is not shown:
+            self._shown = (points, shown)
+            self.fill(shown.points(points), shown.width, shown.height)
+
+    def fill(self, points: FloatArray, width: float, height: float) -> None:
+        """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
+        runs, crowd = _near(points, width, height)
+        self._crowd.fill(crowd)
+        pieces = [run[i : i + _PIECE + 1] for run in runs for i in range(0, len(run) - 1, _PIECE)]
+        self._pieces = [self._polygon(number, piece) for number, piece in enumerate(pieces)]
+
+    def _polygon(self, number: int, vertices: FloatArray) -> QPolygonF:
+        """Return a polygon; filling one that was made before takes a third of the time of making one."""
+        made = self._made.get(number)
+        if made is None or len(made[1]) != len(vertices):
+            fresh: QPolygonF = create_qpolygonf(len(vertices))
+            made = self._made[number] = (fresh, ndarray_from_qpolygonf(fresh))
+        made[1][:] = vertices
+        return made[0]
+
+    def draw(self, painter: QPainter) -> None:
+        """Draw with the painter's pen."""
+        for piece in self._pieces:
+            painter.drawPolyline(piece)
+        if len(self._crowd):
+            pen = painter.pen()
+            blunt = QPen(pen)
+            # With round ends each would be made a path of its own.
+            blunt.setCapStyle(Qt.PenCapStyle.FlatCap)
+            painter.setPen(blunt)
+            self._crowd.draw(painter)
+            painter.setPen(pen)
+
+
+_NO_SEGMENTS = np.empty((0, 4))
+
+
+def _near(points: FloatArray, width: float, height: float) -> tuple[list[FloatArray], FloatArray]:
+    """Return what lies near the area: vertices (k, 2) from end to end, or the segments (m, 4) of a crowd."""
+    if len(points) < 2:
+        return [], _NO_SEGMENTS
+    limit = np.array([width + MARGIN, height + MARGIN])
+    is_inside = bool(((points >= -MARGIN) & (points <= limit)).all())
+    if is_inside and len(points) <= _CROWD_FROM:
+        return [points], _NO_SEGMENTS
+    segments = visible_segments(points, width, height)
+    if len(segments) > _CROWD_FROM and _length(segments) > _CROWDED:
+        return [], segments
+    return [points] if is_inside else _runs(segments), _NO_SEGMENTS
+
+
+def _length(segments: FloatArray) -> float:
+    """Return the length of all segments (m, 4) together."""
+    return float(np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1]).sum())
+
+
+def _runs(segments: FloatArray) -> list[FloatArray]:
+    """Return the vertices of segments (m, 4), split where they do not continue each other."""
+    if not len(segments):
+        return []
+    breaks = np.flatnonzero(np.any(segments[1:, :2] != segments[:-1, 2:], axis=1)) + 1
+    return [np.concatenate([run[:, :2], run[-1:, 2:]]) for run in np.split(segments, breaks)]
+
+
+def thinned(points: FloatArray, tolerance: float) -> FloatArray:
+    """Leave out every other vertex of a polyline (k, 2) that is so close to the middle of its neighbours."""
+    off = np.abs(points[1:-1:2] - 0.5 * (points[:-2:2] + points[2::2]))
+    kept = np.ones(len(points), dtype=bool)
+    kept[1:-1:2] = np.maximum(off[:, 0], off[:, 1]) > tolerance
+    return points[kept]
 
 
 def draw_segments(painter: QPainter, segments: FloatArray, shown: PixelMap) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPainterPath, QPen, QPixmap
 
 from .pictures import transparent
@@ -26,16 +26,18 @@ class Halo:
         wanted = (text, painter.font().key(), paper.rgba(), ink.rgba(), width, ratio, box.size())
         if wanted != self._made_for:
             self._made_for = wanted
-            self._picture = _picture_of(painter, box, text, paper, ink, width, ratio)
+            size = box.adjusted(-width, -width, width, width).size()
+            self._picture = with_halo(painter, size, text, paper, ink, width)
         # On whole pixels, where letters are sharp.
         painter.drawPixmap(QPointF(round(box.left() - width), round(box.top() - width)), self._picture)
 
 
-def _picture_of(
-    painter: QPainter, box: QRectF, text: str, paper: QColor, ink: QColor, width: float, ratio: float
+def with_halo(
+    painter: QPainter, size: QSizeF, text: str, paper: QColor, ink: QColor, width: float
 ) -> QPixmap:
-    across, down = box.width() + 2 * width, box.height() + 2 * width
-    picture = transparent(across, down, ratio)
+    """Return a picture, as the painter would draw it, of text with a halo in the middle of a size."""
+    across, down = size.width(), size.height()
+    picture = transparent(across, down, painter.device().devicePixelRatioF())
     metrics = QFontMetricsF(painter.font())
     start = QPointF(
         round((across - metrics.horizontalAdvance(text)) / 2),

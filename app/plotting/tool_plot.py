@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
+from ..tasks.single_task import SingleTask
 from ..tools.pointer import Hint, Hit, Pointer
 from ..tools.tool import Tool
 from ..tools.toolbox import Toolbox
@@ -23,6 +24,8 @@ class ToolPlot(PlotWidget):
     ----------
     tools
         The tools of this plot.
+    jobs
+        What they do beside the window.
 
     Signals
     -------
@@ -46,6 +49,12 @@ class ToolPlot(PlotWidget):
         super().__init__(parent)
         self.tools = tools
         tools.hit_test = self.hit
+        self.jobs = SingleTask(self)
+        self.jobs.progressed.connect(self._show_share)
+        self.jobs.ended.connect(self._show_progress)
+        tools.background.jobs, tools.background.changed = self.jobs, self.show_marks
+        # Later: whoever has ended it may be within a change of the document.
+        self.gesture_ended.connect(tools.background.hand_over, Qt.ConnectionType.QueuedConnection)
         # Words that wait; at first they come at once, then as the timer runs out.
         self._has_words = False
         self._words_due = QTimer(self, singleShot=True)
@@ -157,6 +166,11 @@ class ToolPlot(PlotWidget):
     def _show_progress(self) -> None:
         self.show_marks()
         self.progress_changed.emit(self.tools.progress())
+
+    def _show_share(self, share: float, word: str) -> None:
+        """Tell how far work beside the window has come, which takes long enough to be read of."""
+        if self.jobs.is_long and not self.is_dragging:
+            self.progress_changed.emit(f"{word}: {share:.0%} · Escape cancels")
 
     def tell(self) -> None:
         """Say how far the gesture has come, and where the pointer is, if it has moved since."""

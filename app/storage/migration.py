@@ -6,7 +6,7 @@ of the version before becomes one of the next; nothing else has to know about ol
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 Migration = Callable[[dict[str, Any]], dict[str, Any]]
@@ -16,15 +16,13 @@ MIGRATIONS: dict[int, Migration] = {}
 """By the version that a migration starts from."""
 
 
-def can_migrate(version: int, to: int, table: Mapping[int, Migration] = MIGRATIONS) -> bool:
+def can_migrate(version: int, to: int) -> bool:
     """Whether there is a way from `version` to the version `to`."""
-    return version < to and all(step in table for step in range(version, to))
+    return version < to and all(step in MIGRATIONS for step in range(version, to))
 
 
-def migrated(
-    values: dict[str, Any], version: int, to: int, table: Mapping[int, Migration] = MIGRATIONS
-) -> dict[str, Any]:
+def migrated(values: dict[str, Any], version: int, to: int) -> dict[str, Any]:
     """Return the values of a file of `version` as they stand in a file of the version `to`."""
     for step in range(version, to):
-        values = {**table[step](values), "version": step + 1}
+        values = {**MIGRATIONS[step](values), "version": step + 1}
     return values

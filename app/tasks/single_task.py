@@ -17,6 +17,13 @@ SHOWN_AFTER_MS = 200
 class SingleTask(TaskOwner):
     """Does one thing at a time, as the person asks for it.
 
+    Parameters
+    ----------
+    parent
+        Of Qt.
+    shown_after_ms
+        Milliseconds of work after which it is `shown`.
+
     Signals
     -------
     shown
@@ -31,16 +38,21 @@ class SingleTask(TaskOwner):
     progressed = Signal(float, str)
     ended = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, shown_after_ms: int = SHOWN_AFTER_MS) -> None:
         super().__init__(parent)
         self.title = ""
-        self._patience = QTimer(self, singleShot=True, interval=SHOWN_AFTER_MS)
+        self._patience = QTimer(self, singleShot=True, interval=shown_after_ms)
         self._patience.timeout.connect(self._show)
 
     @property
     def is_busy(self) -> bool:
         """Whether something is being done."""
         return self._task is not None
+
+    @property
+    def is_long(self) -> bool:
+        """Whether what is being done takes long enough to be shown."""
+        return self.is_busy and not self._patience.isActive()
 
     def start(
         self, title: str, work: Work, done: Callable[[Any], object], failed: Callable[[Exception], object]

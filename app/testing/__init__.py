@@ -18,7 +18,7 @@ and a test reads as what a person does::
 It does what a person can do, and raises `ImpossibleError`, with the reason, where there is no such thing: an
 action is disabled, a panel is hidden, a place lies outside the plot or under something, a dialog waits.
 
-- ``editor``: one window with all that can be done in it.
+- ``editor``: one window with all that can be done in it.  ``parts``: its t-rail, and the line about its file.
 - ``input_driver``: mouse, wheel and keys as events.
 - ``reach``: which of them a person could send.
 """

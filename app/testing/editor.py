@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
@@ -16,7 +16,6 @@ from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
 from ..cli.display import has_display
 from ..document.model import Curve, ParametrizationKind, Vector
 from ..families import FAMILIES, Family
-from ..features.basis.panel import BasisPanel
 from ..features.curve_list.commands import CurveListCommands
 from ..features.curve_list.view import Spot, spot_rect
 from ..session import Session
@@ -24,8 +23,8 @@ from ..settings.preferences import Preferences
 from ..view_model.handles import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow
-from ..workbench.notice_bar import NoticeBar
 from .input_driver import InputDriver, spin, type_keys
+from .parts import FileBar, Rail
 from .reach import require_enabled, require_reachable, require_under_mouse
 
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -67,6 +66,8 @@ class Editor(InputDriver):
     ----------
     session, window
         The objects that ``curvebench`` opens.
+    rail, file_bar
+        Parts of the window: the t-rail, and the line about the document's file.
     """
 
     def __init__(
@@ -78,6 +79,7 @@ class Editor(InputDriver):
     ) -> None:
         self.session = session or Session()
         self.window = MainWindow(self.session, preferences)
+        self._find_parts()
         qtbot.addWidget(self.window, before_close_func=lambda _window: self._discard_changes())
         self.window.resize(*size)
         with qtbot.waitExposed(self.window):  # type: ignore[attr-defined]
@@ -89,7 +91,11 @@ class Editor(InputDriver):
         """Return a driver of a window that is open already, in a program that runs without pytest."""
         editor = cls.__new__(cls)
         editor.session, editor.window = window.session, window
+        editor._find_parts()
         return editor
+
+    def _find_parts(self) -> None:
+        self.rail, self.file_bar = Rail(self), FileBar(self)
 
     def _discard_changes(self) -> None:
         # Else closing asks whether to save, and the test run waits for an answer.
@@ -134,22 +140,7 @@ class Editor(InputDriver):
         """The sentence at the left of the status line."""
         return self.window.status_line.text
 
-    @property
-    def file_message(self) -> str:
-        """The sentence about the document's file; empty when there is none."""
-        bar = self.window.findChild(NoticeBar, "fileBar")
-        return bar.text if bar is not None else ""
-
     # What a person does
-
-    def answer_file_message(self, action: str) -> None:
-        """Click the button that the sentence about the file offers for the action of this name."""
-        bar = self.window.findChild(NoticeBar, "fileBar")
-        if bar is None or action not in bar.offered:
-            raise LookupError(f"{action!r} is not offered; {bar.offered if bar else 'there is no line'}.")
-        require_reachable(bar.button(action))
-        QTest.mouseClick(bar.button(action), _LEFT)
-        self.settle()
 
     def new(self) -> None:
         """Start an empty document with the view from (−0.5, −0.5) on, adding points."""
@@ -232,36 +223,9 @@ class Editor(InputDriver):
         QTest.keyClicks(self.window.canvas, text)
         self.settle()
 
-    @property
-    def _basis_panel(self) -> BasisPanel:
-        panel = self.window.basis_panel
-        assert isinstance(panel, BasisPanel)
-        return panel
-
     def drag_parameter(self, index: int, to: float, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Drag the tick of point `index` along the t-rail."""
-        panel = self._basis_panel
-        start = panel.rail_pixel(self.parameters[index])
-        self.drag_pixels(panel, start, panel.rail_pixel(to), keys=keys)
-
-    def click_parameter(self, index: int, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Click on the tick of point `index`."""
-        panel = self._basis_panel
-        place = panel.rail_pixel(self.parameters[index])
-        self.drag_pixels(panel, place, place, keys=keys)
-
-    def type_parameter(self, index: int, text: str) -> None:
-        """Double-click on the tick of point `index`, type, and press Enter."""
-        panel = self._basis_panel
-        place = panel.rail_pixel(self.parameters[index])
-        self.click_parameter(index)
-        self.send(panel, QEvent.Type.MouseButtonDblClick, place)
-        self.send(panel, QEvent.Type.MouseButtonRelease, place, held=False)
-        line = panel.tick_edit.line
-        line.selectAll()
-        type_keys(line, text)
-        QTest.keyClick(line, Qt.Key.Key_Return)
-        self.settle()
+        self.rail.drag(index, to, keys=keys)
 
     def find_command(self, text: str) -> list[str]:
         """Open the command palette, type, and return the names it finds, best first; it stays open."""
@@ -287,10 +251,7 @@ class Editor(InputDriver):
 
     def scrub(self, t: float) -> None:
         """Drag the scrub line to t."""
-        panel = self._basis_panel
-        start, _ = self.session.active_view.parameters[[0, -1]]
-        height = 0.5
-        self.drag_pixels(panel, panel.to_pixel(start, height), panel.to_pixel(t, height))
+        self.rail.scrub(t)
 
     def click_in_list(self, row: int, spot: Spot = Spot.NAME) -> None:
         """Click a part of a row in the list of curves; `row` is the curve's place in the document."""

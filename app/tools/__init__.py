@@ -14,5 +14,6 @@
 - ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.
 - ``marks``: what a gesture shows over the drawing.
 - ``pencil_detail``: how near a curve comes to what the pencil draws.
+- ``background``: what takes a tool longer than a moment.
 - ``hints``: what a press would do, in words.
 """

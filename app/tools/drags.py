@@ -45,7 +45,7 @@ class MovePoints(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Move {words.group(self.group)}"
+        return f"Move {self.group.words}"
 
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is and how far it came; of several, how far they came."""
@@ -100,13 +100,13 @@ class NudgePoints(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Nudge {words.group(self.group)}"
+        return f"Nudge {self.group.words}"
 
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is now, or how many went, and the step."""
         one, step = self.group.only_point, words.vector(self.step)
         if one is None:
-            return f"{words.group(self.group)} nudged · step {step}"
+            return f"{self.group.words} nudged · step {step}"
         curve, index = one
         place = self.document_at(pointer).curves[curve].points[index].position
         return f"{words.point_at(index, place)} · step {step}"

@@ -41,7 +41,7 @@ def on_grip(grip: Grip, group: PointGroup, refusal: str) -> Hint:
     """Return the hint over a grip of the box around a group, or why it cannot be changed."""
     if refusal:
         return Hint(refusal)
-    what = words.group(group)
+    what = group.words
     if grip.rotates:
         return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
     return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)

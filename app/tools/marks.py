@@ -56,6 +56,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         Where on the curve the pen would insert a point.
     line
         What the pencil has drawn so far.
+    waiting
+        Lines of which curves are being made.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -67,6 +69,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     preview_curve: CurveView | None = None
     spot: Vector | None = None
     line: tuple[Vector, ...] = ()
+    waiting: tuple[tuple[Vector, ...], ...] = ()
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""

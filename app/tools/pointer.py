@@ -18,6 +18,7 @@ class Part(Enum):
     TICK = auto()
     FUNCTION = auto()
     SCRUB = auto()
+    PLACE = auto()
     IMAGE = auto()
     IMAGE_CORNER = auto()
     OTHER_CURVE = auto()

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
+import numpy as np
+
 from ..document import words
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import freeze_parameters, set_parameters
@@ -101,18 +103,24 @@ class DragTicks(Drag, frozen=True):
         The knot whose tick was pressed.
     knots
         The knots that move, the grabbed one among them.
+    idle
+        The knots whose t does nothing to the curve; they make way for the others.
     point
         The point of the grabbed knot, for the name of the step.
     start
         The t of the pointer at the press.
+    before
+        The document before its parameters were made manual.
     """
 
     curve: int
     parameters: Sequence[float]
     grabbed: int
     knots: frozenset[int]
+    idle: frozenset[int]
     point: int
     start: float
+    before: Document
 
     keys = "E: all ticks on that side"
 
@@ -126,6 +134,8 @@ class DragTicks(Drag, frozen=True):
     def readout(self, pointer: Pointer) -> str:
         """Return where the grabbed tick is, and how many go along."""
         by, moving = self._displacement(pointer)
+        if moving <= self.idle:
+            return _idle_words(self.point)
         text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by)}"
         return f"{text}, {len(moving)} ticks by {words.number(by)}" if len(moving) > 1 else text
 
@@ -133,11 +143,28 @@ class DragTicks(Drag, frozen=True):
         """Move by the whole way from the press, as far as the ticks that stay let it.
 
         With E held every tick from the grabbed one on, towards the side the pointer has moved to from the
-        press, goes along: the spacings there stay, and only the gap behind opens.
+        press, goes along: the spacings there stay, and only the gap behind opens. Where none of those that
+        move does anything to the curve, nothing changes.
         """
         by, moving = self._displacement(pointer)
+        if moving <= self.idle:
+            return self.before
         moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
+        for knot in self.idle - moving:
+            before, after = self._beside(knot, moving, -1), self._beside(knot, moving, 1)
+            if before in moving or after in moving:
+                share = (self.parameters[knot] - self.parameters[before]) / (
+                    self.parameters[after] - self.parameters[before]
+                )
+                moved[knot] = moved[before] + share * (moved[after] - moved[before])
         return set_parameters(self.document, self.curve, moved)
+
+    def _beside(self, knot: int, moving: frozenset[int], step: int) -> int:
+        """Return the next knot on a side that does not make way, or one beyond all."""
+        knot += step
+        while 0 <= knot < len(self.parameters) and knot in self.idle and knot not in moving:
+            knot += step
+        return knot
 
     def _displacement(self, pointer: Pointer) -> tuple[float, frozenset[int]]:
         """Return how far the ticks move, and which."""
@@ -152,12 +179,13 @@ class DragTicks(Drag, frozen=True):
         t = self.parameters
         margin = _LEAST_GAP * (t[-1] - t[0])
         for knot in moving:
-            if knot > 0 and knot - 1 not in moving:
-                gap = t[knot] - t[knot - 1]
-                by = max(by, min(margin, gap / 2) - gap)
-            if knot < len(t) - 1 and knot + 1 not in moving:
-                gap = t[knot + 1] - t[knot]
-                by = min(by, gap - min(margin, gap / 2))
+            before, after = self._beside(knot, moving, -1), self._beside(knot, moving, 1)
+            if before >= 0 and before not in moving:
+                gap = t[knot] - t[before]
+                by = max(by, min(margin * (knot - before), gap / 2) - gap)
+            if after < len(t) and after not in moving:
+                gap = t[after] - t[knot]
+                by = min(by, gap - min(margin * (after - knot), gap / 2))
         return by
 
 
@@ -200,6 +228,11 @@ class RailTool(ScrubTool):
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
             return Hint(_tick_hint(hit, context.view, context.host.selected.points), cursor=Cursor.WIDER)
+        if hit.part is Part.PLACE:
+            return Hint(
+                f"The dot of point {hit.index}: near t = {words.number(hit.position[0])} it acts most · "
+                "Drag to scrub"
+            )
         kind = f"{DERIVATIVES[hit.kind - 1].name} function" if hit.kind else "basis function"
         point = context.view.source.family.point
         return Hint(f"The {kind} of {point} {hit.index} · Click to select the point")
@@ -218,7 +251,24 @@ def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
     knots = {other for other in host.selected.points if other != point} | {knot}
     # Frozen once: in every step of the drag only the points whose ticks move are other values.
     frozen = freeze_parameters(host.document, host.active_index, parameters)
-    return DragTicks(frozen, host.active_index, parameters, knot, frozenset(knots), point, start)
+    view = host.active_view
+    curve = view.curve if view.is_current else None
+    idle = [] if curve is None else np.flatnonzero(curve.idle_parameters).tolist()
+    return DragTicks(
+        frozen,
+        host.active_index,
+        parameters,
+        knot,
+        frozenset(knots),
+        frozenset(idle),
+        point,
+        start,
+        host.document,
+    )
+
+
+def _idle_words(point: int) -> str:
+    return f"A hollow tick: t of point {point} does nothing to the curve, those of filled ticks do"
 
 
 def _tick_hint(hit: Hit, view: CurveView, selection: frozenset[int]) -> str:
@@ -227,8 +277,8 @@ def _tick_hint(hit: Hit, view: CurveView, selection: frozenset[int]) -> str:
     what = f"t of {len(selection)} points" if is_one_of_several else f"t of point {index}"
     if not (family.interpolates or is_one_of_several or view.curve is None):
         if view.is_current and view.curve.idle_parameters[hit.knot]:
-            return f"t of point {index} does nothing to {family.a_curve}: its ends and knots do"
-        what = f"the knot at t of point {index}" if 0 < index < len(view.points) - 1 else what
+            return f"{_idle_words(index)} · E: all ticks on the side you move to go along"
+        what = f"{what}, a knot of the curve" if 0 < index < len(view.points) - 1 else what
     return (
         f"Drag to change {what} · E: all ticks on the side you move to go along · "
         "Shift+click selects more · Double-click types t"

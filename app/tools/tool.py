@@ -12,6 +12,7 @@ from ..document.model import Vector
 from ..document.transforms import decimal_product
 from ..view_model.curve_view import CurveView
 from ..view_model.records import Records
+from .background import Background
 from .drag_machine import DragMachine, EditingHost
 from .drags import NudgePoints
 from .marks import GestureMarks, Note
@@ -64,6 +65,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         The selected points or curves that transforms act on.
     hit_test
         Finds what lies under a pointer.
+    background
+        Does what takes longer than a moment.
     """
 
     pointer: Pointer
@@ -74,6 +77,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     snappers: Snappers
     target: TransformTarget
     hit_test: Callable[[Pointer], Hit | None]
+    background: Background
 
     @property
     def hit(self) -> Hit | None:
@@ -263,6 +267,8 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         Makes the tool of one plot.
     hint
         What the status line says when it has been selected.
+    beginning
+        What the canvas says while it is empty; empty where another tool has to be chosen first.
     doing, gestures
         What a person does who uses it, such as "measuring", and how: what the sheet of keys and mouse says.
     place
@@ -277,6 +283,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     name: str
     make: Callable[[], Tool]
     hint: str
+    beginning: str = ""
     doing: str = ""
     gestures: tuple[GestureRow, ...] = ()
     place: int = 1000

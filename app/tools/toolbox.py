@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from msgspec.structs import replace
+
 from ..document.model import Vector
-from .drag_machine import DragMachine, EditingHost
+from .background import Background
+from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
 from .pointer import Hint, Hit, Pointer
 from .snappers import Snappers
@@ -35,6 +38,8 @@ class Toolbox:
         What the person has chosen.
     grid
         Tells the spacing of the grid at the present zoom; whoever shows the plot sets it.
+    background
+        Does what takes longer than a moment, whichever tool is in use by then.
     """
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
@@ -42,6 +47,7 @@ class Toolbox:
         self.hit_test: HitTest = lambda _pointer, _tool: None
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
+        self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
@@ -68,6 +74,7 @@ class Toolbox:
             self._snappers,
             self._target,
             lambda pointer: self.hit_test(pointer, self.tool),
+            self.background,
         )
 
     @property
@@ -192,11 +199,15 @@ class Toolbox:
         self._end()
 
     def dismiss(self) -> bool:
-        """Remove what the tool has left on the plot; return whether there was something."""
+        """Drop what is being done, or remove what the tool has left on the plot; return whether there was."""
+        if self.background.cancel():
+            self._host.say(CANCELLED)
+            return True
         return self._chosen.dismiss()
 
     def reset(self) -> None:
         """Forget what concerns the document; another one is open."""
+        self.background.cancel()
         for tool in self._made.values():
             tool.reset()
 
@@ -218,7 +229,7 @@ class Toolbox:
 
     def marks(self) -> GestureMarks:
         """Return what is drawn over the plot."""
-        marks = self._chosen.marks(self.context)
+        marks = replace(self._chosen.marks(self.context), waiting=self.background.lines)
         return self._above.marks(self.context).above(marks) if self._above is not None else marks
 
     def progress(self) -> str:

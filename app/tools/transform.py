@@ -77,7 +77,7 @@ class Transform(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"{self.kind.title} {'all ' if self._is_all else ''}{words.group(self.group)}"
+        return f"{self.kind.title} {'all ' if self._is_all else ''}{self.group.words}"
 
     @property
     def _is_all(self) -> bool:
@@ -118,7 +118,7 @@ class Transform(Drag, frozen=True):
         """Return the amount; of all points because none is selected, that too."""
         note, one = f"{self.kind.title} {self._amount_at(pointer)}", self.group.only_point
         if self._is_all:
-            what = words.group(self.group)
+            what = self.group.words
             return f"All {what}: {note[0].lower()}{note[1:]}"
         if one is None or self.kind is not TransformKind.MOVE:
             return note

@@ -112,7 +112,7 @@ class ScaleBox(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Scale {words.group(self.group)}"
+        return f"Scale {self.group.words}"
 
     def readout(self, pointer: Pointer) -> str:
         """Return the factors."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from curvecore import cardinal_defect, slope_defect, sum_defect, worst_miss
 
-from ..document.words import enumerated, number
+from ..document.words import number
 from .curve_view import CurveView
 
 _MOST_KNOTS = 400
@@ -53,9 +53,9 @@ def remark_on(view: CurveView) -> str:
 
 
 def digits_in_words(digits: tuple[int, ...]) -> str:
-    """Return how many digits differences keep of each derivative."""
-    each = [f"{count} digits of c{mark}" for count, mark in zip(digits, _PRIMES, strict=False)]
-    return f"some {enumerated(each)}"
+    """Return how many digits differences keep of each derivative: c′, c″ to some 9, 8 digits."""
+    names = (f"c{mark}" for mark in _PRIMES[: len(digits)])
+    return f"{', '.join(names)} to some {', '.join(map(str, digits))} digits"
 
 
 def _near(value: float, wanted: int) -> str:

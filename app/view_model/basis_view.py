@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from functools import cached_property, reduce
 
 import msgspec
@@ -102,9 +102,17 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def inside_support(self, index: int) -> slice:
         """Return which samples of a curve that is not piecewise may show more of knot `index` than zeros."""
-        low, high = self.curve.support(index)
+        return self._inside_supports([index])[0]
+
+    @cached_property
+    def supports(self) -> list[slice]:
+        """The same of all knots."""
+        return self._inside_supports(range(self.count))
+
+    def _inside_supports(self, knots: Iterable[int]) -> list[slice]:
+        low, high = np.array([self.curve.support(knot) for knot in knots]).T
         first, end = np.searchsorted(self.t, low), np.searchsorted(self.t, high, side="right")
-        return slice(int(first), int(end))
+        return [slice(*ends) for ends in zip(first.tolist(), end.tolist(), strict=True)]
 
     @property
     def is_coarse(self) -> bool:
@@ -195,11 +203,13 @@ def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
 def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView | None:
     """Sample all basis functions of a curve over its domain; None where there is no curve.
 
-    `previous` lends the functions from before a parameter moved, where there are many.
+    `previous` lends the functions from before a parameter moved: those that do not depend on it, or are many.
     """
     curve = view.basis_curve
     if curve is None or not view.is_current:
         return None
+    if previous is not None and _are_idle_moves(curve, previous.curve):
+        return msgspec.structs.replace(previous, curve=curve)
     scales = basis_scales(curve)
     count = len(view.source.points)
     owners = tuple(knot % count for knot in range(len(curve.parameters)))
@@ -209,6 +219,17 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
         t = _samples_over(curve)
         return BasisView(curve, owners, t, curve.basis(t), None, scales)
     return _many_functions(curve, owners, scales, previous)
+
+
+def _are_idle_moves(curve: ParametricCurve, before: ParametricCurve) -> bool:
+    """Whether two curves have the same functions: only parameters that do nothing are other ones."""
+    acts = ~curve.idle_parameters
+    return (
+        not acts.all()
+        and curve.functions_key == before.functions_key
+        and np.array_equal(acts, ~before.idle_parameters)
+        and np.array_equal(curve.parameters[acts], before.parameters[acts])
+    )
 
 
 def _many_functions(
@@ -261,9 +282,12 @@ def basis_scales(curve: ParametricCurve) -> FloatArray:
     Functions of derivatives are in proportion to h, h² and so on, powers of the spacing; the longer of a
     knot's two segments stands for h, and no function of a derivative leaves −½ … ½.
     """
-    spacing = np.diff(curve.parameters)
-    longer = np.maximum(np.append(spacing, 0.0), np.insert(spacing, 0, 0.0))
     orders = np.arange(curve.jets.shape[1])
+    if len(orders) == 1:
+        return np.ones((len(curve.parameters), 1))
+    spacing = np.zeros(len(curve.parameters) + 1)
+    spacing[1:-1] = np.diff(curve.parameters)
+    longer = np.maximum(spacing[:-1], spacing[1:])
     with np.errstate(divide="ignore", over="ignore", under="ignore"):
         factors: FloatArray = np.array(_FACTORS[len(orders) - 1]) / longer[:, None] ** orders
     # The square of a spacing may vanish; functions that have vanished with it are drawn as nothing.

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import msgspec
 import numpy as np
 
-from curvecore import CurveError, lagrange_to_bezier
+import curvecore
+from curvecore import CurveError
 
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
-from ..document.model import Curve
 from ..document.words import count_of, number
 from ..families import Family
 from .curve_view import CurveView, view_of
@@ -20,6 +22,36 @@ _FOLLOWED = 1e-4
 
 _WORTH_A_WORD = 10.0
 """Growth of errors from points to control points that is told."""
+
+_ROUNDING = 1e-9
+"""Share of the largest derivative of an order up to which two of them are the same."""
+
+
+class Outlook(msgspec.Struct, frozen=True):
+    """What a curve would become in another family, told before it is written there.
+
+    Attributes
+    ----------
+    within
+        The largest distance that is allowed where the curve is followed; 0 where the shape is kept.
+    refusal
+        The reason why there is none, as a sentence; empty where there is.
+    """
+
+    within: float = 0.0
+    refusal: str = ""
+
+
+def outlook(view: CurveView, family: Family) -> Outlook:
+    """Return what would become of a current curve as one of `family`, without the work of writing it so."""
+    assert view.curve is not None
+    if family.curve_class.follows and not all(piece.has_exact_pieces for piece in view.curve.pieces):
+        return Outlook(within=_tolerance(view))
+    try:
+        family.curve_class.check_shape(view.curve)
+    except CurveError as problem:
+        return Outlook(refusal=_refusal(family, problem))
+    return Outlook()
 
 
 def converted(view: CurveView, family: Family) -> Reshaped:
@@ -34,11 +66,14 @@ def converted(view: CurveView, family: Family) -> Reshaped:
     """
     refuse_without_curve(view)
     assert view.curve is not None
+    found = outlook(view, family)
+    if found.refusal:
+        raise EditError(found.refusal)
+    tolerance = _tolerance(view)
     try:
-        tolerance = _FOLLOWED * max(size_of(view.points), float(np.finfo(float).tiny))
         same = family.curve_class.near(view.curve, tolerance)
     except CurveError as problem:
-        raise EditError(f"This is no {family.title} curve: {problem}.") from None
+        raise EditError(_refusal(family, problem)) from None
     made = through(view, same, family)
     after = view_of(made)
     refuse_without_curve(after)
@@ -49,14 +84,33 @@ def converted(view: CurveView, family: Family) -> Reshaped:
             f"As {family.a_curve} it would be up to {number(residual, 2)} away: too much is lost by rounding."
         )
     left_rule = made.is_manual and not view.source.is_manual
-    note = _growth(view, family) or _corners_made(view.source, made)
+    note = _growth(view, family) or _jumps(view, after)
     return Reshaped(made, residual, left_rule=left_rule, note=note)
 
 
-def _corners_made(before: Curve, made: Curve) -> str:
-    """Say how many points had to become corners: where a derivative jumps that the family's does not."""
-    new = sum(point.corner for point in made.points) - sum(point.corner for point in before.points)
-    return f"{count_of(new, 'point')} became {'a corner' if new == 1 else 'corners'}." if new > 0 else ""
+def _tolerance(view: CurveView) -> float:
+    return _FOLLOWED * max(size_of(view.points), float(np.finfo(float).tiny))
+
+
+def _refusal(family: Family, problem: CurveError) -> str:
+    return f"This is no {family.title} curve: {problem}."
+
+
+def _jumps(before: CurveView, after: CurveView) -> str:
+    """Say at how many joints a derivative jumps that the family's does not, except at corners of old."""
+    if after.sides is None:
+        return ""
+    old, near = before.parameters[before.corners], _ROUNDING * np.ptp(before.parameters)
+    is_new = np.abs(after.parameters[after.corners, None] - old).min(axis=1, initial=np.inf) > near
+    new = np.array(after.corners, dtype=int)[is_new]
+    if not len(new):
+        return ""
+    behind, ahead = (side[:, 1:] for side in after.sides)
+    size = np.abs(ahead).max(axis=(0, 2))
+    jumps = (np.abs(ahead - behind).max(axis=2) > _ROUNDING * size)[new].any(axis=0)
+    each = DERIVATIVES[int(np.argmax(jumps))]
+    points = "the point there has" if len(new) == 1 else "the points there have"
+    return f"The {each.name} jumps at {count_of(len(new), 'joint')}: {points} derivatives before and after."
 
 
 def _growth(view: CurveView, family: Family) -> str:
@@ -64,7 +118,8 @@ def _growth(view: CurveView, family: Family) -> str:
     assert view.curve is not None
     if family.interpolates or not view.curve.is_one_polynomial:
         return ""
-    condition = lagrange_to_bezier(view.curve).condition
+    # Asked of the package: the module is loaded when it is first used.
+    condition = curvecore.lagrange_to_bezier(view.curve).condition
     if condition < _WORTH_A_WORD:
         return ""
     return f"An error of a point counts up to {number(condition, 2)} times as much in the control points."

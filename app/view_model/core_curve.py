@@ -23,6 +23,7 @@ class Core(msgspec.Struct, frozen=True, eq=False):
 
     curve: ParametricCurve | None
     problem: str = ""
+    is_overdue: bool = False
     sides: Sides | None = None
 
 

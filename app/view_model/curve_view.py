@@ -11,6 +11,7 @@ from curvecore import CardinalBasis, CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
 from ..document.model import Curve, Vector
+from ..families.family import OverdueCallError
 from .cardinals import Cardinal, Cardinals
 from .core_curve import Core, checked_parameters, core_after, core_curve
 from .flattener import Box, Flattener, FlatteningKey, Polyline
@@ -93,6 +94,11 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def problem(self) -> str:
         """Why the present points and rules give no curve, as a sentence; empty where they do."""
         return "" if self.is_followed else self._core.problem
+
+    @property
+    def is_overdue(self) -> bool:
+        """Whether there is none because functions of a file take too long."""
+        return not self.is_followed and self._core.is_overdue
 
     @property
     def sides(self) -> Sides | None:
@@ -262,7 +268,11 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
         core = _core_of(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
-        return CurveView(curve, points, arrays, Core(last_good, refusal_of(problem, curve)))
+        words = refusal_of(problem, curve)
+        is_overdue = isinstance(problem, OverdueCallError)
+        if is_overdue and last_good is not None:
+            words += " The last curve that could be drawn is shown."
+        return CurveView(curve, points, arrays, Core(last_good, words, is_overdue=is_overdue))
     return CurveView(curve, points, arrays, core, None, *handed_on)
 
 

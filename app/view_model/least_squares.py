@@ -38,6 +38,8 @@ class Fitted(NamedTuple):
         The largest distance of the data from it, and the root of the mean of the squares.
     place
         The datum that is farthest away.
+    is_scattered
+        Whether it is so far off because the data have errors as large as that.
     """
 
     curve: Curve
@@ -45,13 +47,15 @@ class Fitted(NamedTuple):
     deviation: float
     root_mean_square: float
     place: Vector
+    is_scattered: bool
 
     @property
     def words(self) -> str:
         """The number of points, and their distance."""
-        points = count_of(len(self.curve.points), "point")
+        points, stays = count_of(len(self.curve.points), "point"), "stays at " if self.is_scattered else ""
         mean = number(self.root_mean_square, 2)
-        return f"{points}; largest deviation {number(self.deviation, 3)}, root mean square {mean}."
+        text = f"{points}; largest deviation {stays}{number(self.deviation, 3)}, root mean square {mean}."
+        return f"{text} The data scatter so far; more points would follow that alone." if stays else text
 
 
 class Data(NamedTuple):
@@ -164,7 +168,7 @@ def fitted(
     parametrization = Parametrization(ParametrizationKind.MANUAL, rule.alpha, *span)
     curve = replace(model, points=own, parametrization=parametrization, closed=is_closed)
     x, y = data[found.worst].tolist()
-    return Fitted(curve, found.curve, found.deviation, found.root_mean_square, (x, y))
+    return Fitted(curve, found.curve, found.deviation, found.root_mean_square, (x, y), found.is_scattered)
 
 
 def _points(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Point, ...]:

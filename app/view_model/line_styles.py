@@ -64,6 +64,9 @@ BLUE, VERMILLION, GREEN, PURPLE = "#0072b2", "#d55e00", "#009e73", "#cc79a7"
 ORANGE, SKY, YELLOW = "#e69f00", "#56b4e9", "#f0e442"
 """Okabe–Ito colours."""
 
+GREY = "#7f7f7f"
+"""A further colour that is told from those on either paper."""
+
 USUAL_STYLE = LineStyle()
 CURVE_STYLE = LineStyle("curve", width=2.0)
 CURE_STYLE = LineStyle("accent", width=2.0, dashes=(4.0, 3.0))

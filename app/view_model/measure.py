@@ -20,6 +20,12 @@ _MOST_SAMPLES = 20_000
 _KEPT = 1e-8
 """Change, relative to the size of a curve, up to which its shape counts as kept: nobody sees it."""
 
+_COMPARED = 257
+"""Parameters at which two curves are compared: those of families that differ agree at few places."""
+
+_ROUNDING = 1e-12
+"""Share of the domain up to which parameters are the same."""
+
 
 def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
     """Tell whether the shape of these curves is the same but for roundings, `residual` being what changed."""
@@ -45,3 +51,16 @@ def largest_distance(first: CurveView, at: FloatArray, second: CurveView, at_sec
     assert second.curve is not None
     away = first.curve.evaluate(at) - second.curve.evaluate(at_second)
     return float(np.hypot(away[:, 0], away[:, 1]).max())
+
+
+def coincide(first: CurveView, second: CurveView) -> bool:
+    """Whether two curves are at the same places for the same t, but for roundings."""
+    if first is second:
+        return True
+    if not (first.is_current and second.is_current):
+        return False
+    t = first.parameters
+    if t.shape != second.parameters.shape or np.abs(t - second.parameters).max() > _ROUNDING * np.ptp(t):
+        return False
+    at = np.linspace(t[0], t[-1], _COMPARED)
+    return is_kept(largest_distance(first, at, second, at), (first.source,))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import math
+from collections.abc import Collection
 from functools import partial
 
 import msgspec
@@ -13,11 +14,13 @@ from curvecore.analysis.continuity import joint_report
 from curvecore.arrays import FloatArray
 
 from ..document.derivatives import VelocityRule
-from ..families import HERMITE, QUINTIC_HERMITE, Family
+from ..families import Family
+from .analysis.ghost import Ghost
 from .curve_view import CurveView, view_of
-from .line_styles import BLUE, GREEN, ORANGE, PURPLE
+from .line_styles import BLUE, PURPLE
+from .measure import coincide
 from .motion import STATIONS, Course, folded, round_of, runs_back
-from .motion_settings import Repeat
+from .motion_settings import Repeat, timed_families
 from .plane import size_of, usual_length
 from .sampling import Samples
 
@@ -33,27 +36,36 @@ _LONGEST = 3.0
 _SAMPLES = 121
 
 
-class Role(enum.Enum):
-    """The curve that a dot runs along: the edited one, or one of the two that are compared with it.
+class Role(msgspec.Struct, frozen=True):
+    """The curve that a dot runs along: the edited one, or one that is compared with it.
 
     Attributes
     ----------
-    title
-        The name beside its arrows.
+    families
+        Those whose curve it is, where several are the same; none for the edited curve.
     radius
         Of the dot, in pixels: where they meet, a ring of each is seen.
-    colour
-        An Okabe–Ito colour, of which each theme has its own shade; empty for the accent.
-    family
-        The family of the rival; None for the edited curve.
     """
 
-    def __init__(self, title: str, radius: float, colour: str, family: Family | None) -> None:
-        self.title, self.radius, self.colour, self.family = title, radius, colour, family
+    families: tuple[Family, ...] = ()
+    radius: float = 6.0
 
-    OWN = "", 6.0, "", None
-    CUBIC = "cubic", 11.0, ORANGE, HERMITE
-    QUINTIC = "quintic", 7.5, GREEN, QUINTIC_HERMITE
+    @property
+    def title(self) -> str:
+        """The name beside its arrows."""
+        return ", ".join(family.short for family in self.families)
+
+    @property
+    def colour(self) -> str:
+        """A colour that each theme has a shade of, that of the ghost; empty for the accent."""
+        return Ghost(family=self.families[0]).style.colour if self.families else ""
+
+
+OWN = Role()
+"""The dot of the edited curve."""
+
+_SMALLEST, _RING = 7.5, 2.5
+"""Radius of the dot on top of others, and how much more each one below it has."""
 
 
 class ArrowKind(enum.Enum):
@@ -118,7 +130,7 @@ def dot_at(
     seconds: float,
     repeat: Repeat,
     scales: Scales,
-    role: Role = Role.OWN,
+    role: Role = OWN,
     kinds: tuple[ArrowKind, ...] = tuple(ArrowKind),
 ) -> Dot:
     """Return the dot after `seconds` of its motion; without arrows it leaves no trail either."""
@@ -136,7 +148,7 @@ def dots_at(courses: dict[Role, Course], seconds: float, repeat: Repeat, scales:
     compared = len(courses) > 1
     kinds = (ArrowKind.ACCELERATION,) if compared else tuple(ArrowKind)
     return [
-        dot_at(course, seconds, repeat, scales, role, () if compared and role is Role.OWN else kinds)
+        dot_at(course, seconds, repeat, scales, role, () if compared and role is OWN else kinds)
         for role, course in courses.items()
     ]
 
@@ -186,19 +198,34 @@ def in_three_digits(value: float) -> str:
     return f"{value:#.3g}".rstrip(".").replace("e+", "e")
 
 
-def rivals_of(view: CurveView) -> dict[Role, CurveView]:
-    """Return the cubic and the quintic Hermite curve through the points of `view`, where both exist."""
-    views = {
-        role: view if view.source.family == role.family else view_of(view.source.with_family(role.family))
-        for role in Role
-        if role.family is not None
+def rivals_of(view: CurveView, compared: Collection[Family]) -> dict[Role, CurveView]:
+    """Return the curves of some families through the points of `view`, and its own, where they exist.
+
+    The largest dot first. Those that are the same have one role; without families there are none.
+    """
+    same: list[tuple[CurveView, list[Family]]] = []
+    for family in timed_families() if compared else ():
+        is_own = family == view.source.family
+        if not is_own and family not in compared:
+            continue
+        rival = view if is_own else view_of(view.source.with_family(family))
+        known = next((families for other, families in same if coincide(other, rival)), None)
+        if known is not None:
+            known.append(family)
+        elif rival.is_current:
+            same.append((rival, [family]))
+    largest = _SMALLEST + _RING * (len(same) - 1)
+    return {
+        Role(tuple(families), largest - _RING * place): rival for place, (rival, families) in enumerate(same)
     }
-    return views if all(each.is_current for each in views.values()) else {}
 
 
 def jumps_in_words(views: dict[Role, CurveView]) -> str:
-    """Return what the accelerations of cubic and quintic do at the joints, as measured."""
-    return "  ".join(_jump_in_words(role.title.capitalize(), view) for role, view in views.items())
+    """Return what the accelerations of curves that are compared do at the joints, as measured."""
+    titles: dict[str, list[str]] = {}
+    for role, view in views.items():
+        titles.setdefault(_jump_in_words(view), []).append(role.title)
+    return "  ".join(f"{', '.join(names)}: {words}" for words, names in titles.items())
 
 
 def _is_estimated(view: CurveView) -> bool:
@@ -206,18 +233,19 @@ def _is_estimated(view: CurveView) -> bool:
     return rule is VelocityRule.NATURAL_SPLINE and not any(point.velocity for point in view.source.points)
 
 
-def _jump_in_words(name: str, view: CurveView) -> str:
+def _jump_in_words(view: CurveView) -> str:
     assert view.curve is not None
-    joints = joint_report(view.curve, closed=view.source.is_closed)
+    is_one = view.source.family.curve_class.is_one_polynomial
+    joints = [] if is_one else joint_report(view.curve, closed=view.source.is_closed)
     if not joints:
-        return f"{name}: no joints."
+        return "no joints."
     jumping = [joint for joint in joints if joint.parametric < 2]
     if not jumping:
-        is_spline = view.source.family == HERMITE and _is_estimated(view)
+        is_spline = view.source.family.derivatives == 1 and _is_estimated(view)
         why = " (its velocities are those of the natural spline; other rules jump)" if is_spline else ""
-        return f"{name}: no jump of acceleration{why}."
+        return f"no jump of acceleration{why}."
     sizes = [float(np.hypot(*joint.acceleration_jump)) for joint in jumping]
     worst = int(np.argmax(sizes))
     where = f"at {len(jumping)} of {len(joints)} joints, most" if len(joints) > 1 else "at its joint,"
     point = view.owner(jumping[worst].joint)
-    return f"{name}: acceleration jumps {where} at point {point} by {in_three_digits(sizes[worst])}."
+    return f"acceleration jumps {where} at point {point} by {in_three_digits(sizes[worst])}."

@@ -6,7 +6,14 @@ import enum
 
 import msgspec
 
+from ..families import FAMILIES, Family
+
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
+
+
+def timed_families() -> tuple[Family, ...]:
+    """Return the families whose curves are at the points at the t_i: those can be compared in motion."""
+    return tuple(family for family in FAMILIES if family.interpolates)
 
 
 class Repeat(enum.StrEnum):
@@ -31,11 +38,11 @@ class MotionSettings(msgspec.Struct, frozen=True):
     ----------
     speed
         Seconds of the motion in a second of the clock.
-    compares
-        Whether the cubic and the quintic Hermite curve through the same points run side by side.
+    compared
+        The families whose curves through the same points run side by side with the curve itself.
     """
 
     speed: float = 1.0
     repeat: Repeat = Repeat.LOOP
     pace: Pace = Pace.PARAMETER
-    compares: bool = False
+    compared: frozenset[Family] = frozenset()

@@ -54,6 +54,11 @@ class Reshaped(msgspec.Struct, frozen=True):
     note: str = ""
 
     @property
+    def is_kept(self) -> bool:
+        """Whether the shape is the same but for roundings."""
+        return not self.parameters_moved and is_kept(self.residual, (self.curve,))
+
+    @property
     def sentence(self) -> str:
         """The outcome for the shape."""
         if self.parameters_moved:
@@ -200,7 +205,8 @@ def _place_between(view: CurveView, t: float) -> int:
     away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
     nearest = int(np.argmin(away))
     if away[nearest] <= 1e-9 * (knots[-1] - knots[0]):
-        what = f"Point {view.owner(nearest)}" if view.source.family.interpolates else "A knot"
+        point = view.owner(nearest)
+        what = f"Point {point}" if view.source.family.interpolates else f"The knot at t of point {point}"
         raise EditError(f"{what} is there already.")
     return int(np.searchsorted(knots, t))
 

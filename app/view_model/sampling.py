@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -23,10 +24,17 @@ def all_along(knots: FloatArray, per_segment: int) -> FloatArray:
 
 def crowded_at_ends(start: float, end: float, count: int) -> FloatArray:
     """Return parameters from `start` to `end`, closer at both ends, where a polynomial swings most."""
-    u = np.linspace(0.0, 1.0, count)
-    t: FloatArray = start + (end - start) * (0.5 * u + 0.5 * np.sin(0.5 * np.pi * u) ** 2)
+    t: FloatArray = start + (end - start) * _crowded_shares(count)
     t[-1] = end
     return t
+
+
+@lru_cache(maxsize=4)
+def _crowded_shares(count: int) -> FloatArray:
+    u = np.linspace(0.0, 1.0, count)
+    shares: FloatArray = 0.5 * u + 0.5 * np.sin(0.5 * np.pi * u) ** 2
+    shares.flags.writeable = False
+    return shares
 
 
 class Samples(NamedTuple):

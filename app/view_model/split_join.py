@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from curvecore import chebyshev
 
+from .. import view_model
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
 from ..document.model import Curve, ParametrizationKind, Point, Vector
@@ -71,9 +72,11 @@ def split(view: CurveView, t: float) -> Split:
         parts = _split_polynomial(view, t) if family.curve_class.is_one_polynomial else _split_pieces(view, t)
     made = Split(parts, _residual_of_parts(view, parts))
     if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
+        within = view_model.convert.outlook(view, HERMITE).within
+        kept = f"within {number(within, 1)}" if within else "keeping the shape"
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
-            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, keeping the shape."
+            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, {kept}."
         )
     return made
 

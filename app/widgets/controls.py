@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TypeVar
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QComboBox, QProgressBar, QPushButton, QWidget
 
 _Named = TypeVar("_Named", bound=QWidget)
@@ -34,10 +35,14 @@ def check_box(name: str, text: str, tip: str, label: str = "") -> QCheckBox:
     return named(QCheckBox(text), name, label, tip)
 
 
-def choice_box(name: str, label: str, tip: str, items: Iterable[str] = ()) -> QComboBox:
-    """Return a box with these items."""
+def choice_box(
+    name: str, label: str, tip: str, items: Iterable[str] = (), tips: Iterable[str] = ()
+) -> QComboBox:
+    """Return a box with these items, and a tip for each of the first of them."""
     box = named(QComboBox(), name, label, tip)
     box.addItems(list(items))
+    for place, each in enumerate(tips):
+        box.setItemData(place, each, Qt.ItemDataRole.ToolTipRole)
     return box
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit
 
 from ..document.expression import ExpressionError, parse_number
 from ..document.words import number
@@ -33,8 +33,8 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     committed = Signal(str)
     left = Signal()
 
-    def __init__(self, name: str, label: str, tip: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str, label: str, tip: str) -> None:
+        super().__init__()
         named(self, name, label, tip)
         self.setTextMargins(3, 0, 3, 0)
         self._whole = self._short = self._entered = ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QAbstractSlider, QSlider, QWidget
+from PySide6.QtWidgets import QAbstractSlider, QSlider
 
 from ..qt.overrides import Guarded
 
@@ -35,8 +35,8 @@ class LiveSlider(Guarded, QSlider):
     cancelled = Signal()
     drag_ended = Signal()
 
-    def __init__(self, orientation: Qt.Orientation, parent: QWidget | None = None) -> None:
-        super().__init__(orientation, parent)
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
         self._is_over = False
         self.sliderPressed.connect(self._begin)
         self.actionTriggered.connect(self._report)

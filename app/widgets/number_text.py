@@ -115,6 +115,16 @@ def column_decimals(values: FloatArray, digits: int) -> int:
     return next((decimals for decimals, is_exact in enumerate(are_exact.tolist()) if is_exact), most)
 
 
+def telling_digits(values: FloatArray) -> int:
+    """Return how many digits it takes to tell numbers apart, three of their spread: 12 of 1700000000.04."""
+    finite = values[np.isfinite(values)]
+    spread = float(np.ptp(finite)) if finite.size else 0.0
+    greatest = float(np.abs(finite).max(initial=0.0))
+    if not NEGLIGIBLE * greatest < spread < math.inf:
+        return 0
+    return _whole_digits(greatest) + max(2 - math.floor(math.log10(spread)), 0)
+
+
 def most_decimals(whole_digits: int, digits: int) -> int:
     """Return how many decimals there is room for if `digits` digits hold a number with so many whole ones."""
     return max(digits - whole_digits, 0)

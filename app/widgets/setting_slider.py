@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import log10
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from ..qt.labels import Label
@@ -51,7 +51,7 @@ class SettingSlider(QWidget):
         super().__init__()
         self._place_of, self._text_of = place_of, text_of
         self._value = self._at_press = value_at(steps[0])
-        slider = LiveSlider(Qt.Orientation.Horizontal)
+        slider = LiveSlider()
         self.slider = named(slider, name, label, f"{label}; Escape cancels a drag")
         self.slider.setRange(*steps)
         self.slider.setMinimumWidth(_NARROWEST)

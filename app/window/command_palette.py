@@ -29,7 +29,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from ..actions.keymap import full_name_of, native, why_not
+from ..actions.keymap import full_name_of, keywords_of, native, why_not
 from ..appearance.theme import Theme, mix, theme_of
 from ..qt.keys import ENTER
 from ..qt.labels import Label
@@ -45,15 +45,27 @@ _ROOT = QModelIndex()
 
 
 class Command(msgspec.Struct, frozen=True):
-    """Something that can be found: an action, and the menu path that leads to it."""
+    """Something that can be found: an action, and the menu path that leads to it.
+
+    Attributes
+    ----------
+    is_on
+        Whether it is a switch, and on.
+    """
 
     action: QAction
     path: str
+    is_on: bool = False
 
     @property
     def name(self) -> str:
         """Name in words that stand alone."""
         return full_name_of(self.action)
+
+    @property
+    def entry(self) -> SearchEntry:
+        """What it is found by."""
+        return SearchEntry(self.name, self.path, self.action.statusTip(), keywords_of(self.action))
 
 
 class CommandPalette(OverlayFrame):
@@ -187,7 +199,7 @@ def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
     """Return the commands that fit, the best first, those of no use now behind the others."""
     if not typed.strip():
         return sorted(commands, key=lambda command: not command.action.isEnabled())
-    things = [SearchEntry(command.name, command.path, command.action.statusTip()) for command in commands]
+    things = [command.entry for command in commands]
     found = [commands[place] for place in ranked(typed, things)]
     return sorted(found, key=lambda command: not command.action.isEnabled())
 
@@ -307,6 +319,4 @@ class _CommandDelegate(Guarded, QStyledItemDelegate):
 
 def _checked_name(command: Command) -> str:
     """Return the name, with a tick where the action is a switch that is on."""
-    return (
-        f"{command.name}  ✓" if command.action.isCheckable() and command.action.isChecked() else command.name
-    )
+    return f"{command.name}  ✓" if command.is_on else command.name

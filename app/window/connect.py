@@ -95,8 +95,8 @@ class Commands:
         """Take a gesture back, or go to the canvas from a panel, or else step back."""
         if self._context.cancel_gesture() or self[FocusCommands].back_to_canvas():
             return
-        for escape in self._hooks("escape"):
-            escape()
+        # Those of features that stand further down come first; one that returns true has taken the key.
+        any(escape() for escape in reversed(self._hooks("escape")))
 
     def build_dock(self, name: str, *parent: QWidget) -> QWidget:
         """Return what stands in a dock; called when the window is built, or when it is first shown."""

@@ -20,11 +20,12 @@ _ALSO_CALLED: Final = {
 
 
 class SearchEntry(NamedTuple):
-    """A command that can be found: name, the menus that lead to it, and words about it."""
+    """A command that can be found: name, the menus that lead to it, words about it, other words for it."""
 
     name: str
     path: str = ""
     tip: str = ""
+    keywords: str = ""
 
 
 def ranked(typed: str, things: Sequence[SearchEntry]) -> list[int]:
@@ -38,14 +39,14 @@ def ranked(typed: str, things: Sequence[SearchEntry]) -> list[int]:
     return [place for _, place in sorted(rated, key=lambda pair: -pair[0])]
 
 
-def fitness(typed: str, name: str, path: str = "", tip: str = "") -> float | None:
+def fitness(typed: str, name: str, path: str = "", tip: str = "", keywords: str = "") -> float | None:
     """Return how well `typed` fits; None where it does not.
 
-    Every word typed must be found: in the name, or where a word of the path or of the tip begins.
+    Every word typed must be found: in the name, or where a word of the path, the tip or the keywords begins.
     """
     total = 0.0
     for word in typed.casefold().split():
-        best = max(_fitness_of(word, name, path, tip), _scattered_in(word, name.casefold()))
+        best = max(_fitness_of(word, name, path, tip, keywords), _scattered_in(word, name.casefold()))
         if best <= 0:
             return None
         total += best
@@ -60,12 +61,13 @@ def _is_whole(typed: str, thing: SearchEntry) -> bool:
     return all(_fitness_of(word, *thing) > 0 for word in typed.casefold().split())
 
 
-def _fitness_of(word: str, name: str, path: str, tip: str) -> float:
+def _fitness_of(word: str, name: str, path: str, tip: str, keywords: str) -> float:
     """Return how well a word fits in one piece, by one of its names; 0 where it does not."""
     others = [_word_fitness(other, name.casefold()) for other in _ALSO_CALLED.get(word, ())]
     return max(
         _word_fitness(word, name.casefold()),
         _BY_ANOTHER_NAME * max(others, default=0.0),
+        _BY_ANOTHER_NAME * _BEGINS_WORD if _begins_word(word, keywords.casefold()) else 0.0,
         _BEGINS_WORD * _IN_PATH if _begins_word(word, path.casefold()) else 0.0,
         _BEGINS_WORD * _IN_TIP if _begins_word(word, tip.casefold()) else 0.0,
     )

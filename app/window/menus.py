@@ -12,7 +12,16 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QWidget
 from ..actions.keymap import set_full_name
 from ..actions.mnemonics import give_mnemonics, with_mnemonics
 from ..actions.qactions import Actions
-from ..actions.sections import CURVE_TANGENTS, FILE_EXAMPLES, FILE_RECENT, MENUS, VIEW_PANELS, Menu, Section
+from ..actions.sections import (
+    CURVE_CONVERT,
+    CURVE_TANGENTS,
+    FILE_EXAMPLES,
+    FILE_RECENT,
+    MENUS,
+    VIEW_PANELS,
+    Menu,
+    Section,
+)
 from ..qt.labels import menu_text
 from ..settings.preferences import Preferences
 from ..storage.examples import example_name, example_paths
@@ -37,7 +46,9 @@ class Menus:
             self._fill(window.menuBar().addMenu(marked), menu)
         self.recent, self.examples = self._submenu(FILE_RECENT), self._submenu(FILE_EXAMPLES)
         # A tooltip tells why an entry cannot be used.
-        self._submenu(CURVE_TANGENTS).setToolTipsVisible(True)
+        for section in (CURVE_TANGENTS, CURVE_CONVERT):
+            self._submenu(section).setToolTipsVisible(True)
+        self._submenu(CURVE_CONVERT).aboutToShow.connect(actions.look)
         actions.redeclared.connect(self._follow_actions)
 
     def _submenu(self, section: Section) -> QMenu:

@@ -6,13 +6,13 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
 from ..state.window_state import WindowState
-from ..tools.canvas.add import ADD
+from ..tools.tool import TOOLS
 from ..view_model.curve_view import CurveView
 from ..workbench.context import WindowContext
 
 _GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
 _EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."
-_EMPTY_ADDING = "Click on the canvas to add points; two of them make a curve."
+_BEGINNINGS = frozenset(each.beginning or _EMPTY for each in TOOLS)
 
 
 class Messages(QObject):
@@ -69,7 +69,7 @@ class Messages(QObject):
         if after.image_problem != before.image_problem:
             self._image_problem = after.image_problem
             self.render(self._session.active_view)
-        elif after.uses(ADD) != before.uses(ADD):
+        elif after.uses(after.tool) != before.uses(before.tool) or after.tool is not before.tool:
             self.render(self._session.active_view)
 
     def _reset_greeting(self) -> None:
@@ -97,7 +97,7 @@ class Messages(QObject):
             return self._find_image
         kind = view.source.parametrization.kind
         # Uniform parameters are the way out where there are no distances between points.
-        by_distance = kind.asks_where_points_are and not view.source.family.is_missing
+        by_distance = kind.asks_where_points_are and not (view.source.family.is_missing or view.is_overdue)
         return self._use_uniform if by_distance and text == view.problem else None
 
     def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:
@@ -107,10 +107,11 @@ class Messages(QObject):
             return "", False
         if self._image_problem:
             return self._image_problem, True
-        if self._dismissed in (_EMPTY, _EMPTY_ADDING):
+        if self._dismissed in _BEGINNINGS:
             # Put away with one tool it stays away with another.
             return self._dismissed, False
-        return _EMPTY_ADDING if self._store.state.uses(ADD) else _EMPTY, False
+        state = self._store.state
+        return (state.uses(state.tool) and state.tool.beginning) or _EMPTY, False
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent sentence, empty for none, and whether it is a warning."""

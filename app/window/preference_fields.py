@@ -50,7 +50,8 @@ class SwitchPreference(PreferenceField[bool]):
 
     def __init__(self, setting: Switch, change: Change) -> None:
         self._check = check_box(setting.widget, setting.label, setting.tip)
-        self._check.clicked.connect(lambda: change(self._check.isChecked()))
+        # Not `change` itself: of a partial PySide6 counts the arguments wrongly.
+        self._check.clicked.connect(lambda is_on: change(is_on))  # noqa: PLW0108
         self.rows = [("", self._check)]
 
     def show(self, value: bool) -> None:
@@ -79,16 +80,20 @@ class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
     """A check box for each member of an enumeration."""
 
     def __init__(self, setting: Several[NamedEnum], change: Change) -> None:
+        self._value, self._change = frozenset[NamedEnum](), change
         self._checks = {each: _check_of(setting, each) for each in setting.kind}
-        for check in self._checks.values():
-            check.clicked.connect(
-                lambda: change(frozenset(each for each, check in self._checks.items() if check.isChecked()))
-            )
+        for each, check in self._checks.items():
+            check.clicked.connect(lambda _checked, each=each: self._switch(each))
         labels = [setting.label, *[""] * (len(self._checks) - 1)]
         self.rows = list(zip(labels, self._checks.values(), strict=True))
 
+    def _switch(self, member: NamedEnum) -> None:
+        self._value ^= {member}
+        self._change(self._value)
+
     def show(self, value: Collection[NamedEnum]) -> None:
         """Show a value."""
+        self._value = frozenset(value)
         for each, check in self._checks.items():
             check.setChecked(each in value)
 

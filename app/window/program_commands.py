@@ -55,8 +55,11 @@ class ProgramCommands:
             if each.objectName() and each.isVisible() and _menu_of(each) is None and _is_named(each):
                 found.setdefault(each, "")
         own = self._context.actions["commandPalette"]
+        docks = {dock.toggleViewAction() for dock in self._context.docks.all if not dock.isHidden()}
         return [
-            window.command_palette.Command(action, path)
+            window.command_palette.Command(
+                action, path, action in docks or self._context.actions.is_on(action.objectName())
+            )
             for action, path in found.items()
             if action is not own
         ]

@@ -50,6 +50,7 @@ class Toolbar(Guarded, QToolBar):
         self._has_style = False
         self._widths: list[int] = []
         actions.redeclared.connect(self._follow_actions)
+        actions.switched.connect(self._fit)
 
     def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
         """Add the actions of the strip, and `widgets` at their places."""
@@ -69,7 +70,6 @@ class Toolbar(Guarded, QToolBar):
     def _follow(self, action: QAction) -> None:
         if self._actions.words_of(action, short=True):
             self._in_words.append(self._button(action))
-            action.toggled.connect(self._fit)
 
     def _follow_actions(self) -> None:
         """Put in what has come, and leave out what is gone."""
@@ -117,4 +117,5 @@ class Toolbar(Guarded, QToolBar):
         for button in self._in_words:
             action = button.defaultAction()
             action.setIconText(self._actions.words_of(action, short=step.short))
-            button.setToolButtonStyle(step.in_use if button.isChecked() else step.others)
+            is_in_use = self._actions.is_on(action.objectName())
+            button.setToolButtonStyle(step.in_use if is_in_use else step.others)

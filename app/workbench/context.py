@@ -76,6 +76,7 @@ def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., objec
     ``follow(view)`` shows what belongs to a curve; called for every preview, hence quick where nothing is
     switched on. ``render(view)`` does so at the pace of the panels. ``set_theme(theme)`` takes colours,
     ``close()`` ends what has to end before the window goes, ``escape()`` steps back where nothing else takes
-    the key. ``import_files(paths)`` and ``trace(path)`` take what was dropped.
+    the key, and returns whether no other one shall. ``import_files(paths)`` and ``trace(path)`` take what was
+    dropped.
     """
     return [getattr(each, name) for each in command_sets if hasattr(each, name)]

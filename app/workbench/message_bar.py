@@ -62,6 +62,11 @@ class SentenceBar(OverlayFrame):
         self.hide()
         self.closed.emit(self.sentence.text())
 
+    @property
+    def sentence_width(self) -> int:
+        """The width of the sentence on one line, with sign and gaps."""
+        return self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + _AROUND_SENTENCE
+
     def wanted_width(self, sentence: int, room: int) -> int:
         """Return how wide the bar wants to be, of `room` pixels, with a sentence of this width."""
         return sentence
@@ -69,8 +74,7 @@ class SentenceBar(OverlayFrame):
     def place(self) -> None:
         """Lie at the top, in the middle, as wide as the sentence needs."""
         room = min(self.below.width() - 2 * _SIDE, _WIDEST)
-        sentence = self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + _AROUND_SENTENCE
-        width = max(min(self.wanted_width(sentence, room), room), _NARROWEST)
+        width = max(min(self.wanted_width(self.sentence_width, room), room), _NARROWEST)
         if (layout := self.layout()) is not None:
             layout.activate()
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())

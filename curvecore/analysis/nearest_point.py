@@ -25,12 +25,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.analysis.nearest_on_arc import MOST_DEGREE, nearest_on_arc
 from curvecore.arrays import FloatArray, jet_array, number_array, tolerance_value
 from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.bernstein_algebra import derivative, elevated, squared_length, weights
 from curvecore.bezier.pieces import bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
+from curvecore.scaling import UNIT_ROUNDOFF
 from curvecore.vectors import vector_lengths
 
 _ROUNDS = 60
@@ -118,6 +120,9 @@ def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Neare
     (0.5, 2.0)
     """
     limit, target = tolerance_value(tolerance), _point_of(curve, point)
+    found = _nearest_of_one_piece(curve, target, limit)
+    if found is not None:
+        return found
     size = size_of(np.concatenate([curve.points, target[None]]))
 
     def at(t: float) -> _Descent:
@@ -147,6 +152,25 @@ def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Neare
 
         place = _search(arcs, float(np.ldexp(limit, -exponent)), slack, improved=improved)
         return _nearest_at(curve, target, improved(place.parameter).parameter, place, exponent)
+
+
+def _nearest_of_one_piece(curve: ParametricCurve, target: FloatArray, limit: float) -> Nearest | None:
+    """Return the nearest point of a curve that is one polynomial of low degree, else None."""
+    if curve.degree is None or not 1 < curve.degree <= MOST_DEGREE or len(curve.breaks) > 2:
+        return None
+    controls = curve.bezier_pieces()
+    if controls is None or len(controls) != 1:
+        return None
+    columns = zip(controls[0].T.tolist(), target.tolist(), strict=True)
+    place = nearest_on_arc([[each - x for each in column] for column, x in columns], limit)
+    if place is None:
+        return None
+    start, end = curve.domain
+    t = min(start + place.place * (end - start), end)
+    found = curve.evaluate(t)
+    distance = math.hypot(*(found - target).tolist())
+    slack = 8.0 * UNIT_ROUNDOFF * float(np.abs(controls).max())
+    return Nearest(t, found, distance, max(0.0, distance - max(0.0, place.bound - slack)))
 
 
 def _nearest_at(

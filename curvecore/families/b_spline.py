@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from curvecore.arrays import BoolArray, FloatArray, IntArray
+from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_row
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
 from curvecore.families.curve import ParametricCurve
@@ -120,6 +121,58 @@ class BSplineCurve(ParametricCurve):
         np.put_along_axis(result, first[:, None] + np.arange(values.shape[1]), values, axis=1)
         return result[:, :, None]
 
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i, shape (m, n, dim): splines, with a second knot at t_i.
+
+        The derivative of a divided difference by one of its places is one with that place twice. At t_i it is
+        that of the piece to the right.
+        """
+        at = parameter_row(t)
+        p, n = self.degree, len(self._parameters)
+        interval = np.searchsorted(self._parameters[2:-2], at, side="right") + p
+        result = np.zeros((at.size, n, self.points.shape[1]))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            self._put_end_moves(result, at)
+            for away in range(1 - p, p + 1):
+                # Of one inner knot j for each t, beside or before its piece.
+                j = interval + away
+                some = np.flatnonzero((p < j) & (j < n))
+                result[some, j[some] + 1 - p] = self._knot_moves(at[some], interval[some], j[some])
+        return made_finite(result)
+
+    def _knot_moves(self, t: FloatArray, interval: IntArray, j: IntArray) -> FloatArray:
+        """Return dc(t)/dknots[j] of one inner knot for each t, (m, dim)."""
+        p, n, knots = self.degree, len(self._parameters), self.knots
+        piece = interval + (j <= interval)
+        window = piece + np.arange(1 - p, p + 1)[:, None]
+        functions = _functions(t, knots[window - (window > j)])
+        moves = np.zeros((t.size, self.points.shape[1]))
+        for k in range(p + 1):
+            # The function of knots i to i + p + 1, of which knots[j] is there twice.
+            i = piece - p + k
+            counts = (j - p <= i) & (i <= j)
+            i = np.clip(i, 1, n - 1)
+            length = np.where(counts, knots[i + p] - knots[i], 1.0)
+            share = np.where(counts, functions[:, k] / length, 0.0)
+            moves -= share[:, None] * (self.points[i] - self.points[i - 1])
+        return moves
+
+    def _put_end_moves(self, result: FloatArray, t: FloatArray) -> None:
+        """Write dc(t)/dt_i of both ends, whose degree + 1 knots move together."""
+        p, n, knots = self.degree, len(self._parameters), self.knots
+        first, functions = self._local(t, 0)
+        for k in range(p + 1):
+            i = first + k
+            # Both ends of a step between points: of function i, behind the first knot and before the last.
+            ahead, behind = np.maximum(p - i, 0), np.maximum(i - (n - 1 - p), 0)
+            for end, here, weight in (
+                (0, np.minimum(i + 1, n - 1), ahead),
+                (n - 1, np.maximum(i, 1), behind),
+            ):
+                step = self.points[here] - self.points[here - 1]
+                length = knots[here + p] - knots[0] if end == 0 else knots[-1] - knots[here]
+                result[:, end] -= (weight * functions[:, k] / length)[:, None] * step
+
     def bezier_pieces(self) -> FloatArray:
         """Return the Bezier control points between the knots: the blossoms at their ends."""
         p, breaks = self.degree, self.breaks
@@ -128,6 +181,11 @@ class BSplineCurve(ParametricCurve):
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             columns = [self._blossom(interval, [start] * (p - k) + [end] * k) for k in range(p + 1)]
         return made_finite(np.stack(columns, axis=1))
+
+    @classmethod
+    def check_shape(cls, curve: ParametricCurve) -> None:
+        """Raise where pieces are of a higher degree, or an acceleration jumps."""
+        joint_jets(pieces_of(curve, 3, cls.title), 2, cls.title)
 
     @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> Self:
@@ -226,27 +284,11 @@ class BSplineCurve(ParametricCurve):
         if order > p:
             return first, np.zeros((t.size, p + 1))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            values = self._values(t, first + p) if order == 0 else self._derivatives(t, first + p, order)
+            if order:
+                values = self._derivatives(t, first + p, order)
+            else:
+                values = _functions(t, self.knots[first + np.arange(1, 2 * p + 1)[:, None]])
         return first, made_finite(values)
-
-    def _values(self, t: FloatArray, interval: IntArray) -> FloatArray:
-        """Return the functions by the recurrence of de Boor and Cox: nothing cancels.
-
-        Outside the domain the factors of one function have one sign as well, for the knots at the end that
-        is passed are the same.
-        """
-        knots, p = self.knots, self.degree
-        values = np.zeros((p + 1, t.size))
-        values[0] = 1.0
-        for level in range(1, p + 1):
-            carried = np.zeros(t.size)
-            for k in range(level):
-                start, end = knots[interval + 1 + k - level], knots[interval + 1 + k]
-                length, here = end - start, values[k].copy()
-                values[k] = carried + (end - t) / length * here
-                carried = (t - start) / length * here
-            values[level] = carried
-        return values.T
 
     def _derivatives(self, t: FloatArray, interval: IntArray, order: int) -> FloatArray:
         """Return derivatives of the functions, with 106 bits: each may vanish within its piece."""
@@ -273,6 +315,32 @@ class BSplineCurve(ParametricCurve):
         stacked = np.stack([each.high for each in values], axis=1)
         result: FloatArray = np.ldexp(stacked, -order * exponent)
         return result
+
+
+def _functions(t: FloatArray, knots: FloatArray) -> FloatArray:
+    """Return the functions on each t's piece, (m, degree + 1), by the recurrence of de Boor and Cox.
+
+    Nothing cancels. Outside the domain the factors of one function have one sign as well, for the knots at
+    the end that is passed are the same.
+
+    Parameters
+    ----------
+    t : ndarray, shape (m,)
+    knots : ndarray, shape (2 degree, m)
+        As many on either side of each t's piece as the degree is.
+    """
+    p = len(knots) // 2
+    values = np.zeros((p + 1, t.size))
+    values[0] = 1.0
+    for level in range(1, p + 1):
+        carried = np.zeros(t.size)
+        for k in range(level):
+            start, end = knots[p + k - level], knots[p + k]
+            length, here = end - start, values[k].copy()
+            values[k] = carried + (end - t) / length * here
+            carried = (t - start) / length * here
+        values[level] = carried
+    return values.T
 
 
 def _with_idle(breaks: FloatArray) -> FloatArray:

@@ -13,11 +13,10 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
-from curvecore.errors import CurveError
 from curvecore.families.bernstein_window import windowed_values
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import Interpolant
-from curvecore.families.same_shape import pieces_of
+from curvecore.families.same_shape import check_one_polynomial, pieces_of
 from curvecore.parametrization import chebyshev, uniform, with_one_more
 from curvecore.scaling import ExponentArray, Scaled, made_finite, scale_by_power
 
@@ -166,11 +165,15 @@ class BezierCurve(ParametricCurve):
         return [Interpolant(t, self.evaluate(t)[:, None])]
 
     @classmethod
+    def check_shape(cls, curve: ParametricCurve) -> None:
+        """Raise where a curve is not one polynomial."""
+        check_one_polynomial(curve, cls.title)
+
+    @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> Self:
         """Return the control points of a curve that is one polynomial."""
+        cls.check_shape(curve)
         chain = pieces_of(curve, None, cls.title)
-        if len(chain.controls) > 1:
-            raise CurveError(f"a {cls.title} curve is one polynomial, and this one is {len(chain.controls)}")
         start, end = curve.domain
         parameters = start + uniform(chain.controls.shape[1]) * (end - start)
         parameters[-1] = end

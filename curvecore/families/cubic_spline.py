@@ -8,13 +8,13 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, read_only
+from curvecore.arrays import FloatArray, IntArray, parameter_row, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite import HermiteCurve
 from curvecore.families.records import Interpolant, JointDerivatives, Slopes
 from curvecore.families.setting import FamilySetting, SettingValue
-from curvecore.families.spline_system import SplineEnds, spline_derivatives
+from curvecore.families.spline_system import SplineEnds, spline_derivatives, velocity_moves
 from curvecore.scaling import made_finite
 from curvecore.vectors import vector_lengths
 
@@ -127,6 +127,10 @@ class CubicSplineCurve(ParametricCurve):
         curve._solve()
         return curve
 
+    def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
+        """Evaluate by the points and velocities what is as accurate by these."""
+        return self._pieces._evaluate_at_once(t, order) if type(order) is int and order < 2 else None
+
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         if order < 2 and bool((self._outside(t) == 0).all()):
             return self._pieces._evaluate(t, order)
@@ -161,10 +165,11 @@ class CubicSplineCurve(ParametricCurve):
 
     def _inside(self, t: FloatArray, order: int, data: _Data) -> FloatArray:
         """Return sums by points and velocities, or by the second derivatives, of which c'' is linear."""
-        segment, hermite = self._pieces.local_basis(t, order)
         if order < 2:
+            segment, hermite = self._pieces.local_basis(t, order)
             given, factors = data.velocities, hermite[:, :, 1]
         else:
+            segment = np.searchsorted(self._parameters[1:-1], t, side="right")
             start, end = self._parameters[segment], self._parameters[segment + 1]
             h = end - start
             linear = {2: ((end - t) / h, (t - start) / h), 3: (-1.0 / h, 1.0 / h)}
@@ -216,6 +221,17 @@ class CubicSplineCurve(ParametricCurve):
         values[:, 2] = self._second[1:] if before else self._second[:-1]
         scale[:, 2] = vector_lengths(values[:, 2])
         return JointDerivatives(values, scale)
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i, shape (m, n, dim): at fixed velocities, and by what these change."""
+        at = parameter_row(t)
+        result = self._pieces.parameter_derivatives(at)
+        segment, functions = self._pieces.local_basis(at)
+        moves = velocity_moves(self.points, np.diff(self._parameters), self.ends)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            for side in (0, 1):
+                result += functions[:, side, 1, None, None] * moves[segment + side]
+        return made_finite(result)
 
     # The system
 

@@ -16,7 +16,7 @@ from curvecore.arrays import (
 )
 from curvecore.calculus.methods import Calculus
 from curvecore.errors import CurveError
-from curvecore.families.control_points import ControlPoints
+from curvecore.families.approximating import Approximating
 from curvecore.families.evaluation import Evaluation
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_derivatives import ParameterDerivatives
@@ -26,7 +26,7 @@ from curvecore.families.setting import FamilySetting, SettingValue, chosen_value
 from curvecore.scaling import made_finite
 
 
-class ParametricCurve(Calculus, ControlPoints, ParameterDerivatives, PolynomialFacts, Evaluation, Immutable):
+class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialFacts, Evaluation, Immutable):
     """A parametric curve that is linear in its data.
 
     c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for

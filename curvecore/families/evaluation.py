@@ -12,6 +12,7 @@ from curvecore.arrays import BoolArray, FloatArray, integer, parameter_values
 from curvecore.errors import CurveError
 
 Extrapolate: TypeAlias = bool | Literal["periodic"]
+_DOUBLE = np.dtype(np.float64)
 
 
 class Evaluation(ABC):
@@ -29,6 +30,18 @@ class Evaluation(ABC):
     @abstractmethod
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         """Return the order-th derivative of the curve at finite t (m,), as (m, dim)."""
+
+    def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
+        """Return the same of arguments that are not checked, where that is all that takes time; else None.
+
+        Parameters
+        ----------
+        t : ndarray, shape (m,)
+            Any doubles.
+        order : object
+            An int, or something else.
+        """
+        return None
 
     @property
     @abstractmethod
@@ -117,6 +130,12 @@ class Evaluation(ABC):
         >>> curve.evaluate([-1, 3], extrapolate="periodic").round(9).tolist()
         [[1.0, 2.0], [1.0, 2.0]]
         """
+        if extrapolate is True:
+            if type(t) is np.ndarray and t.dtype is _DOUBLE and t.ndim == 1:
+                if (found := self._evaluate_at_once(t, order)) is not None:
+                    return found
+            elif type(t) is float and (found := self._evaluate_at_once(np.array([t]), order)) is not None:
+                return found[0]
         at = parameter_values(t)
         rank = integer(order, "order", 0)
         if extrapolate is True:

@@ -65,6 +65,7 @@ class HermiteCurve(PiecewiseHermite):
     full_title = "cubic Hermite"
     place = 20
     derivatives = 1
+    follows = True
     _functions = CUBIC
 
     def __init__(self, points: ArrayLike, velocities: ArrayLike, parameters: ArrayLike) -> None:
@@ -73,7 +74,7 @@ class HermiteCurve(PiecewiseHermite):
     @classmethod
     def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
         """Return cubic pieces with a curve's points and velocities at their ends; see `ParametricCurve`."""
-        if curve.exact_pieces() is not None:
+        if curve.has_exact_pieces:
             return cls.same_shape_as(curve)
         path = cubic_path(curve, tolerance)
         ends, spacing = path.control_points, np.diff(path.parameters)[:, None]

@@ -8,13 +8,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, parameter_row
-from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.differentiation_matrix import derivatives_by_matrix, matrix_serves
 from curvecore.families.product_form import ProductForm
 from curvecore.families.records import Interpolant
-from curvecore.families.same_shape import pieces_of
+from curvecore.families.same_shape import check_one_polynomial, pieces_of
 from curvecore.parametrization import chebyshev
+
+_SURELY = 1e-3
+"""Share of the sum of sizes from which on the sum of some terms is no rounding of them."""
 
 
 class LagrangeCurve(ParametricCurve):
@@ -120,16 +122,40 @@ class LagrangeCurve(ParametricCurve):
 
     def exact_pieces(self) -> FloatArray | None:
         """Return the control points of the one polynomial; None of more than 64 points."""
-        from curvecore.bezier.conversion import MOST, bezier_stretch  # noqa: PLC0415 - it imports this module
+        from curvecore.bezier.conversion import bezier_stretch  # noqa: PLC0415 - it imports this module
 
-        return bezier_stretch(self, *self.domain)[None] if len(self._parameters) <= MOST else None
+        return bezier_stretch(self, *self.domain)[None] if self.has_exact_pieces else None
+
+    @property
+    def has_exact_pieces(self) -> bool:
+        """Whether there are 64 points at most: the work grows with the fourth power."""
+        from curvecore.bezier.conversion import MOST  # noqa: PLC0415 - it imports this module
+
+        return len(self._parameters) <= MOST
+
+    def surely_exceeds(self, degree: int) -> bool:
+        """Return whether the leading coefficient is far more than rounding, and of a higher degree."""
+        first, last = self.domain
+        if degree >= self.degree or not self.has_exact_pieces:
+            return False
+        # On an interval of length 4 products of that many differences keep far from the ends of the range.
+        with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
+            t = 4.0 * ((self._parameters - first) / (last - first))
+            steps = t[:, None] - t
+            np.fill_diagonal(steps, 1.0)
+            terms = self.points / np.prod(steps, axis=1)[:, None]
+            return bool((np.abs(terms.sum(axis=0)) > _SURELY * np.abs(terms).sum(axis=0)).any())
+
+    @classmethod
+    def check_shape(cls, curve: ParametricCurve) -> None:
+        """Raise where a curve is not one polynomial."""
+        check_one_polynomial(curve, cls.title)
 
     @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> Self:
         """Return one polynomial through Chebyshev points of another way to write it."""
+        cls.check_shape(curve)
         chain = pieces_of(curve, None, cls.title)
-        if len(chain.controls) > 1:
-            raise CurveError(f"a {cls.title} curve is one polynomial, and this one is {len(chain.controls)}")
         start, end = curve.domain
         t = start + chebyshev(chain.controls.shape[1]) * (end - start)
         t[-1] = end

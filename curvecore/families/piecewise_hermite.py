@@ -23,12 +23,18 @@ from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import end_derivative_terms, slopes_of
 from curvecore.families.records import JOINT_ORDERS, Interpolant, JointDerivatives, LocalBasis, Slopes
-from curvecore.families.same_shape import BezierChain, joint_jets, pieces_of, smooth_stretches
+from curvecore.families.same_shape import (
+    BezierChain,
+    check_smooth_joints,
+    joint_jets,
+    pieces_of,
+    smooth_stretches,
+)
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
 
-_ALL = 64  # segments, up to which it pays to expand all of them for a single parameter
+_ALL = 256  # segments, up to which it pays to expand all of them for a single parameter
 _DENSE = 4  # parameters a segment, from which on it pays to expand more
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
@@ -151,15 +157,23 @@ class PiecewiseHermite(ParametricCurve):
         return segment, moves
 
     @classmethod
+    def check_shape(cls, curve: ParametricCurve) -> None:
+        """Raise where pieces are of a higher degree, or a jerk jumps where the acceleration goes on."""
+        check_smooth_joints(cls._pieces_of(curve), cls.derivatives, cls.title)
+
+    @classmethod
+    def _pieces_of(cls, curve: ParametricCurve) -> BezierChain:
+        chains = [pieces_of(piece, 2 * cls.derivatives + 1, cls.title) for piece in curve.pieces]
+        controls = np.concatenate([chain.controls for chain in chains])
+        return BezierChain(controls, end_to_end(chain.breaks for chain in chains))
+
+    @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:
         """Return the curve with the same derivatives at the breaks of another of at most its degree.
 
         A `Chain` where one of them jumps.
         """
-        chains = [pieces_of(piece, 2 * cls.derivatives + 1, cls.title) for piece in curve.pieces]
-        controls = np.concatenate([chain.controls for chain in chains])
-        whole = BezierChain(controls, end_to_end(chain.breaks for chain in chains))
-        parts = smooth_stretches(whole, cls.derivatives)
+        parts = smooth_stretches(cls._pieces_of(curve), cls.derivatives)
         curves = [cls.from_jets(joint_jets(part, cls.derivatives, cls.title), part.breaks) for part in parts]
         return curves[0] if len(curves) == 1 else Chain(curves)
 
@@ -211,13 +225,23 @@ class PiecewiseHermite(ParametricCurve):
             return np.repeat(np.arange(count.size), count)
         return np.searchsorted(inner, t, side="right")
 
+    def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
+        """Evaluate by expansions that are there."""
+        pieces = self._expansions.get(order) if self._expansions and type(order) is int else None
+        if pieces is None or not t.size or not self._are_worth_expansions(t):
+            return None
+        return pieces.evaluate(t)
+
+    def _are_worth_expansions(self, t: FloatArray) -> bool:
+        # Whether or not the expansions are there already: in what order a curve is asked changes nothing.
+        segments = len(self._parameters) - 1
+        return segments <= _ALL or t.size >= _DENSE * segments
+
     def _evaluate_inside(self, t: FloatArray, order: int) -> FloatArray | None:
         """Evaluate by expansions or through the control points, where that is possible."""
         if not t.size or order > self.degree:
             return None
-        segments = len(self._parameters) - 1
-        # Of quintics and above, control points are both the faster and the more accurate way to values.
-        if (order or self.degree == 3) and (segments <= _ALL or t.size >= _DENSE * segments):
+        if self._are_worth_expansions(t):
             pieces = self._taylor_pieces(order)
             return None if pieces is None else pieces.evaluate(t)
         if order or not self._is_inside(t):

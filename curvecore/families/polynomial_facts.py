@@ -18,6 +18,8 @@ class PolynomialFacts:
     __slots__ = ()
 
     title: ClassVar[str]
+    follows: ClassVar[bool] = False
+    """Whether `near` comes as close as is wanted to curves that do not consist of polynomials."""
 
     @property
     def kind(self) -> str:
@@ -45,6 +47,25 @@ class PolynomialFacts:
         """
         return self.bezier_pieces()
 
+    @property
+    def has_exact_pieces(self) -> bool:
+        """Whether `exact_pieces` returns them; known before they are computed."""
+        return self.exact_pieces() is not None
+
+    def surely_exceeds(self, degree: int) -> bool:
+        """Return whether the pieces are known to be of a higher degree before they are computed.
+
+        Parameters
+        ----------
+        degree : int
+
+        Returns
+        -------
+        bool
+            False where only `exact_pieces` can tell.
+        """
+        return False
+
     @classmethod
     def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:
         """Return a curve of this family that keeps within a distance of another one.
@@ -69,6 +90,23 @@ class PolynomialFacts:
             If it can be none of this family, or no way to it is known.
         """
         return cls.same_shape_as(curve)
+
+    @classmethod
+    def check_shape(cls, curve: ParametricCurve) -> None:
+        """Raise where no curve of this family is another one; the other work of `same_shape_as` is left out.
+
+        Derivatives may jump at corners: one above the acceleration that jumps anywhere else is a reason, too.
+
+        Parameters
+        ----------
+        curve : ParametricCurve
+            Of another family.
+
+        Raises
+        ------
+        CurveError
+            The message says why. Here it is left to `same_shape_as`.
+        """
 
     @classmethod
     def same_shape_as(cls, curve: ParametricCurve) -> ParametricCurve:

@@ -14,7 +14,7 @@ mantissas and exponents are kept apart, and so they are between blocks of weight
 
 Derivatives are the business of `product_series`, and are as accurate while
 the distances of parameters differ by at most 1e50; `product_kernels` is the faster way to
-values and first derivatives at the distances that are usual.
+values and derivatives up to the third at the distances that are usual.
 
 References
 ----------
@@ -39,17 +39,17 @@ from curvecore.families.product_kernels import (
     WeightBlock,
     block_of,
     column_product,
+    derivative_kernel,
     lost_in_differences,
-    slope_kernel,
     value_kernel,
     weight_blocks,
 )
 from curvecore.families.product_series import leave_one_out
-from curvecore.scaling import LARGEST, Scaled, normalise, scale_by_power
+from curvecore.scaling import LARGEST, Scaled, normalise, scale_by_power, scaled_differences
 
 _CHUNK = 1 << 17  # entries of one working array: a megabyte, for slices worth their dozens of calls
 _MOST_BITS = 500.0  # of the least distance, up to which differences need no exponents of their own
-_SLOPE_BITS = 30.0  # the same for first derivatives: what cancels then keeps its digits
+_DERIVATIVE_BITS = {1: 30.0, 2: 30.0, 3: 20.0}  # the same for derivatives: what cancels keeps its digits
 _MANY = 64  # parameters, above which roundings that do not average out are worth half the time again
 _TINY = 2.0**-340  # scaled distances below need exponents of their own
 _FAR = 2.0**60  # so do those above
@@ -218,13 +218,17 @@ class ProductForm(NamedTuple):
         Numbers may over- and underflow on the way: the caller sets `numpy.errstate`, which a generator cannot
         without leaking it.
         """
-        x = np.ldexp(t, self.shift)
+        n, x = len(self.given), np.ldexp(t, self.shift)
         reach = _reach(x, self.scaled) if t.size else 1.0
         plain = bool(self.blocks) and reach < _FAR and not _has_tiny(x, t)
-        plain = plain and (order == 0 or (order == 1 and self.least_bits < _SLOPE_BITS))
-        n = len(self.given)
+        if order:
+            plain = plain and order < n and self.least_bits < _DERIVATIVE_BITS.get(order, 0.0)
         # A series costs a Python loop over the parameters for each slice: not too few columns.
-        size = max(1, (_CHUNK >> order) // n) if plain or not order else max(64, _CHUNK // (n * (order + 1)))
+        size = (
+            max(1, (_CHUNK >> min(order, 1)) // n)
+            if plain or not order
+            else max(64, _CHUNK // (n * (order + 1)))
+        )
         room = np.empty((n, min(size, t.size))) if plain else None
         for start in range(0, t.size, size):
             where = slice(start, min(start + size, t.size))
@@ -235,7 +239,7 @@ class ProductForm(NamedTuple):
                 continue
             bits, out = max(math.log2(reach), self.least_bits), room[:, : where.stop - start]
             if order:
-                yield _Part(where, hits, slope_kernel(x[where], self.scaled, bits, out), None)
+                yield _Part(where, hits, derivative_kernel(x[where], self.scaled, order, bits, out), None)
             else:
                 yield _Part(where, hits, value_kernel(x[where], self.scaled, hits, bits, out), None)
 
@@ -298,24 +302,11 @@ def _differences_and_product(
     t: FloatArray, parameters: FloatArray, shift: int, hits: Hits
 ) -> tuple[Scaled, Scaled]:
     """Return (t - t_i) * 2**shift, (n, m), with 1 in place of 0, and the products of the columns."""
-    difference = _scaled_differences(t, parameters, shift)
+    difference = scaled_differences(t, parameters, shift)
     difference.mantissa[hits.rows, hits.columns] = 0.5
     difference.exponent[hits.rows, hits.columns] = 1
     total = column_product(difference.mantissa, block_of(1.0))
     return difference, Scaled(total.mantissa, total.exponent + difference.exponent.sum(axis=0))
-
-
-def _scaled_differences(t: FloatArray, parameters: FloatArray, shift: int) -> Scaled:
-    """Return (t - t_i) * 2**shift, shape (n, m)."""
-    difference = t - parameters[:, None]
-    mantissa, size = np.frexp(difference)
-    exponent = size.astype(np.int64) + shift
-    overflow = np.isinf(difference)
-    if overflow.any():
-        halved, size = np.frexp(0.5 * t - 0.5 * parameters[:, None])
-        mantissa = np.where(overflow, halved, mantissa)
-        exponent = np.where(overflow, size.astype(np.int64) + (shift + 1), exponent)
-    return Scaled(mantissa, exponent)
 
 
 def _reach(x: FloatArray, scaled: FloatArray) -> float:

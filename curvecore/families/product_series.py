@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray32
-from curvecore.double_double import DoubleDouble, add, difference, multiply, rescaled
+from curvecore.double_double import DoubleDouble, add, halved_difference, multiply, rescaled
 from curvecore.scaling import ExponentArray, Scaled
 
 _FAR_BITS = 60
@@ -58,12 +58,7 @@ def leave_one_out(t: FloatArray, parameters: FloatArray, shift: int, order: int)
     -------
     Scaled, shape (n, m)
     """
-    with np.errstate(over="ignore", invalid="ignore"):
-        exact = difference(t, parameters[:, None])
-    halved = np.isinf(exact.high).any(axis=0)
-    if halved.any():
-        # A difference of this size loses nothing that counts.
-        exact.high[:, halved], exact.low[:, halved] = difference(0.5 * t[halved], 0.5 * parameters[:, None])
+    exact, halved = halved_difference(t, parameters)
     own = _own_shift(exact.high, shift)
     factors = rescaled(exact, own)
     running = _running_products(factors, order)

@@ -41,7 +41,7 @@ from curvecore.families.rational_series import (
     total_of,
     window_sums,
 )
-from curvecore.scaling import ExponentArray, Scaled, normalise
+from curvecore.scaling import ExponentArray, Scaled, normalise, scaled_differences
 
 _CHUNK = 1 << 17
 """Entries of one working array: 1 MB."""
@@ -127,8 +127,9 @@ class RationalForm(NamedTuple):
             delta *= self._plain_denominator(t, size)
             values = np.divide(self.plain_weights[:, None], delta, out=delta)
         else:
-            mantissa, own = np.frexp(delta)
-            scale = self._denominator(t, Scaled(np.abs(mantissa), own.astype(np.int64)))
+            mantissa, own = scaled_differences(t, self.parameters, 0)
+            mantissa[hits], own[hits] = 0.5, 1
+            scale = self._denominator(t, Scaled(np.abs(mantissa), own))
             values = self.weights.mantissa[:, None] / (mantissa * scale.mantissa)
             scaled = self.weights.exponent[:, None] - (own + scale.exponent)
             scaled[:, columns] = 0

@@ -18,7 +18,15 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, IntArray32
-from curvecore.double_double import DoubleDouble, add, difference, multiply, reciprocal, rescaled
+from curvecore.double_double import (
+    DoubleDouble,
+    add,
+    difference,
+    halved_difference,
+    multiply,
+    reciprocal,
+    rescaled,
+)
 from curvecore.scaling import ExponentArray
 
 
@@ -66,16 +74,17 @@ class LocalSeries(NamedTuple):
     @classmethod
     def of(cls, parameters: FloatArray, t: FloatArray, order: int) -> LocalSeries:
         """Measure distances from t, (m,), for series of `order` + 1 coefficients."""
-        delta = difference(t, parameters[:, None])
+        delta, doubled = halved_difference(t, parameters)
         nearest = np.abs(delta.high).argmin(axis=0)
         at_nearest = nearest, np.arange(t.size)
         offset = DoubleDouble(delta.high[at_nearest], delta.low[at_nearest])
         _, size = np.frexp(delta.high)
+        size += doubled
         size[at_nearest] = np.iinfo(np.intc).max
         unit = size.min(axis=0)
         size[at_nearest] = 0
         delta.high[at_nearest], delta.low[at_nearest] = 1.0, 0.0
-        inverse = reciprocal(rescaled(delta, -size))
+        inverse = reciprocal(rescaled(delta, doubled - size))
         high, low = np.zeros((2, order + 1, *inverse.high.shape))
         high[0], low[0] = inverse
         for s in range(1, order + 1):
@@ -85,9 +94,8 @@ class LocalSeries(NamedTuple):
         size[at_nearest] = unit
         gaps = rescaled(difference(parameters[:, None], parameters[nearest]), -size)
         exponent = (unit - size).astype(np.int64)
-        return cls(
-            DoubleDouble(high, low), exponent, gaps, nearest, rescaled(offset, -unit), unit.astype(np.int64)
-        )
+        offset = rescaled(offset, doubled - unit)
+        return cls(DoubleDouble(high, low), exponent, gaps, nearest, offset, unit.astype(np.int64))
 
     def quotient(self, s: int) -> DoubleDouble:
         """Return the coefficients of y**s of (delta_a + y) / (delta_k + y), but for `exponent`, (n, m)."""

@@ -25,6 +25,9 @@ from curvecore.families.curve import ParametricCurve
 _RESIDUE = 1e-10
 """Share of the largest term up to which a difference counts as rounding."""
 
+_NAMES = ("place", "velocity", "acceleration", "jerk")
+"""The derivatives, by their orders."""
+
 
 class BezierChain(NamedTuple):
     """Polynomial pieces of one degree, end to end.
@@ -55,14 +58,50 @@ def pieces_of(curve: ParametricCurve, degree: int | None, wanted: str) -> Bezier
     CurveError
         If they are no polynomials, or of a higher degree, or the curve has corners.
     """
-    if len(curve.pieces) > 1:
-        raise CurveError(f"a {wanted} curve is one curve, and this one is several, with corners between them")
+    check_polynomials(curve, wanted)
+    if degree is not None and curve.surely_exceeds(degree):
+        raise _too_high(curve.degree, degree, wanted, pieces=len(curve.breaks) - 1)
     controls = curve.exact_pieces()
-    if controls is None:
-        raise CurveError("only polynomial pieces that are known exactly can be written in another way")
+    assert controls is not None
     if degree is not None:
         controls = _of_degree(controls, degree, wanted)
     return BezierChain(controls, curve.breaks)
+
+
+def check_polynomials(curve: ParametricCurve, wanted: str) -> None:
+    """Raise CurveError where a curve has corners, or no polynomial pieces that can be computed exactly."""
+    if len(curve.pieces) > 1:
+        raise CurveError(
+            f"a {wanted} curve has no corners inside, and this curve has {len(curve.pieces) - 1}"
+        )
+    if curve.degree is None:
+        raise CurveError(f"it does not consist of polynomials, and a {wanted} curve does")
+    if not curve.has_exact_pieces:
+        raise CurveError(
+            f"the curve through its {len(curve.parameters)} points is not known exactly enough to be "
+            "written in another way"
+        )
+
+
+def check_one_polynomial(curve: ParametricCurve, wanted: str) -> None:
+    """Raise CurveError where a curve is not one polynomial, or one that cannot be computed exactly."""
+    check_polynomials(curve, wanted)
+    pieces = len(curve.breaks) - 1
+    if pieces > 1:
+        raise CurveError(
+            f"a {wanted} curve is one polynomial from end to end, and this curve has {pieces} pieces"
+        )
+
+
+def check_smooth_joints(chain: BezierChain, derivatives: int, wanted: str) -> None:
+    """Raise CurveError where only derivatives above the acceleration jump: that is no corner."""
+    jumps = _jumps(chain, derivatives)
+    seen = np.any(jumps[:3], axis=0)
+    for order in range(3, derivatives + 1):
+        count = int(np.count_nonzero(jumps[order] & ~seen))
+        if count:
+            joints = "1 joint" if count == 1 else f"{count} joints"
+            raise CurveError(f"its {_NAMES[order]} jumps at {joints}, where that of a {wanted} curve goes on")
 
 
 def joint_jets(chain: BezierChain, derivatives: int, wanted: str) -> FloatArray:
@@ -75,7 +114,7 @@ def joint_jets(chain: BezierChain, derivatives: int, wanted: str) -> FloatArray:
     """
     for order, jumps in enumerate(_jumps(chain, derivatives)):
         if jumps.any():
-            what = ("the curve", "its velocity", "its acceleration", "its jerk")[min(order, 3)]
+            what = f"its {_NAMES[order]}" if order else "the curve"
             t = float(chain.breaks[1 + int(np.argmax(jumps))])
             raise CurveError(f"{what} jumps at t = {t:.6g}, where that of a {wanted} curve goes on")
     return np.concatenate([_end_jets(chain, derivatives, 0), _end_jets(chain, derivatives, 1)[-1:]])
@@ -125,9 +164,14 @@ def _of_degree(controls: FloatArray, degree: int, wanted: str) -> FloatArray:
         own = controls.shape[1] - 1
         highest = np.abs(np.diff(controls, n=own, axis=1)).max()
         if highest > _RESIDUE * comb(own, own // 2) * np.abs(controls).max():
-            raise CurveError(f"its pieces have degree {own}, those of a {wanted} curve {degree}")
+            raise _too_high(own, degree, wanted, pieces=len(controls))
         controls = _reduced(controls)
     return elevated(controls, degree - controls.shape[1] + 1)
+
+
+def _too_high(own: int | None, degree: int, wanted: str, *, pieces: int) -> CurveError:
+    is_one = "it is one polynomial" if pieces == 1 else "its pieces are polynomials"
+    return CurveError(f"{is_one} of degree {own}, the pieces of a {wanted} curve have degree {degree}")
 
 
 def _reduced(controls: FloatArray) -> FloatArray:

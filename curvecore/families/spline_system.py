@@ -8,6 +8,7 @@ References
 from __future__ import annotations
 
 from enum import StrEnum
+from typing import NamedTuple
 
 import numpy as np
 
@@ -72,19 +73,92 @@ def spline_derivatives(
         Not finite where no double holds them.
     """
     with np.errstate(all="ignore"):
+        spline = _Spline.of(points, spacing, ends)
+        return np.ldexp(spline.velocities, -spline.exponent), np.ldexp(spline.bends, -2 * spline.exponent)
+
+
+def velocity_moves(points: FloatArray, spacing: FloatArray, ends: SplineEnds) -> FloatArray:
+    """Return what the velocities change by per unit of each parameter, the points at rest; O(n**2).
+
+    Parameters
+    ----------
+    points, spacing, ends
+        As for `spline_derivatives`.
+
+    Returns
+    -------
+    ndarray, shape (n, n, dim)
+        ``[j, i]`` is d(c'(t_j)) / dt_i. Not finite where no double holds it.
+
+    Notes
+    -----
+    The system differentiated: the same one for the changes of the second derivatives, with the derivatives
+    of its rows by the lengths as right sides.
+    """
+    n, dim = points.shape
+    with np.errstate(all="ignore"):
+        spline = _Spline.of(points, spacing, ends)
+        h, double = spline.h, 2.0 * spline.slope
+        starts, finishes = (double - spline.velocities[:-1]) / h, (double - spline.velocities[1:]) / h
+        # A segment becomes shorter by what its beginning moves, and longer by what its end does.
+        lengths = (np.eye(n - 1, n, 1) - np.eye(n - 1, n))[:, :, None]
+        shares = _Shares(*((each[:, None] * lengths).reshape(n - 1, -1) for each in (-starts, finishes)))
+        thirds = np.diff(spline.bends, axis=0) / (h * h)
+        ratios = (thirds[:, None] * lengths).reshape(n - 1, -1)
+        bends = _bends(h, shares, ends, np.stack([ratios[1:2] - ratios[:1], ratios[-1:] - ratios[-2:-1]]))
+        moves = _velocities(h, shares, bends, ends)
+        return np.ldexp(moves, -2 * spline.exponent).reshape(n, n, dim)
+
+
+class _Shares(NamedTuple):
+    """A sixth of what segments add to the right sides of the rows of their ends.
+
+    Attributes
+    ----------
+    starts, finishes : ndarray, shape (n - 1, k)
+        To the rows of the joints before and behind them.
+    """
+
+    starts: FloatArray
+    finishes: FloatArray
+
+
+class _Spline(NamedTuple):
+    """A spline in a unit of t in which the longest segment has a length of about 1.
+
+    Attributes
+    ----------
+    exponent : int
+        The unit is 2**exponent.
+    h : ndarray, shape (n - 1, 1)
+        Lengths of the segments.
+    slope : ndarray, shape (n - 1, dim)
+        From point to point.
+    velocities, bends : ndarray, shape (n, dim)
+        The first and the second derivatives at the joints.
+    """
+
+    exponent: int
+    h: FloatArray
+    slope: FloatArray
+    velocities: FloatArray
+    bends: FloatArray
+
+    @classmethod
+    def of(cls, points: FloatArray, spacing: FloatArray, ends: SplineEnds) -> _Spline:
         # For lengths near 1, so that their squares stay in range.
         exponent = int(np.frexp(spacing.max())[1])
         h = np.ldexp(spacing, -exponent)[:, None]
         slope = np.diff(points, axis=0) / h
-        bends = _bends(h, slope, ends)
-        velocities = _velocities(h, slope, bends, ends)
-        return np.ldexp(velocities, -exponent), np.ldexp(bends, -2 * exponent)
+        shares = _Shares(slope, -slope)
+        bends = _bends(h, shares, ends)
+        return cls(exponent, h, slope, _velocities(h, shares, bends, ends), bends)
 
 
-def _velocities(h: FloatArray, slope: FloatArray, bends: FloatArray, ends: SplineEnds) -> FloatArray:
+def _velocities(h: FloatArray, shares: _Shares, bends: FloatArray, ends: SplineEnds) -> FloatArray:
     velocities = np.empty_like(bends)
-    velocities[:-1] = slope - h / 6.0 * (2.0 * bends[:-1] + bends[1:])
-    velocities[-1] = slope[-1] + h[-1] / 6.0 * (bends[-2] + 2.0 * bends[-1])
+    velocities[:-1] = shares.starts - h / 6.0 * (2.0 * bends[:-1] + bends[1:])
+    velocities[-1] = h[-1] / 6.0 * (bends[-2] + 2.0 * bends[-1]) - shares.finishes[-1]
     if ends is SplineEnds.CLAMPED:
         velocities[[0, -1]] = 0.0
     elif ends is SplineEnds.PERIODIC:
@@ -92,60 +166,73 @@ def _velocities(h: FloatArray, slope: FloatArray, bends: FloatArray, ends: Splin
     return velocities
 
 
-def _bends(h: FloatArray, slope: FloatArray, ends: SplineEnds) -> FloatArray:
-    """Return the second derivatives at the joints."""
-    bends = np.zeros((len(h) + 1, slope.shape[1]))
+def _bends(h: FloatArray, shares: _Shares, ends: SplineEnds, jumps: FloatArray | None = None) -> FloatArray:
+    """Return the second derivatives at the joints.
+
+    The jumps, (2, 1, k), are those of the third derivative at the joints that are not knots; 0 without them.
+    """
+    bends = np.zeros((len(h) + 1, shares.starts.shape[1]))
     if ends is SplineEnds.PERIODIC:
-        bends[:-1] = _periodic(h, slope)
+        bends[:-1] = _periodic(h, shares)
         bends[-1] = bends[0]
         return bends
-    before, after, right_side = _inner_rows(h, slope)
+    before, after, right_side = _inner_rows(h, shares)
     if ends is SplineEnds.CLAMPED:
         none, half = np.zeros((1, 1)), np.full((1, 1), 0.5)
-        edges = 3.0 * slope[:1] / h[:1], -3.0 * slope[-1:] / h[-1:]
+        edges = 3.0 * shares.starts[:1] / h[:1], 3.0 * shares.finishes[-1:] / h[-1:]
         bends[:] = solve_dominant(
             np.concatenate((none, before, half)),
             np.concatenate((half, after, none)),
             np.concatenate((edges[0], right_side, edges[1])),
         )
     elif len(h) > 1 and ends is SplineEnds.NOT_A_KNOT:
-        bends[:] = _not_a_knot(h, before, after, right_side)
+        bends[:] = _not_a_knot(h, before, after, right_side, np.zeros((2, 1, 1)) if jumps is None else jumps)
     elif len(h) > 1:
         before[0] = after[-1] = 0.0
         bends[1:-1] = solve_dominant(before, after, right_side)
     return bends
 
 
-def _inner_rows(h: FloatArray, slope: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _inner_rows(h: FloatArray, shares: _Shares) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the rows of the inner joints: c' is the same on both sides."""
     length = h[:-1] + h[1:]
     before, after = 0.5 * (h[:-1] / length), 0.5 * (h[1:] / length)
-    return before, after, 3.0 * ((slope[1:] - slope[:-1]) / length)
+    return before, after, 3.0 * ((shares.starts[1:] + shares.finishes[:-1]) / length)
 
 
-def _not_a_knot(h: FloatArray, before: FloatArray, after: FloatArray, right_side: FloatArray) -> FloatArray:
-    """Return all second derivatives; those at the ends lie on the lines through the two beside them."""
+def _not_a_knot(
+    h: FloatArray, before: FloatArray, after: FloatArray, right_side: FloatArray, jumps: FloatArray
+) -> FloatArray:
+    """Return all second derivatives; those at the ends lie on the lines through the two beside them.
+
+    Lines that bend by the jumps, (2, 1, k), where these are not 0.
+    """
     if len(right_side) == 1:
         # A parabola: 3/2 of the row is twice the second divided difference.
         return np.repeat(right_side / 1.5, 3, axis=0)
     first, last = h[0] / h[1], h[-1] / h[-2]
+    rise, fall = h[0] * jumps[0], h[-1] * jumps[1]
+    right_side[0] -= before[0] * rise[0]
+    right_side[-1] -= after[-1] * fall[0]
     # The row of the joint beside an end, with the unknown at the end replaced.
     after[0], right_side[0] = (1.0 - first) / (2.0 + first), right_side[0] * (2.0 / (2.0 + first))
     before[-1], right_side[-1] = (1.0 - last) / (2.0 + last), right_side[-1] * (2.0 / (2.0 + last))
     before[0] = after[-1] = 0.0
     inner = solve_dominant(before, after, right_side)
-    start = inner[:1] + first * (inner[:1] - inner[1:2])
-    return np.concatenate((start, inner, inner[-1:] + last * (inner[-1:] - inner[-2:-1])))
+    start = inner[:1] + first * (inner[:1] - inner[1:2]) + rise
+    end = inner[-1:] + last * (inner[-1:] - inner[-2:-1]) + fall
+    return np.concatenate((start, inner, end))
 
 
-def _periodic(h: FloatArray, slope: FloatArray) -> FloatArray:
+def _periodic(h: FloatArray, shares: _Shares) -> FloatArray:
     """Return the second derivatives at all joints but the last, which is the first one again.
 
     The others are solved for twice: for the first one being 0, and for what it adds.
     """
     if len(h) == 1:
-        return np.zeros_like(slope)
-    before, after, right_side = _inner_rows(np.concatenate((h[-1:], h)), np.concatenate((slope[-1:], slope)))
+        return np.zeros_like(shares.starts)
+    around = _Shares(*(np.concatenate((each[-1:], each)) for each in shares))
+    before, after, right_side = _inner_rows(np.concatenate((h[-1:], h)), around)
     own_before, own_after = before[1:].copy(), after[1:].copy()
     seam = np.zeros_like(own_before)
     seam[0] -= own_before[0]

@@ -8,7 +8,6 @@ coefficients.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -19,11 +18,12 @@ from curvecore.double_double import DoubleDouble, add, difference, multiply
 if TYPE_CHECKING:
     from curvecore.bezier.vanishing_places import VanishingPlaces
 
-_CHUNK = 12_288  # parameters at a time, so that the few working arrays stay in the second-level cache
+_CHUNK = 12_288  # parameters at a time, so that the working arrays stay in the second-level cache
 _SHORT = 2.0**-50  # segments shorter, or data smaller, by powers of these could leave the range
 _SMALL = 2.0**-500
-_RUN = 8  # ascending parameters a piece, from which on it is the breaks that are sought among them
-_FEW = 1000  # parameters, of which it does not pay to ask whether they ascend
+_FEW = 300  # parameters, of which it does not pay to ask whether they ascend
+_LONG = 4000  # the same, of less than so many a piece
+_RUN = 2  # ascending parameters a piece, from which on it is the ends that are sought among them
 
 
 class TaylorPieces(NamedTuple):
@@ -31,74 +31,78 @@ class TaylorPieces(NamedTuple):
 
     Attributes
     ----------
-    breaks : ndarray, shape (k - 1,)
-        Where one piece ends and the next begins, ascending; a break belongs to the piece after it.
-    origins : ndarray, shape (k,)
-        What is subtracted from t.
-    coefficients : tuple of ndarray, shape (k, dim)
-        Highest power first.
+    ends : ndarray, shape (k,)
+        The first double behind each piece, ascending.
+    numbers : ndarray, shape (K + 1, dim, k)
+        Coefficients, the highest power first; then, unless there is but one, what is subtracted from t, for
+        each coordinate again: arithmetic of NumPy's is the fastest of arrays of one shape.
     domain : tuple of float
         The beginning of the first and the end of the last piece.
     """
 
-    breaks: FloatArray
-    origins: FloatArray
-    coefficients: tuple[FloatArray, ...]
+    ends: FloatArray
+    numbers: FloatArray
     domain: tuple[float, float]
 
     def evaluate(self, t: FloatArray) -> FloatArray | None:
-        """Return the values at parameters, (m, dim), m > 0; None where some lie outside the domain."""
-        least, most = extremes(t)
-        if least < self.domain[0] or most > self.domain[1]:
+        """Return the values at parameters, (m, dim), m > 0; None where some are not inside the domain.
+
+        In memory one coordinate follows the other.
+        """
+        is_few = t.size <= _FEW or t.size < min(_RUN * self.ends.size, _LONG)
+        values = self._few_values if is_few else self._many_values
+        try:
+            return values(t)
+        except IndexError:  # There is no piece behind the last one.
             return None
-        result = np.empty((t.size, self.coefficients[0].shape[1]))
-        ascend = t.size > _FEW and not np.count_nonzero(t[1:] < t[:-1])
-        with np.errstate(under="ignore"):
-            for first in range(0, t.size, _CHUNK):
-                some = slice(first, first + _CHUNK)
-                self._put(t[some], ascend, result[some])
-        return result
+        except FloatingPointError:
+            # Where errors are asked for: to keep them off beforehand takes as long as a power of t.
+            with np.errstate(under="ignore"):
+                return values(t)
 
-    def _put(self, t: FloatArray, ascend: bool, result: FloatArray) -> None:
-        """Write the values at parameters by Horner's rule."""
-        gathered = self._gathering(t, ascend)
-        highest, *lower = self.coefficients
-        if not lower:
-            result[:] = gathered(highest)
-            return
-        lowest = lower.pop()
-        x = np.empty_like(result)
-        np.subtract(t, gathered(self.origins), out=x[:, 0])
-        # A copy for each coordinate costs less than arithmetic along a short axis.
-        for k in range(1, x.shape[1]):
-            x[:, k] = x[:, 0]
-        value = gathered(highest)
-        for each in lower:
+    def _few_values(self, t: FloatArray) -> FloatArray | None:
+        if not t.item(t.argmin()) >= self.domain[0]:
+            return None
+        return _polynomials(self.numbers.take(self.ends.searchsorted(t, "right"), 2), t).T
+
+    def _many_values(self, t: FloatArray) -> FloatArray | None:
+        ascend = np.count_nonzero(t[1:] >= t[:-1]) == t.size - 1
+        least, most = (t.item(0), t.item(-1)) if ascend else extremes(t)
+        if not (least >= self.domain[0] and most <= self.domain[1]):
+            return None
+        if t.size <= _CHUNK:
+            return _polynomials(self._gathered(t, ascend), t).T
+        result = np.empty((self.numbers.shape[1], t.size))
+        for first in range(0, t.size, _CHUNK):
+            some = slice(first, first + _CHUNK)
+            result[:, some] = _polynomials(self._gathered(t[some], ascend), t[some])
+        return result.T
+
+    def _gathered(self, t: FloatArray, ascend: bool) -> FloatArray:
+        """Return the numbers of the pieces that hold parameters, (K + 1, dim, m)."""
+        if not ascend:
+            return self.numbers.take(self.ends.searchsorted(t, "right"), 2)
+        ends, numbers = self.ends, self.numbers
+        if t.size < _RUN * len(ends):
+            first, last = (int(ends.searchsorted(end, "right")) for end in (t.item(0), t.item(-1)))
+            ends, numbers = ends[first : last + 1], numbers[:, :, first : last + 1]
+        if t.size >= _RUN * len(ends):
+            counts = t.searchsorted(ends)
+            counts[1:] -= counts[:-1].copy()
+            return numbers.repeat(counts, 2)
+        return numbers.take(_count_breaks(t, ends[:-1]), 2)
+
+
+def _polynomials(numbers: FloatArray, t: FloatArray) -> FloatArray:
+    """Return polynomials at parameters, (dim, m), by Horner's rule; the numbers are overwritten."""
+    value: FloatArray = numbers[0]
+    last = len(numbers) - 1
+    if last:
+        x = t - numbers[last]
+        for k in range(1, last):
             value *= x
-            value += gathered(each)
-        value *= x
-        np.add(value, gathered(lowest), out=result)
-
-    def _gathering(self, t: FloatArray, ascend: bool) -> Callable[[FloatArray], FloatArray]:
-        """Return what makes of numbers for each piece, (k, ...), those for the pieces of parameters."""
-        if ascend:
-            first, last = (int(self.breaks.searchsorted(end, side="right")) for end in (t[0], t[-1]))
-            breaks = self.breaks[first:last]
-            if t.size >= _RUN * len(breaks):
-                return _repetition(slice(first, last + 1), t, breaks)
-            piece = _count_breaks(t, breaks) + first
-        else:
-            piece = self.breaks.searchsorted(t, side="right")
-        return lambda numbers: numbers.take(piece, axis=0)
-
-
-def _repetition(pieces: slice, t: FloatArray, breaks: FloatArray) -> Callable[[FloatArray], FloatArray]:
-    """Return what repeats the numbers of pieces as often as ascending parameters lie on each of them."""
-    counts = np.empty(len(breaks) + 1, dtype=np.intp)
-    counts[:-1] = ends = t.searchsorted(breaks)
-    counts[-1] = t.size
-    counts[1:] -= ends
-    return lambda numbers: numbers[pieces].repeat(counts, axis=0)
+            value += numbers[k]
+    return value
 
 
 def _count_breaks(t: FloatArray, breaks: FloatArray) -> IntArray:
@@ -146,14 +150,16 @@ def taylor_pieces(
         for power in range(len(coefficients)):
             for _ in range(order + power):
                 coefficients[power] /= h[:, None, None]
-        breaks = np.empty_like(origins)
-        breaks[:, -1] = ends
+        cuts = np.empty_like(origins)
+        cuts[:, -1] = ends
         # What lies at a joint belongs to it, however short the segment.
         least = np.nextafter(starts, ends)[:, None]
-        np.maximum(starts[:, None] + h[:, None] * places.cuts, least, out=breaks[:, :-1])
-    rows = tuple(coefficients[::-1].reshape(-1, origins.size, first.shape[2]))
-    domain = float(starts[0]), float(ends[-1])
-    return TaylorPieces(breaks.ravel()[:-1], origins.ravel(), rows, domain)
+        np.maximum(starts[:, None] + h[:, None] * places.cuts, least, out=cuts[:, :-1])
+        cuts[-1, -1] = np.nextafter(ends[-1], np.inf)
+    numbers = coefficients[::-1].reshape(-1, origins.size, first.shape[2]).swapaxes(1, 2)
+    if len(numbers) > 1:
+        numbers = np.concatenate([numbers, np.broadcast_to(origins.ravel(), (1, *numbers.shape[1:]))])
+    return TaylorPieces(cuts.ravel(), np.ascontiguousarray(numbers), (float(starts[0]), float(ends[-1])))
 
 
 def _in_range(h: FloatArray, data: FloatArray) -> bool:

@@ -2,6 +2,8 @@
 
 - ``least_squares``: the curve of given joints that is nearest to data with given parameters: one linear
   problem, for any family.
-- ``joints``: where the joints of such a curve should be: corners of the data, shares of the error.
-- ``fit``: both, and the parameters of the data, round after round: so many points, or a tolerance.
+- ``linear_system``: how that is solved.  ``joints``: where the joints of such a curve should be: corners of
+  the data, shares of the error.  ``feet``: where on a curve data belong.
+- ``fitter``: a curve of so many points: all of these, round after round.
+- ``search``: the fewest points within a tolerance.  ``fit``: the door to both.  ``records``: data, results.
 """

@@ -17,6 +17,9 @@ SHARP = np.pi / 3
 _PERSISTS = 0.8
 """Share of a turn that is left at half the reach: of a corner nearly all, of an arc half."""
 
+_SEVERAL, _RAYLEIGH = 100, 1.18
+"""Data from which their errors are told; the median length of a pair of errors of standard deviation 1."""
+
 _SMOOTHED = 0.125
 """Share of the reach, before and after a datum, in which the data's errors are averaged."""
 
@@ -45,6 +48,17 @@ def _steps_of(points: FloatArray, grain: float) -> list[int]:
         # The last step is a longer one, not one of errors alone.
         kept[max(len(kept) - 1, 1) :] = [len(rows) - 1]
     return kept
+
+
+def scatter_of(points: FloatArray) -> float:
+    """Return the standard deviation of the data's errors in each direction, by fourth differences.
+
+    Of smooth and dense data these are far smaller than the errors; the median passes over corners.
+    """
+    if len(points) < _SEVERAL:
+        return 0.0
+    lengths = np.linalg.norm(np.diff(points, 4, axis=0), axis=1)
+    return float(np.median(lengths) / (_RAYLEIGH * np.sqrt(70.0)))
 
 
 def sharp_turns(points: ArrayLike, reach: float, angle: float = SHARP, *, closed: bool = False) -> list[int]:

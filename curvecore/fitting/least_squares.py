@@ -3,7 +3,8 @@
 Every curve is linear in its jets, so that the sum of the squared distances of the data from c(u_k) is least
 where a linear problem says. Orthogonal transformations solve it, not the normal equations: these would square
 its condition number [1]_. Where the functions are local, the rows of each segment are reduced by themselves,
-to as many as a segment has unknowns; the rest does not depend on how many data there are [2]_.
+to as many as a segment has unknowns; where they are polynomials between breaks, those of each piece to as
+many as it has coefficients. The rest does not depend on how many data there are [2]_.
 
 References
 ----------
@@ -20,7 +21,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -30,16 +30,14 @@ from curvecore.errors import CurveError
 from curvecore.families.chain import Chain
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.setting import SettingValue
+from curvecore.fitting.linear_system import Block, reduced, solved
 from curvecore.tangents import bessel_velocities
+
+_HIGH = 12
+"""Degree from which on a piece is not told by its values at nodes: one polynomial has as many functions."""
 
 Make = Callable[[FloatArray, FloatArray], ParametricCurve]
 """Jets (k, R, dim) and parameters (k,) to a curve."""
-
-_ROUNDING = 1e-11
-"""Singular values below this share of the largest are those of what the data do not tell."""
-
-_NEGLIGIBLE = 1e-6
-"""Determinant of the ends below which a family's curves cannot be made to end where the data do."""
 
 
 def least_squares_curve(
@@ -50,6 +48,7 @@ def least_squares_curve(
     *,
     corners: Sequence[int] = (),
     closed: bool = False,
+    weights: ArrayLike | None = None,
     settings: Mapping[str, SettingValue] | None = None,
 ) -> ParametricCurve:
     """Return the curve with given parameters of its own that is nearest to data with given parameters.
@@ -74,6 +73,8 @@ def least_squares_curve(
     closed : bool, optional
         Whether the last joint is the first one again: of the same jet, unless 0 is a corner. The ends
         are then free.
+    weights : array_like, shape (m,), optional
+        What the square of each distance counts, above 0; else all count 1.
     settings : mapping, optional
         Values of the family's `settings`, by their names; of a closed curve such as make it periodic.
 
@@ -106,14 +107,17 @@ def least_squares_curve(
     at = parameter_values(parameters).values
     if at.shape != (len(places),):
         raise CurveError(f"parameters must have the shape ({len(places)},), like points")
+    counts = np.ones(len(places)) if weights is None else parameter_values(weights).values
+    if counts.shape != at.shape or not (counts > 0.0).all():
+        raise CurveError(f"weights must be {len(places)} numbers above 0")
     make = partial(family.from_jets, **(settings or {}))
     sides = _Sides(family, own, corners, closed)
     guess = sides.guess(places, at)
     problem = _Problem(make, own, sides, guess)
-    blocks = problem.blocks(at, places)
-    ends = None if closed else problem.blocks(own[[0, -1]], places[[0, -1]])
+    blocks = problem.blocks(at, places, np.sqrt(counts))
+    ends = None if closed else problem.blocks(own[[0, -1]], places[[0, -1]], np.ones(2))
     try:
-        return sides.curve(make, guess, _solved(blocks, ends, sides.count, sides.end_positions))
+        return sides.curve(make, guess, solved(blocks, ends, sides.count, sides.end_positions))
     except np.linalg.LinAlgError:
         raise CurveError(
             f"points and parameters give no curve of {family.name}: they are too far apart"
@@ -213,129 +217,81 @@ class _Problem:
         self._curve = make(jets, knots)
         self._guess = guess
 
-    def blocks(self, t: FloatArray, points: FloatArray) -> list[_Block]:
-        """Return [A | b] by segments, or as one: A x = b where the curve passes through the data."""
-        columns = self._sides.columns
-        if not self._curve.is_local:
-            basis = self._curve.basis(t).reshape(len(t), -1)
-            off = points - basis @ self._guess[:, 0].reshape(basis.shape[1], -1)
+    def blocks(self, t: FloatArray, points: FloatArray, roots: FloatArray) -> list[Block]:
+        """Return [A | b] by segments, or as one: A x = b where the curve passes through the data.
+
+        `roots` are those of the weights, (m,).
+        """
+        curve, columns = self._curve, self._sides.columns
+        if not curve.is_local:
+            if curve.degree is not None and curve.degree < _HIGH and len(t) > len(curve.breaks):
+                basis, off = self._by_pieces(t, points, roots)
+            else:
+                basis = curve.basis(t).reshape(len(t), -1)
+                off = points - basis @ self._guess[:, 0].reshape(basis.shape[1], -1)
+                basis, off = roots[:, None] * basis, roots[:, None] * off
             return [self._block(columns[:-1, 0].reshape(-1), columns[-1, 0], basis, off)]
         blocks = []
-        segment, values = self._curve.local_basis(t)
+        segment, values = curve.local_basis(t)
         order = np.argsort(segment, kind="stable")
         found, starts = np.unique(segment[order], return_index=True)
         for j, members in zip(found.tolist(), np.split(order, starts[1:]), strict=True):
             basis = values[members].reshape(len(members), -1)
             jets = np.concatenate([self._guess[j, 1], self._guess[j + 1, 0]])
-            off = points[members] - basis @ jets
-            blocks.append(self._block(columns[j, 1], columns[j + 1, 0], basis, off))
+            root = roots[members, None]
+            off = root * (points[members] - basis @ jets)
+            blocks.append(self._block(columns[j, 1], columns[j + 1, 0], root * basis, off))
         return blocks
 
-    def _block(self, first: IntArray, last: IntArray, basis: FloatArray, off: FloatArray) -> _Block:
+    def _by_pieces(
+        self, t: FloatArray, points: FloatArray, roots: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return as many rows a piece as it has coefficients, of the same least squares.
+
+        Those are its values at nodes: the rows of a piece are V N x with N the functions there, and with
+        V = Q R they are R N x.
+        """
+        curve = self._curve
+        assert curve.degree is not None
+        nodes = 0.5 - 0.5 * np.cos(np.pi * (np.arange(curve.degree + 1) + 0.5) / (curve.degree + 1))
+        breaks = curve.breaks
+        lengths = np.diff(breaks)
+        at = breaks[:-1, None] + lengths[:, None] * nodes
+        functions = curve.basis(at.reshape(-1)).reshape(*at.shape, -1)
+        guess = functions @ self._guess[:, 0].reshape(functions.shape[-1], -1)
+        piece = np.searchsorted(breaks[1:-1], t, side="right")
+        values = _lagrange_values(nodes, (t - breaks[piece]) / lengths[piece])
+        off = points - np.einsum("mk,mkd->md", values, guess[piece])
+        together = roots[:, None] * np.concatenate([values, off], axis=1)
+        order = np.argsort(piece, kind="stable")
+        found, starts = np.unique(piece[order], return_index=True)
+        rows = [
+            (reduced(together[members]), j)
+            for j, members in zip(found.tolist(), np.split(order, starts[1:]), strict=True)
+        ]
+        count = len(nodes)
+        return (
+            np.concatenate([own[:, :count] @ functions[j] for own, j in rows]),
+            np.concatenate([own[:, count:] for own, _ in rows]),
+        )
+
+    def _block(self, first: IntArray, last: IntArray, basis: FloatArray, off: FloatArray) -> Block:
         """Return rows of the unknowns at both ends; a closed curve of one segment has them twice."""
         own, place = np.unique(np.concatenate([first, last]), return_inverse=True)
-        values = np.zeros((len(basis), len(own) + self._dim))
-        values[:, place[: len(first)]] = basis[:, : len(first)]
-        values[:, place[len(first) :]] += basis[:, len(first) :]
+        together = reduced(np.concatenate([basis, off], axis=1))
+        width = basis.shape[1]
+        values = np.zeros((len(together), len(own) + self._dim))
+        values[:, place[: len(first)]] = together[:, : len(first)]
+        values[:, place[len(first) :]] += together[:, len(first) : width]
         values[:, : len(own)] *= self._sides.scale[own]
-        values[:, len(own) :] = off
-        return _Block(own, values)
+        values[:, len(own) :] = together[:, width:]
+        return Block(own, values)
 
 
-class _Block(NamedTuple):
-    """Rows of a linear problem in which only some of the unknowns have a part.
-
-    Attributes
-    ----------
-    columns : ndarray of int, shape (w,)
-        The unknowns.
-    values : ndarray, shape (rows, w + dim)
-        [A | b].
-    """
-
-    columns: IntArray
-    values: FloatArray
-
-    def spread(self, columns: IntArray) -> FloatArray:
-        """Return the values for more unknowns, those of this block among them."""
-        width = len(self.columns)
-        values = np.zeros((len(self.values), len(columns) + self.values.shape[1] - width))
-        order = np.argsort(columns)
-        values[:, order[np.searchsorted(columns, self.columns, sorter=order)]] = self.values[:, :width]
-        values[:, len(columns) :] = self.values[:, width:]
-        return values
-
-
-def _solved(
-    blocks: list[_Block], ends: list[_Block] | None, count: int, pivots: tuple[int, int]
-) -> FloatArray:
-    """Return the unknowns, (count, dim), that solve the blocks as well as can be, and the ends exactly."""
-    everything, own = np.arange(count), list(pivots)
-    rows = None if ends is None else np.concatenate([each.spread(everything) for each in ends])
-    if rows is None or abs(np.linalg.det(rows[:, own])) < _NEGLIGIBLE:
-        return _least_squares(blocks, count)
-    # The two end positions by all others: x_own = held_b - held_A x.
-    held = np.linalg.solve(rows[:, own], rows)
-    held[:, own] = 0.0
-    moves = _least_squares([_without(each, own, held) for each in blocks], count)
-    moves[own] = held[:, count:] - held[:, :count] @ moves
-    return moves
-
-
-def _without(block: _Block, own: list[int], held: FloatArray) -> _Block:
-    """Put what holds the unknowns `own` in their place: row k of `held` says x_own[k] + A x = b."""
-    inside = [k for k, column in enumerate(own) if column in block.columns]
-    if not inside:
-        return block
-    reached = np.flatnonzero(
-        held[inside, : held.shape[1] - (block.values.shape[1] - len(block.columns))].any(axis=0)
-    )
-    columns = np.union1d(block.columns, reached)
-    values = block.spread(columns)
-    width = len(columns)
-    for k in inside:
-        place = int(np.searchsorted(columns, own[k]))
-        factor = values[:, place].copy()
-        values[:, :width] -= factor[:, None] * held[k, columns]
-        values[:, width:] -= factor[:, None] * held[k, held.shape[1] - values.shape[1] + width :]
-    kept = ~np.isin(columns, own)
-    return _Block(columns[kept], values[:, np.append(kept, np.full(values.shape[1] - width, True))])
-
-
-def _least_squares(blocks: list[_Block], count: int) -> FloatArray:
-    """Return x of least |A x - b|; unknowns in no block are 0.
-
-    Block by block: an unknown that no later block has is expressed by those that are left. Each step is as
-    small as a segment, so that the whole is linear in their number.
-    """
-    dim = blocks[0].values.shape[1] - len(blocks[0].columns)
-    last_in = np.zeros(count, dtype=np.intp)
-    for index, block in enumerate(blocks):
-        last_in[block.columns] = index
-    left = _Block(np.empty(0, dtype=np.intp), np.empty((0, dim)))
-    steps: list[tuple[_Block, int]] = []
-    for index, block in enumerate(blocks):
-        columns = np.union1d(left.columns, block.columns)
-        columns = columns[np.argsort(last_in[columns] > index, kind="stable")]
-        ends_here = int((last_in[columns] <= index).sum())
-        rows = np.concatenate([left.spread(columns), block.spread(columns)])
-        if len(rows) > 1:
-            rows = np.asarray(np.linalg.qr(rows, mode="r"), dtype=np.float64)
-        steps.append((_Block(columns, rows[:ends_here]), ends_here))
-        left = _Block(columns[ends_here:], rows[ends_here : len(columns), ends_here:])
-    found = np.zeros((count, dim))
-    for (columns, rows), ends_here in reversed(steps):
-        width = len(columns)
-        right = rows[:, width:] - rows[:, ends_here:width] @ found[columns[ends_here:]]
-        found[columns[:ends_here]] = _triangular(rows[:, :ends_here], right)
-    return found
-
-
-def _triangular(matrix: FloatArray, right: FloatArray) -> FloatArray:
-    """Solve an upper triangular system; where it does not tell all unknowns, by the least ones."""
-    diagonal = np.abs(np.diagonal(matrix))
-    if matrix.shape[0] == matrix.shape[1] and diagonal.min(initial=1.0) > 1e-6 * diagonal.max(initial=0.0):
-        return np.asarray(np.linalg.solve(matrix, right))
-    if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
-        raise np.linalg.LinAlgError
-    return np.asarray(np.linalg.lstsq(matrix, right, rcond=_ROUNDING)[0])
+def _lagrange_values(nodes: FloatArray, x: FloatArray) -> FloatArray:
+    """Return the polynomials that are 1 at one of the nodes and 0 at the others, (m, k)."""
+    values = np.ones((len(x), len(nodes)))
+    for k, node in enumerate(nodes.tolist()):
+        for other in np.delete(nodes, k).tolist():
+            values[:, k] *= (x - other) / (node - other)
+    return values

@@ -188,6 +188,13 @@ def test_a_thousand_points(open_wave, beside, family):
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 0.1, n=1000)
 
 
+def test_a_wild_polynomial_of_a_thousand(open_wave, beside):
+    """Under chord length it crosses the area two thousand times, and all of it changes with every move."""
+    editor = open_wave(1000, LAGRANGE, ParametrizationKind.CHORD_LENGTH)
+    what = "Lagrange n = 1000, a point, chord length"
+    assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), 0.5, n=1000)
+
+
 def test_a_parameter_of_a_thousand(open_wave, beside):
     """All functions of a Lagrange curve change; the ticks are made a hundred pixels apart first."""
     editor = open_wave(1000, LAGRANGE, ParametrizationKind.CHEBYSHEV)

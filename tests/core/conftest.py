@@ -93,6 +93,7 @@ def hermite_terms(t, parameters, width, order):
     segment = max((i for i in range(n - 1) if parameters[i] <= t), default=0)
     h = parameters[segment + 1] - parameters[segment]
     s = (t - parameters[segment]) / h
+    scales = [h**r / h**order for r in range(width)]
     values = []
     for end in CARDINAL[width]:
         row = []
@@ -100,8 +101,10 @@ def hermite_terms(t, parameters, width, order):
             coefficients = list(polynomial)
             for _ in range(order):
                 coefficients = [k * c for k, c in enumerate(coefficients)][1:]
-            value = sum((c * s**k for k, c in enumerate(coefficients)), fmpq(0))
-            row.append(value * h**r / h**order)
+            value = fmpq(0)
+            for c in reversed(coefficients):
+                value = value * s + c
+            row.append(value * scales[r])
         values.append(row)
     return segment, values
 
@@ -118,6 +121,10 @@ def products(first, second):
         return [a * b for a, b in zip(first, second, strict=True)]
 
 
+# No double holds a result outside of these to full precision.
+_SMALLEST, _LARGEST = fmpq(1, 10**285), fmpq(10) ** 305
+
+
 def worst_constant(computed, terms):
     """|computed - sum of terms| in units of u times the sum of their sizes; None if out of range.
 
@@ -129,8 +136,8 @@ def worst_constant(computed, terms):
     with ctx.workprec(_BITS):
         enclosed = [arb(x) for x in terms]
         scale = sum((abs(x) for x in enclosed), arb(0))
-        if not arb(fmpq(1, 10**285)) < scale < arb(fmpq(10) ** 305):
-            return None  # no double holds the result to full precision
+        if not _SMALLEST < scale < _LARGEST:
+            return None
         ratio = abs(arb(rational(computed)) - sum(enclosed, arb(0))) / scale
         return float((ratio / UNIT_ROUNDOFF).abs_upper())
 

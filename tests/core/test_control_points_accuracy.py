@@ -5,11 +5,13 @@ it: two roundings of x are 120 of the power.
 """
 
 from fractions import Fraction
-from math import comb, factorial
+from itertools import accumulate, repeat
+from math import comb, lcm, perm
+from operator import mul
 
 import numpy as np
 import pytest
-from flint import fmpq
+from flint import fmpq, fmpz
 from scipy.interpolate import BPoly, BSpline
 
 from curvecore import BezierCurve, BSplineCurve
@@ -19,28 +21,41 @@ LIMIT = 25.0
 CLASSES = [BezierCurve, BSplineCurve]
 
 
+def powers(x, degree):
+    """x^0 to x^degree."""
+    return list(accumulate(repeat(x, degree), mul, initial=fmpz(1)))
+
+
 def bernstein_terms(curve, t, order, exact):
     """The exact derivatives of all functions, by products of x and y = 1 - x that are differentiated."""
     first, last = (exact.rational(x) for x in curve.domain)
     degree = curve.degree
-    h = last - first
-    x, y = (t - first) / h, (last - t) / h
+    lengths = [t - first, last - t, last - first]
+    # As whole numbers of their common unit: the fractions would each be reduced.
+    unit = lcm(*(int(each.q) for each in lengths))
+    above, below, h = (each.p * (unit // int(each.q)) for each in lengths)
+    x, y = powers(above, degree), powers(below, degree)
     found = []
     for i in range(degree + 1):
-        total = fmpq(0)
+        total = fmpz(0)
         for j in range(order + 1):
             if j <= i and order - j <= degree - i:
-                factor = comb(order, j) * (-1) ** (order - j) * factorial(i) // factorial(i - j)
-                factor = factor * factorial(degree - i) // factorial(degree - i - order + j)
-                total += factor * x ** (i - j) * y ** (degree - i - order + j)
-        found.append(comb(degree, i) * total / h**order)
-    return found
+                factor = comb(order, j) * (-1) ** (order - j) * perm(i, j) * perm(degree - i, order - j)
+                total += factor * x[i - j] * y[degree - i - order + j]
+        found.append(comb(degree, i) * total)
+    # What is left of x and y has as many factors; those that were taken away leave 1 / h.
+    scale = fmpq(unit**order, h ** max(degree, order))
+    return [fmpq(each) * scale for each in found]
 
 
 def spline_terms(curve, t, order, exact):
-    """The exact derivatives of all functions by the recurrence over all knots, as it is written in books."""
-    knots = [exact.rational(x) for x in curve.knots]
-    p, n = curve.degree, len(curve.parameters)
+    """The exact derivatives of all functions."""
+    return spline_functions([exact.rational(x) for x in curve.knots], curve.degree, t, order)
+
+
+def spline_functions(knots, p, t, order=0):
+    """The same of exact knots, by the recurrence over all of them, as it is written in books."""
+    n = len(knots) - p - 1
     inside = [j for j in range(p, n) if knots[j] <= t]
     here = inside[-1] if inside else p
 
@@ -75,16 +90,17 @@ def test_bound(exact, rng, make, n, name, order):
     curve = make(rng.standard_normal((n, 2)), parameters)
     t = exact.probes(parameters, rng, 2)
     values, basis = curve.evaluate(t, order), curve.basis(t, order)[:, :, 0]
+    points = [exact.enclosed(map(exact.rational, column)) for column in curve.points.T]
     found = [0.0]
     for k, x in enumerate(t):
         terms = TERMS[make](curve, exact.rational(x), order, exact)
-        for d in range(2):
-            sizes = [a * exact.rational(p) for a, p in zip(terms, curve.points[:, d], strict=True)]
-            found.append(exact.worst_constant(values[k, d], sizes))
+        for d, coordinates in enumerate(points):
+            found.append(exact.worst_constant(values[k, d], exact.products(terms, coordinates)))
         # Each single function is that accurate, also where it is about to vanish; near the end of the range
         # of numbers, as at t = 2e-308 of parameters up to 1e-150, the smallest of them are not.
-        largest = max(map(abs, terms))
-        seen = [(b, a) for b, a in zip(basis[k], terms, strict=True) if abs(a) * 10**150 > largest]
+        sizes = [abs(a) for a in exact.enclosed(terms)]
+        least = max(sizes) / 10**150
+        seen = [(b, a) for b, a, size in zip(basis[k], terms, sizes, strict=True) if size > least]
         found += [exact.worst_constant(b, [a]) for b, a in seen]
     assert max(c for c in found if c is not None) <= LIMIT
 
@@ -228,6 +244,37 @@ def test_changes_of_the_parameters(rng, make):
         ahead, behind = (make(curve.points, parameters + sign * step) for sign in (1.0, -1.0))
         wanted = (ahead.evaluate(t) - behind.evaluate(t)) / 2e-6
         assert np.abs(moves[:, i] - wanted).max() < 1e-5 * (1.0 + np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("name", ["random", "clustered", "geometric", "shifted", "large"])
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 9])
+def test_changes_of_the_knots_are_those_of_exact_splines(exact, rng, n, name):
+    """By differences of exact curves, which leave out 2**-400 of what is there; at knots and outside, too."""
+    curve = BSplineCurve(rng.standard_normal((n, 1)), exact.parameter_sets(n, rng)[name])
+    t = curve.parameters
+    at = np.concatenate(
+        [*(t[:-1] + share * np.diff(t) for share in (0.0, 0.3)), t[[0, -1]] + np.ptp(t) / 8.0]
+    )
+    knots, places = ([exact.rational(x) for x in each] for each in (curve.knots, at))
+    points = [exact.rational(x) for x in curve.points[:, 0]]
+    step = exact.rational(np.diff(t).min()) / 2**200
+    found = curve.parameter_derivatives(at)[:, :, 0]
+    for i in range(n):
+        moved = [exact.rational(t[i])] if i in {0, n - 1} or not curve.idle_parameters[i] else []
+        for k, x in enumerate(places):
+            # The piece that holds t_i is the one to its right: that knot moves to the left.
+            sides = [
+                spline_functions([knot - side * step * (knot in moved) for knot in knots], curve.degree, x)
+                for side in range(3)
+            ]
+            changes = [
+                (3 * here - 4 * less + least) / (2 * step) for here, less, least in zip(*sides, strict=True)
+            ]
+            terms = [change * point for change, point in zip(changes, points, strict=True)]
+            size = sum((abs(each) for each in terms), fmpq(0))
+            assert (
+                abs(exact.rational(found[k, i]) - sum(terms, fmpq(0))) <= 25 * exact.rational(2.0**-53) * size
+            )
 
 
 @pytest.mark.parametrize("make", CLASSES)

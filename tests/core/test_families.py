@@ -340,7 +340,7 @@ EXTREME_PARAMETERS = [
 ]
 
 
-@pytest.mark.parametrize("family", [*POLYNOMIALS, "cubic_spline"])
+@every_family
 @pytest.mark.parametrize("size", [1e-300, 1.0, 1e300, 1.7e308])
 @pytest.mark.parametrize("parameters", EXTREME_PARAMETERS)
 def test_nothing_is_ever_infinite_or_nan(family, parameters, size, rng):
@@ -355,7 +355,8 @@ def test_nothing_is_ever_infinite_or_nan(family, parameters, size, rng):
     except CurveError:
         assert family not in POLYNOMIALS
         return
-    assert (curve.evaluate(t)[-n:] == curve.points).all()
+    if curve.interpolates:
+        assert (curve.evaluate(t)[-n:] == curve.points).all()
     for order in range(5):
         assert np.isfinite(curve.evaluate(t, order)).all()
         assert np.isfinite(curve.basis(t, order)).all()

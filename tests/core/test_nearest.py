@@ -40,6 +40,39 @@ def test_no_sample_of_the_curve_is_nearer(rng, n, dim):
             assert found.distance == pytest.approx(np.linalg.norm(found.point - point), rel=1e-15)
 
 
+QUARTER = 4.0 * (np.sqrt(2.0) - 1.0)
+
+
+@pytest.mark.parametrize(
+    ("velocities", "places"),
+    [
+        # A loop, a cusp, a straight line there and back, nearly a half circle, a line at even speed.
+        ([[9.0, 9.0], [9.0, -9.0]], [[0.5, 1.125], [0.5, 3.0], [0.5, 0.0]]),
+        ([[3.0, 3.0], [3.0, -3.0]], [[0.5, 0.75], [0.5, 2.0], [0.5, 0.0]]),
+        ([[9.0, 0.0], [9.0, 0.0]], [[0.5, 0.0], [0.5, 1e-9], [-3.0, 0.0]]),
+        ([[0.0, QUARTER / 2], [0.0, -QUARTER / 2]], [[0.5, 0.0], [0.5, 1e-3], [0.5, -7.0]]),
+        ([[1.0, 0.0], [1.0, 0.0]], [[0.25, 0.0], [0.25, 1.0], [1.0, 1e-13]]),
+    ],
+)
+@pytest.mark.parametrize("scale", [1.0, 1e-120, 1e120, 1e-200, 1e200])
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-9, 1e-12])
+def test_one_cubic_of_every_shape(velocities, places, scale, tolerance):
+    """Nothing is nearer than what is found, by more than is said; beyond 1e140 arrays take over.
+
+    What is said has the roundings of control points of size 3, 8 u each.
+    """
+    curve = HermiteCurve([[0.0, 0.0], [scale, 0.0]], scale * np.array(velocities), [0.0, 1.0])
+    dense = HermiteCurve([[0.0, 0.0], [1.0, 0.0]], velocities, [0.0, 1.0]).evaluate(
+        np.linspace(0.0, 1.0, 20001)
+    )
+    for place in [*places, *dense[::2500]]:
+        found = nearest(curve, scale * np.array(place), tolerance * scale)
+        least = np.linalg.norm(dense - place, axis=1).min()
+        assert found.distance / scale <= least + tolerance
+        assert found.error <= (tolerance + 1e-14) * scale
+        assert (found.distance - found.error) / scale <= least
+
+
 @pytest.mark.parametrize("tolerance", [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12])
 def test_points_of_the_curve_are_found_again(rng, tolerance):
     for curve in curves(rng, 8, 2):

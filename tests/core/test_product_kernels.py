@@ -1,4 +1,4 @@
-"""Single Lagrange functions and their first derivatives, by kernels and blocks, against exact fractions."""
+"""Single Lagrange functions and their derivatives, by kernels and blocks, against exact fractions."""
 
 from __future__ import annotations
 
@@ -29,9 +29,10 @@ def assert_relatively_accurate(exact, parameters, t, order):
             assert constant is None or constant <= LIMIT
 
 
+@pytest.mark.parametrize("order", [1, 2, 3])
 @profile
-@given(st.data())
-def test_every_slope_has_a_small_relative_error(exact, data):
+@given(data=st.data())
+def test_every_derivative_has_a_small_relative_error(exact, order, data):
     gaps = data.draw(st.lists(st.floats(1e-4, 1.0), min_size=1, max_size=24))
     parameters = data.draw(st.sampled_from([0.0, -0.5, 1e3])) + np.cumsum([0.0, *gaps])
     places = data.draw(st.lists(st.floats(-0.2, 1.2), min_size=1, max_size=4))
@@ -39,7 +40,7 @@ def test_every_slope_has_a_small_relative_error(exact, data):
         t = parameters[0] + (parameters[-1] - parameters[0]) * np.array(places)
         beside = np.nextafter(parameters[:3], np.inf)
     t = np.concatenate([t, parameters[:3], beside])
-    assert_relatively_accurate(exact, parameters, t[(np.abs(t) > 1e-300) | (t == 0.0)], 1)
+    assert_relatively_accurate(exact, parameters, t[(np.abs(t) > 1e-300) | (t == 0.0)], order)
 
 
 @pytest.mark.parametrize("n", [5, 21])
@@ -49,31 +50,32 @@ def test_the_slope_that_symmetry_makes_tiny_keeps_its_digits(exact, n):
         assert_relatively_accurate(exact, parameters, parameters[n // 2 : n // 2 + 1], 1)
 
 
-def slopes_that_vanish(parameters):
-    """The doubles nearest to where the function in the middle has its extrema."""
+def derivatives_that_vanish(parameters, order):
+    """The doubles nearest to where a derivative of the function in the middle changes its sign."""
     curve = LagrangeCurve(np.eye(len(parameters))[:, [len(parameters) // 2]], parameters)
     found = []
     for low, high in pairwise(parameters):
         start, end = np.nextafter(low, 9.0), np.nextafter(high, -9.0)
-        a, b = (float(curve.evaluate(x, 1)[0]) for x in (start, end))
+        a, b = (float(curve.evaluate(x, order)[0]) for x in (start, end))
         if a * b < 0.0:
             for _ in range(80):
                 middle = 0.5 * (start + end)
-                rising = float(curve.evaluate(middle, 1)[0]) * a > 0.0
+                rising = float(curve.evaluate(middle, order)[0]) * a > 0.0
                 start, end = (middle, end) if rising else (start, middle)
             found += [start, end]
     return np.array(found)
 
 
-def test_slopes_beside_their_zeros(exact):
-    """A rounding of t away from an extremum of L_i; 50 of 106 digits are left of what cancels."""
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_derivatives_beside_their_zeros(exact, order):
+    """A rounding of t away from a zero of one of L_i; 50 of 106 digits are left of what cancels."""
     parameters = np.sort(np.random.default_rng(2).random(9))
-    t = slopes_that_vanish(parameters)
+    t = derivatives_that_vanish(parameters, order)
     assert len(t) > 4
-    assert_relatively_accurate(exact, parameters, t, 1)
+    assert_relatively_accurate(exact, parameters, t, order)
 
 
-@pytest.mark.parametrize("order", [0, 1])
+@pytest.mark.parametrize("order", range(4))
 def test_weights_that_span_thousands_of_bits(exact, order):
     """At equal parameters from some 800 on no range holds them; sums of all functions are 1 and 0."""
     n = 1500
@@ -85,7 +87,8 @@ def test_weights_that_span_thousands_of_bits(exact, order):
     size = np.abs(basis).sum(axis=1)
     # Roundings of 4 n factors, as if independent: five times 2 sqrt(n) / 2.
     bound = 5.0 * np.sqrt(n) * 2.0**-53 * size
-    expected = np.stack([np.full(4, 1.0 - order), middle if order == 0 else np.ones(4)], axis=1)
+    columns = {0: (np.ones(4), middle), 1: (np.zeros(4), np.ones(4))}
+    expected = np.stack(columns.get(order, (np.zeros(4), np.zeros(4))), axis=1)
     assert (np.abs(values - expected) <= bound[:, None]).all()
     with np.errstate(under="ignore"):
         assert (np.abs(basis @ curve.points - expected) <= 2.0 * bound[:, None]).all()

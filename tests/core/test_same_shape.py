@@ -8,12 +8,14 @@ from curvecore import (
     BSplineCurve,
     Chain,
     CurveError,
+    FloaterHormannCurve,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
     SepticHermiteCurve,
     chebyshev,
     natural_spline_velocities,
+    uniform,
 )
 
 HERMITES = [HermiteCurve, QuinticHermiteCurve]
@@ -73,7 +75,9 @@ def test_one_polynomial_of_low_degree_is_one_segment(make, most):
         assert off(curve, made) < 1e-14
         assert len(made.breaks) == 2
     too_high = BezierCurve(points(most + 1), times(most + 1))
-    with pytest.raises(CurveError, match=f"pieces have degree {most}, those of a .* curve {most - 1}"):
+    with pytest.raises(
+        CurveError, match=f"polynomial of degree {most}, the pieces of a .* degree {most - 1}"
+    ):
         make.same_shape_as(too_high)
     # A degree that was only raised is none: one more control point on a cubic.
     raised = BezierCurve(points(most), times(most)).refined(1.1)
@@ -152,11 +156,45 @@ def test_a_spline_is_a_chain_of_septics_and_a_septic_of_low_degree_is_a_spline()
 def test_other_reasons():
     hermite = HermiteCurve(points(3), points(3, 9), [0.0, 1.0, 2.5])
     for make in (LagrangeCurve, BezierCurve):
-        with pytest.raises(CurveError, match="is one polynomial, and this one is 2"):
+        with pytest.raises(CurveError, match="is one polynomial from end to end, and this curve has 2"):
             make.same_shape_as(hermite)
     corner = Chain([hermite, HermiteCurve(points(2), points(2), [2.5, 4.0])])
-    with pytest.raises(CurveError, match="with corners between them"):
+    with pytest.raises(CurveError, match="has no corners inside, and this curve has 1"):
         BSplineCurve.same_shape_as(corner)
     many = LagrangeCurve(points(65), chebyshev(65))
     with pytest.raises(CurveError, match="known exactly"):
         BezierCurve.same_shape_as(many)
+
+
+@pytest.mark.parametrize("degree", [1, 3, 5])
+@pytest.mark.parametrize("n", [3, 7, 20, 60])
+def test_a_degree_that_is_surely_too_high(n, degree):
+    """Told without the exact control points; samples of a polynomial of the degree are left to these."""
+    t = times(n)
+    wild = LagrangeCurve(points(n), t)
+    assert wild.surely_exceeds(degree) is (n - 1 > degree)
+    sampled = BezierCurve(points(degree + 1), uniform(degree + 1)).evaluate((t - t[0]) / (t[-1] - t[0]))
+    assert not LagrangeCurve(sampled, t).surely_exceeds(degree)
+    huge = LagrangeCurve(points(n) * 1e150, t * 1e-150)
+    assert huge.surely_exceeds(degree) is (n - 1 > degree)
+
+
+def test_what_can_be_told_without_writing_it():
+    """A jerk that jumps where the acceleration does not is a reason, which no corner is made for."""
+    t, p = times(6), points(6)
+    spline = HermiteCurve(p, natural_spline_velocities(p, t), t)
+    with pytest.raises(CurveError, match="its jerk jumps at 4 joints, where that of a septic Hermite curve"):
+        SepticHermiteCurve.check_shape(spline)
+    jumping = HermiteCurve(p, points(6, 9), t)
+    for make in (QuinticHermiteCurve, SepticHermiteCurve):
+        make.check_shape(jumping)
+    with pytest.raises(CurveError, match="its acceleration jumps"):
+        BSplineCurve.check_shape(jumping)
+    QuinticHermiteCurve.check_shape(spline)
+    BezierCurve.check_shape(LagrangeCurve(p, t))
+    rational = FloaterHormannCurve(p, t)
+    for make in (LagrangeCurve, BezierCurve, HermiteCurve, BSplineCurve):
+        with pytest.raises(CurveError, match="does not consist of polynomials, and a"):
+            make.check_shape(rational)
+    assert HermiteCurve.follows
+    assert not BSplineCurve.follows

@@ -89,7 +89,8 @@ def reads_again(path):
 
 def test_every_ending_says_a_deviation_within_what_was_asked_for(document, written):
     for ending in endings_of(FORMATS.written):
-        path, done = written(ending)
+        # A picture in its usual size takes as long as all others together.
+        path, done = written(ending, width=200 if ending == ".png" else None)
         assert path.stat().st_size > 0
         assert done.remarks == ()
         # A TikZ picture rounds to its grid of 1e-5 cm, formulas to digits; rows are as many as asked for.
@@ -178,7 +179,8 @@ def test_a_drawing_that_is_read_back_is_the_curve_within_both_deviations(
 def test_rows_of_samples_are_the_curve_and_its_derivatives(document, written):
     path, done = written(".csv", own={"samples": 200})
     titles, *rows = (line.split(",") for line in path.read_text().splitlines())
-    values = {title: np.array([float(row[k]) for row in rows]) for k, title in enumerate(titles)}
+    # Where the curve stands still it has no curvature: the cell is empty.
+    values = {title: np.array([float(row[k] or "nan") for row in rows]) for k, title in enumerate(titles)}
     assert np.column_stack([values["x"], values["y"]]) == pytest.approx(
         truth_of(document, values["t"]), abs=1e-12
     )

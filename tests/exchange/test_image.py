@@ -128,7 +128,8 @@ def test_a_pdf_has_one_page_of_the_right_shape_and_no_picture_in_it(example, tmp
 
 
 @pytest.mark.parametrize("name", ["a.png", "a.pdf", "a.svg"])
-def test_a_failed_export_leaves_the_old_file(name, sketch, nothing, tmp_path, monkeypatch):
+def test_a_failed_export_leaves_the_old_file(name, half_drawn, nothing, tmp_path, monkeypatch):
+    """What fails has been drawn: of which family it was plays no part."""
     path = tmp_path / name
     path.write_bytes(b"old")
     with pytest.raises(ExchangeError):
@@ -139,7 +140,7 @@ def test_a_failed_export_leaves_the_old_file(name, sketch, nothing, tmp_path, mo
 
     monkeypatch.setattr(files.os, "fsync", fail)
     with pytest.raises(StorageError, match="The disk is full"):
-        export(sketch, path)
+        export(half_drawn, path)
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
 

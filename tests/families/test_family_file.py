@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import time
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
@@ -13,7 +14,7 @@ import pytest
 
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.families import FAMILIES, HERMITE, Family, family_file
+from app.families import FAMILIES, HERMITE, Family, family_file, file_calls, time_limit
 from app.families.family import families_of_module
 from app.families.family_file import (
     FamilyFileError,
@@ -22,6 +23,7 @@ from app.families.family_file import (
     forget_file,
     use_file,
 )
+from app.families.file_calls import PATIENCE
 from app.storage.format import encode
 from curvecore import CurveError, cardinal_defect, families
 from tests.own_families import FILES
@@ -142,7 +144,7 @@ def basis(t, parameters, shape, width):
 
 def test_settings_of_a_file_s_functions(write):
     (family,) = families_in(write(BELLS))
-    assert [each.name for each in family.settings] == ["width", "shape"]
+    assert [each.name for each in family.settings.all] == ["width", "shape"]
     points, parameters = np.array([[[0.0]], [[2.0]], [[1.0]], [[3.0]]]), np.arange(4.0)
     curves = [
         family.make(points, parameters, chosen)
@@ -275,7 +277,9 @@ def test_a_mistake_is_told_with_file_and_line_and_no_family_is_there(write, mist
 @pytest.fixture
 def short_limits(monkeypatch):
     monkeypatch.setattr(family_file, "RUN_SECONDS", 0.2)
-    monkeypatch.setattr(family_file, "CALL_SECONDS", 0.2)
+    monkeypatch.setattr(file_calls, "CALL_SECONDS", 0.2)
+    monkeypatch.setattr(PATIENCE, "seconds", 0.2)
+    monkeypatch.setattr(PATIENCE, "overdue", None)
 
 
 def test_a_loop_without_end_is_stopped_and_its_line_told(write, short_limits):
@@ -293,11 +297,45 @@ def test_functions_that_hang_at_some_parameters_are_stopped_once(write, short_li
     (family,) = families_in(write(GAUSSIAN.replace("    return _bells(t", hang)))
     points = np.zeros((5, 1, 2))
     good = family.make(points, np.linspace(0.0, 1.0, 5))
+    said = (
+        r"“families.py”, line 1[89]: the family “Gaussian” ran for longer than 0\.2 s for 5 points and was st"
+    )
+    began = time.process_time()
     for _frame in range(50):
-        with pytest.raises(CurveError, match=r"“families.py”, line 1[89]: it ran for longer than 0\.2 s"):
+        with pytest.raises(CurveError, match=said):
             family.make(points, [0.0, 0.2, 0.5, 0.8, 1.0])
-    with pytest.raises(CurveError):
-        good.evaluate(0.3)
+    # Nor are other parameters tried: each might hang, and take that long.
+    with pytest.raises(CurveError, match=said):
+        family.make(points, [0.0, 0.3, 0.5, 0.8, 1.0])
+    assert time.process_time() - began < 25 * 0.2
+    # What is shown stays, and so do curves of other numbers of points.
+    assert np.isfinite(good.evaluate(0.3)).all()
+    assert np.isfinite(family.make(points[:4], np.linspace(0.0, 1.0, 4)).evaluate(0.3)).all()
+
+
+def test_a_loop_that_passes_over_mistakes_is_stopped_as_well(write, short_limits):
+    """The alarm was a mistake like any other, and rang but once: the window stood still for good."""
+    loop = """    while True:
+        try:
+            while True:
+                t
+        except Exception:
+            pass
+"""
+    path = write(GAUSSIAN.replace("    return _bells(t", f"{loop}    return _bells(t"))
+    with pytest.raises(
+        FamilyFileError, match=r"line (19|2\d): it ran for longer than 0\.2 s and was stopped"
+    ):
+        families_in(path)
+
+
+def test_a_call_that_waits_is_stopped_too(write, short_limits, monkeypatch):
+    monkeypatch.setattr(time_limit, "_WAITING_S", 0.1)
+    path = write(
+        GAUSSIAN.replace("    return _bells(t", "    import time; time.sleep(60)\n    return _bells(t")
+    )
+    with pytest.raises(FamilyFileError, match=r"line 18: it ran for longer than 0\.2 s and was stopped"):
+        families_in(path)
 
 
 NEW = GAUSSIAN.replace("my_gaussian", "my_bells").replace('"Gaussian"', '"bells"')

@@ -12,7 +12,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from kept_window import KeptEditor
+from PySide6.QtCore import QLocale
 
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.testing import Editor
 
 _kept = KeptEditor()
@@ -39,6 +42,32 @@ def editor(qtbot):
 def new_editor(qtbot):
     """Return the editor of a window in which nothing has been opened yet."""
     return Editor(qtbot)
+
+
+@pytest.fixture
+def waves(editor):
+    """Return what draws Hermite waves of these names one above the other; the second is active."""
+
+    def draw(names):
+        wave = ((0, 0), (1, 1), (2, 0), (3, 1))
+        curves = tuple(
+            make_curve([(x, y + 3 * level) for x, y in wave], name=name, family=HERMITE)
+            for level, name in enumerate(names)
+        )
+        editor.session.commit(Document(curves), "Begin", active=1)
+        editor.fit()
+        return editor
+
+    return draw
+
+
+@pytest.fixture
+def point_locale():
+    """Decimal points, whatever the machine's locale is."""
+    before = QLocale()
+    QLocale.setDefault(QLocale.c())
+    yield
+    QLocale.setDefault(before)
 
 
 @pytest.fixture

@@ -31,7 +31,7 @@ PASSING = {
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
-    *("Cardinals._key", "FunctionLines._shown"),
+    *("Cardinals._key", "Cardinal.growth", "FunctionLines._shown"),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(
@@ -210,22 +210,29 @@ class Fingerprint:
             # In place of something of ours, or of the library's: a clock, for one.
             self.told[place] = kind.name
         elif kind.is_record:
-            record = _record_of(value)
-            self.told[place] = record.told
-            for within, each in record.others:
-                if id(each) not in self._seen:
-                    self._walk(f"{place}{within}", each, _kind_of(each))
+            self._walk_record(place, _record_of(value))
+        elif kind.type is tuple and not value:
+            # One object, wherever it stands.
+            self.told[f"{place}.count"] = 0
         elif id(value) not in self._seen:
             self._seen[id(value)] = value
             if kind.is_ours:
                 self._walk_ours(place, value, kind)
             else:
-                self.told[f"{place}.count"] = len(value)
-                items = value.items() if kind.is_dict else enumerate(value)
-                for key, each in items:
-                    known = _kind_of(each)
-                    if not known.is_opaque and (not kind.is_dict or isinstance(key, _PLAIN)):
-                        self._walk(f"{place}.{key}", each, known)
+                self._walk_items(place, value, kind)
+
+    def _walk_record(self, place: str, record: _Record) -> None:
+        self.told[place] = record.told
+        for within, each in record.others:
+            if id(each) not in self._seen:
+                self._walk(f"{place}{within}", each, _kind_of(each))
+
+    def _walk_items(self, place: str, value: object, kind: _Kind) -> None:
+        self.told[f"{place}.count"] = len(value)
+        for key, each in value.items() if kind.is_dict else enumerate(value):
+            known = _kind_of(each)
+            if not known.is_opaque and (not kind.is_dict or isinstance(key, _PLAIN)):
+                self._walk(f"{place}.{key}", each, known)
 
     def _walk_ours(self, place: str, value: object, kind: _Kind) -> None:
         if kind.is_rendered_anew and not value.isVisibleTo(self._window):

@@ -32,6 +32,8 @@ from app.view_model.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
 from app.workbench.dock import LateDock
 
+_A_PLOT = "plotCurvature"
+
 
 class KeptEditor:
     """The editor whose window is used again."""
@@ -75,6 +77,12 @@ class KeptEditor:
         try:
             self._reset()
             different = self.differences()
+            if any(".panes." in place for place in different):
+                # What a pane has is told it when it is shown.
+                self._curtain.open()
+                self._editor.trigger(_A_PLOT)
+                self._reset()
+                different = self.differences()
             is_as_new = not different and QApplication.activeWindow() is window
         except Exception:
             # Whatever a test has done to it.
@@ -132,7 +140,7 @@ class KeptEditor:
             if isinstance(sheet, ShortcutSheet | CommandPalette):
                 sheet.hide()
         window.context.work.jobs.give_up()
-        for plot in (window.canvas, window.basis_panel):
+        for plot in window.central.plots:
             # Of a press of the right button that took a gesture back, in a test that opens no menu.
             plot._menu_refused = False
             # As a dialog that takes the mouse away, then as a hand that leaves.
@@ -272,6 +280,6 @@ def open_everything(editor: Editor) -> None:
     for menu in window.menuBar().findChildren(QMenu):
         menu.aboutToShow.emit()
     # An overlay has a legend; whether what is computed beside the window is in time to have one is luck.
-    for name in ("playMotion", "plotCurvature", "overlayVelocities"):
+    for name in ("playMotion", _A_PLOT, "overlayVelocities"):
         editor.trigger(name)
         editor.trigger({"playMotion": "stopMotion"}.get(name, name))

@@ -342,7 +342,7 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
     assert not kept.session.files.is_read_only
-    assert kept.file_message == ""
+    assert kept.file_bar.text == ""
     kept.trigger("saveDocument")
     assert load(path) == SKETCH
 

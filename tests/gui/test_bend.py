@@ -52,24 +52,27 @@ def middle(editor, segment=1, share=0.4):
 
 @pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, CTRL, ALT])
 @pytest.mark.parametrize("family", FAMILIES)
-@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
-def test_the_grabbed_point_stays_under_the_pointer(arch, family, kind, keys):
-    arch.choose_family(family)
-    arch.choose_parametrization(kind)
-    _, start = middle(arch)
-    target = (start[0] - 0.4, start[1] + 0.7)
-    arch.press(start, keys=keys)
-    for share in (0.3, 0.6, 1.0):
-        to = tuple(np.add(start, np.multiply(share, np.subtract(target, start))))
-        arch.move(to, keys=keys)
-        _, now = middle(arch)
-        assert math.dist(now, to) < 1.5 * arch.pixel  # the press and the move are on whole pixels
-    arch.release(target, keys=keys)
-    assert arch.session.undo_stack.undoText().startswith("Bend curve at t = 0.")
-    if keys == CTRL:
-        assert all(point.velocity is None for point in arch.curve.points)
-    if keys == ALT and family.derivatives:
-        assert [point.position for point in arch.curve.points] == list(POINTS)
+def test_the_grabbed_point_stays_under_the_pointer(arch, family, keys):
+    document = arch.session.document
+    for kind in (ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM):
+        arch.session.commit(document, "Begin again")
+        arch.choose_family(family)
+        arch.choose_parametrization(kind)
+        _, start = middle(arch)
+        target = (start[0] - 0.4, start[1] + 0.7)
+        arch.press(start, keys=keys)
+        for share in (0.3, 0.6, 1.0):
+            to = tuple(np.add(start, np.multiply(share, np.subtract(target, start))))
+            arch.move(to, keys=keys)
+            _, now = middle(arch)
+            # The press and the move are on whole pixels.
+            assert math.dist(now, to) < 1.5 * arch.pixel, kind
+        arch.release(target, keys=keys)
+        assert arch.session.undo_stack.undoText().startswith("Bend curve at t = 0."), kind
+        if keys == CTRL:
+            assert all(point.velocity is None for point in arch.curve.points), kind
+        if keys == ALT and family.derivatives:
+            assert [point.position for point in arch.curve.points] == list(POINTS), kind
 
 
 def test_it_is_one_step_that_undo_takes_back(arch):

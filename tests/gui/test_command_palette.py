@@ -6,8 +6,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QLineEdit
 
-from app.actions.keymap import full_name_of
+from app.actions.keymap import action_name, full_name_of
+from app.document.derivatives import DERIVATIVES
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.window.command_palette import CommandPalette
@@ -156,3 +158,57 @@ def test_what_goes_while_it_is_listed_is_listed_no_longer(editor, palette, tmp_p
     assert len(palette.found) == listed - 1
     palette.search.setText("a")
     palette.close_and_return()
+
+
+PEOPLE_TYPE = {
+    "akima": "Velocities: Akima",
+    "pchip": "Velocities: Monotone (PCHIP)",
+    "simplify": "Fit to Fewer Points…",
+    "reduce": "Fit to Fewer Points…",
+    "knot": "Insert Point at the Scrub Line",
+    "insert knot": "Insert Point at the Scrub Line",
+    "elevate degree": "Insert Point at the Scrub Line",
+    "floater": "Barycentric rational",
+    "bspline": "B-spline",
+}
+
+
+@pytest.mark.parametrize("typed", PEOPLE_TYPE)
+def test_what_people_type_finds_it(editor, typed):
+    """None of these was found, or by letters scattered over something else."""
+    assert editor.find_command(typed)[0] == PEOPLE_TYPE[typed]
+
+
+def test_a_degree_is_found_and_leads_to_its_field(editor):
+    assert "Barycentric Rational: Blended Degree…" in editor.find_command("degree")
+    editor.key(Qt.Key.Key_Escape)
+    assert not editor.action("familyFloaterHormannDegree").isEnabled()
+    editor.choose_family("floater_hormann")
+    editor.run_command("blended degree")
+    field = editor.window.findChild(QLineEdit, "settingDegree")
+    assert field.hasFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "5")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert dict(editor.curve.settings) == {"degree": 5}
+
+
+@pytest.mark.parametrize("of", DERIVATIVES, ids=lambda of: of.name)
+def test_every_rule_for_tangents_is_found_says_what_it_does_and_is_named_in_the_history(editor, of):
+    editor.choose_family("septic_hermite")
+    editor.show_dock("curveDock")
+    box = editor.window.findChild(QComboBox, f"{of.name}Rule")
+    for place, rule in enumerate(reversed(of.rules)):
+        editor.run_command(f"{of.plural}: {rule.label}")
+        assert getattr(editor.curve, of.rule_field) is rule
+        assert box.currentText() == rule.label
+        assert box.toolTip().endswith(f"{rule.label}: {rule.tip}")
+        tip = box.itemData(box.currentIndex(), Qt.ItemDataRole.ToolTipRole)
+        assert tip == rule.tip != ""
+        action = editor.action(action_name(f"{of.name}Rule", rule))
+        assert action.isChecked()
+        assert rule.tip in action.toolTip()
+        assert editor.session.undo_stack.undoText() == f"Choose {of.name} rule “{rule.label}”", place
+    editor.choose_family("lagrange")
+    assert not action.isEnabled()
+    assert not action.isChecked()

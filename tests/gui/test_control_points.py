@@ -6,9 +6,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from app.appearance.theme import theme_of
 from app.document.model import Document, make_curve
@@ -128,9 +129,17 @@ def test_ticks_that_do_nothing_are_said_so(drawn, name):
     before = shape(editor)
     editor.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[1]), held=False)
     assert "does nothing" in editor.status
+    assert "hollow" in editor.status
+    document, steps = editor.session.document, editor.session.undo_stack.count()
+    # It used to be a step of the history that changed nothing.
     editor.drag_parameter(1, editor.parameters[1] + 0.02)
-    assert np.abs(shape(editor) - before).max() < 1e-14
-    editor.trigger("undo")
+    assert np.array_equal(shape(editor), before)
+    assert editor.session.document is document
+    editor.rail.click(1)
+    panel.setFocus()
+    QTest.keyClick(panel, Qt.Key.Key_Right)
+    assert editor.session.undo_stack.count() == steps
+    assert editor.session.document is document
     editor.drag_parameter(2, editor.parameters[2] + 0.05)
     moved = np.abs(shape(editor) - before).max()
     # The inner parameters of a Bézier curve do nothing; t₂ is the first knot of the other.
@@ -138,6 +147,53 @@ def test_ticks_that_do_nothing_are_said_so(drawn, name):
     assert curve_of(editor).breaks.tolist() == [
         0.0, *(editor.parameters[2:4] if name == "b_spline" else []), 1.0
     ]  # fmt: skip
+
+
+def test_hollow_ticks_make_way(drawn, name):
+    """They stood in the way of the ticks beside them, though they do nothing."""
+    editor = drawn(name)
+    times = editor.parameters
+    grabbed = 2 if name == "b_spline" else 5
+    to = 0.5 * times[1] if name == "b_spline" else 0.5 * (times[1] + times[2])
+    editor.drag_parameter(grabbed, to)
+    assert editor.parameters[grabbed] == pytest.approx(to, abs=2.0 / editor.window.basis_panel.pixel_map.sx)
+    assert np.all(np.diff(editor.parameters) > 0.0)
+    assert editor.session.active_view.is_current
+    if name == "b_spline":
+        share = (editor.parameters[1] - times[0]) / (editor.parameters[2] - times[0])
+        assert share == pytest.approx((times[1] - times[0]) / (times[2] - times[0]))
+        assert editor.parameters[3:] == times[3:]
+        # To the end it does not go: there is room for the tick between.
+        editor.drag_parameter(2, -0.4)
+        assert 0.0 < editor.parameters[1] < editor.parameters[2] < 0.01
+    editor.trigger("undo")
+
+
+def test_a_hollow_tick_takes_others_along_with_e(drawn, name):
+    editor = drawn(name)
+    panel, before = editor.window.basis_panel, shape(editor)
+    times = editor.parameters
+    panel.setFocus()
+    QTest.keyPress(panel, Qt.Key.Key_E)
+    editor.drag_parameter(1, times[1] + 0.3)
+    QTest.keyRelease(panel, Qt.Key.Key_E)
+    assert editor.parameters[-1] == pytest.approx(1.3, abs=2.0 / panel.pixel_map.sx)
+    assert np.abs(shape(editor) - before).max() > 1e-3 or name == "bezier"
+
+
+def test_the_dots_on_the_rail_s_edge_say_what_they_are(drawn, name):
+    editor = drawn(name)
+    panel, document = editor.window.basis_panel, editor.session.document
+    curve = curve_of(editor)
+    for index, place in enumerate(curve.places.tolist()):
+        # The edge is 8 pixels above where ticks are grabbed.
+        at = panel.rail_pixel(place) - QPointF(0.0, 9.0)
+        editor.send(panel, QEvent.Type.MouseMove, at, held=False)
+        assert editor.status.startswith(f"The dot of point {index}: near t = ")
+        assert panel.drawing.rail.hovered == index
+    editor.drag_pixels(panel, at, panel.rail_pixel(0.4))
+    assert editor.session.document is document
+    assert editor.session.selected.scrub is not None
 
 
 def test_the_panel_names_the_functions(drawn, name):
@@ -178,8 +234,82 @@ def test_a_spline_becomes_a_hermite_curve_and_comes_back(drawn):
     assert not editor.action("convertToBSpline").isEnabled()
     document = editor.session.document
     editor.trigger("convertToBezier")
-    assert "is one polynomial, and this one is 3" in editor.status
+    assert "is one polynomial from end to end, and this curve has 3" in editor.status
     assert editor.session.document == document
+
+
+@pytest.fixture
+def conversions(editor):
+    """Open the menu with the conversions, and return the entry of one family by its name."""
+
+    def entry(name):
+        menu = editor.window.findChild(QMenu, "pointsMenu")
+        menu.popup(editor.window.mapToGlobal(QPoint(20, 20)))
+        editor.settle()
+        action = editor.action(f"convertTo{name}")
+        assert action in menu.actions()
+        menu.close()
+        editor.settle()
+        return action
+
+    return entry
+
+
+def test_a_menu_tells_before_what_a_conversion_does(drawn, conversions):
+    editor = drawn("b_spline")
+    assert conversions("Hermite").text().replace("&", "") == "Convert to Hermite, Keeping the Shape"
+    assert conversions("Hermite").isEnabled()
+    for name, why in (
+        ("Bezier", "is one polynomial from end to end, and this curve has 3 pieces."),
+        ("SepticHermite", "its jerk jumps at 2 joints, where that of a septic Hermite curve goes on."),
+        ("Lagrange", "is one polynomial from end to end, and this curve has 3 pieces."),
+    ):
+        action = conversions(name)
+        assert not action.isEnabled()
+        assert why in action.toolTip()
+    # Another curve, another outlook: nothing is left of the one before.
+    editor.choose_family("lagrange")
+    assert editor.action("convertToBezier").isEnabled()
+    assert conversions("Bezier").isEnabled()
+    assert "pieces" not in conversions("Bezier").toolTip()
+    assert "of degree 5, the pieces of a Hermite curve have degree 3" in conversions("Hermite").toolTip()
+
+
+def test_a_rational_curve_is_followed_and_this_is_said_before_and_after(drawn, conversions):
+    editor = drawn("floater_hormann")
+    before = shape(editor)
+    size = np.ptp(np.array(POINTS), axis=0).max()
+    entry = conversions("Hermite")
+    text = entry.text().replace("&", "")
+    within = float(text.removeprefix("Convert to Hermite, Within "))
+    assert within == pytest.approx(1e-4 * size, rel=0.3)
+    assert f"it changes by {within:g} at most" in entry.toolTip()
+    assert not conversions("BSpline").isEnabled()
+    assert (
+        "does not consist of polynomials, and a B-spline curve does"
+        in entry.parent().findChild(QAction, "convertToBSpline").toolTip()
+    )
+    # The palette tells the same.
+    assert text in editor.find_command("convert hermite")
+    entry.trigger()
+    editor.settle()
+    assert editor.status.startswith("The shape is another, largest change ")
+    change = editor.status.removeprefix("The shape is another, largest change ").partition(". ")[0]
+    assert editor.session.undo_stack.undoText() == f"Convert to Hermite, within {change}"
+    moved = np.abs(shape(editor) - before).max()
+    assert 0.0 < moved <= within
+    assert not any(point.corner for point in editor.curve.points)
+
+
+def test_a_reason_is_told_in_the_palette(drawn):
+    editor = drawn("b_spline")
+    editor.find_command("Convert to Bézier")
+    palette = editor.window.findChild(QWidget, "commandPalettePanel")
+    palette.run_current()
+    assert (
+        "one polynomial from end to end, and this curve has 3 pieces."
+        in palette.findChild(QLabel, "paletteNote").text()
+    )
 
 
 def test_no_corners_and_no_straight_segments(drawn, name):

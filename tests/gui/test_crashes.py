@@ -270,7 +270,7 @@ def test_save_and_quit_goes_on_where_saving_fails(guarded, qtbot, tmp_path):
     raise_soon(guarded, qtbot, ZeroDivisionError())
     press("saveAndQuit")
     assert guarded.window.isVisible()
-    assert "was not saved" in guarded.file_message
+    assert "was not saved" in guarded.file_bar.text
     guarded.session.files.give_up_changes()
 
 

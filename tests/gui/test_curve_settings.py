@@ -15,6 +15,8 @@ from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session
 from app.workbench.form_edits import FormEdits
 
+pytestmark = pytest.mark.usefixtures("point_locale")
+
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
 
 
@@ -63,14 +65,6 @@ class Form:
         self.qtbot.keyClick(box, Qt.Key.Key_Home)
         for _ in range(row):
             self.qtbot.keyClick(box, Qt.Key.Key_Down)
-
-
-@pytest.fixture(autouse=True)
-def point_locale():
-    before = QLocale()
-    QLocale.setDefault(QLocale.c())
-    yield
-    QLocale.setDefault(before)
 
 
 @pytest.fixture
@@ -305,7 +299,7 @@ def test_choosing_rules(quintic):
         assert quintic.curve.velocity_rule is rule
     quintic.choose("accelerationRule", 1)
     assert quintic.curve.acceleration_rule is AccelerationRule.ZERO
-    assert quintic.session.undo_stack.undoText() == "Choose acceleration rule"
+    assert quintic.session.undo_stack.undoText() == "Choose acceleration rule “Zero”"
     quintic.session.undo_stack.undo()
     assert quintic["accelerationRule"].currentText() == "From the C² spline"
 

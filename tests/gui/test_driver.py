@@ -49,8 +49,8 @@ def test_what_is_hidden_or_covered_cannot_be_reached(editor):
     editor.trigger("toggleBasis")
     for gesture in (
         lambda: editor.drag_parameter(1, 0.3),
-        lambda: editor.click_parameter(1),
-        lambda: editor.type_parameter(1, "0.3"),
+        lambda: editor.rail.click(1),
+        lambda: editor.rail.type(1, "0.3"),
         lambda: editor.scrub(0.5),
     ):
         with impossible("is not shown"):

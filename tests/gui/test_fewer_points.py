@@ -113,3 +113,44 @@ def test_another_curve_is_fitted_when_the_curve_changes(editor, qtbot):
     editor.session.change("Other", lambda _: Document((few,)))
     assert not form.apply_button.isEnabled()
     qtbot.waitUntil(lambda: form.result.text().startswith("3 points become "), timeout=20_000)
+
+
+@pytest.fixture
+def long_fit(qtbot):
+    """An editor that is fitting a curve of 4000 points that follow errors."""
+    editor = Editor(qtbot)
+    x = np.linspace(0.0, 6.0, 4000)
+    rows = np.stack([x, np.sin(x)], axis=1) + 0.01 * np.random.default_rng(2).normal(size=(4000, 2))
+    many = make_curve([tuple(row) for row in rows.tolist()], family=FAMILIES.named("hermite"))
+    editor.session.change("Import", lambda _: Document((many,)))
+    form = opened(editor)
+    form.tolerance.setFocus()
+    form.tolerance.selectAll()
+    QTest.keyClicks(form.tolerance, "0.02")
+    QTest.keyClick(form.tolerance, Qt.Key.Key_Return)
+    return editor
+
+
+@pytest.mark.parametrize("place", ["tolerance", "family", "cancel_button", "canvas"])
+def test_escape_ends_a_fit_as_cancel_does(long_fit, qtbot, place):
+    editor, form = long_fit, panel(long_fit)
+    choose(form.family, form.family.findText("B-spline"))
+    before = editor.session.document
+    widget = editor.window.canvas if place == "canvas" else getattr(form, place)
+    widget.setFocus()
+    assert form.progress.isVisible()
+    QTest.keyClick(widget, Qt.Key.Key_Escape)
+    editor.settle()
+    assert not form.isVisible()
+    assert editor.session.document is before
+    assert "fewer_points" not in editor.window.canvas.drawing.annotations.trace_layer.groups
+
+
+def test_data_that_scatter_farther_are_said_to(long_fit, qtbot):
+    form = panel(long_fit)
+    qtbot.waitUntil(form.apply_button.isEnabled, timeout=20_000)
+    text = form.result.text()
+    assert " largest deviation stays at 0.0" in text
+    assert text.endswith("The data scatter so far; more points would follow that alone.")
+    QTest.mouseClick(form.apply_button, Qt.MouseButton.LeftButton)
+    assert len(long_fit.session.active_curve.points) <= 12

@@ -132,15 +132,15 @@ def offered(editor):
 def test_a_change_is_said_and_can_be_reloaded_and_undone(saved, path, until):
     mine = edit(saved)
     save(path, THEIRS)
-    until(lambda: saved.file_message)
+    until(lambda: saved.file_bar.text)
     words = "“drawing.curve.json” was changed on the disk by another program, and here too."
-    assert saved.file_message == words
+    assert saved.file_bar.text == words
     assert offered(saved) == ["reloadFile", "keepMine", "compareWithFile"]
     assert saved.session.document is mine
-    saved.answer_file_message("reloadFile")
+    saved.file_bar.answer("reloadFile")
     assert saved.session.document == THEIRS
     assert not saved.session.files.is_modified
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
     assert saved.session.undo_stack.undoText() == "Reload"
     saved.trigger("undo")
     assert saved.session.document == mine
@@ -157,8 +157,8 @@ def test_a_reload_brings_back_what_a_lock_of_a_curve_protects(saved, path, until
     saved.session.commit(locked, "Lock")
     saved.trigger("saveDocument")
     save(path, THEIRS)
-    until(lambda: saved.file_message)
-    saved.answer_file_message("reloadFile")
+    until(lambda: saved.file_bar.text)
+    saved.file_bar.answer("reloadFile")
     assert saved.session.document == THEIRS
 
 
@@ -166,19 +166,19 @@ def test_files_replaced_again_and_again_are_noticed(saved, path, until):
     """A file that is replaced by renaming loses its watch."""
     for document in (THEIRS, OTHERS, THEIRS):
         save(path, document)
-        until(lambda: saved.file_message)
-        saved.answer_file_message("reloadFile")
+        until(lambda: saved.file_bar.text)
+        saved.file_bar.answer("reloadFile")
         assert saved.session.document == document
     path.write_bytes(encode(OTHERS))
-    until(lambda: saved.file_message)
+    until(lambda: saved.file_bar.text)
 
 
 def test_keep_mine_saves_over_it(saved, path, until):
     mine = saved.session.document
     save(path, THEIRS)
-    until(lambda: saved.file_message)
-    saved.answer_file_message("keepMine")
-    assert saved.file_message == ""
+    until(lambda: saved.file_bar.text)
+    saved.file_bar.answer("keepMine")
+    assert saved.file_bar.text == ""
     assert saved.session.files.is_modified
     saved.trigger("saveDocument")
     assert load(path) == mine
@@ -207,21 +207,21 @@ def test_without_a_file_there_is_nothing_to_reload(editor):
 def test_compare_shows_the_file_dashed_and_named(saved, path, until):
     edit(saved)
     save(path, THEIRS)
-    until(lambda: saved.file_message)
+    until(lambda: saved.file_bar.text)
     before = saved.screenshot()
-    saved.answer_file_message("compareWithFile")
+    saved.file_bar.answer("compareWithFile")
     canvas = saved.window.canvas
     assert canvas.drawing.annotations.file_version == "drawing.curve.json on the disk"
     assert [row.text for row in canvas.drawing.annotations.legend.rows] == ["drawing.curve.json on the disk"]
     assert saved.screenshot() != before
     save(path, OTHERS)  # another one: the ghost goes with it
     until(lambda: saved.window.canvas.drawing.annotations._file_layer._views[0][1].points[-1, 0] == 5.0)
-    saved.answer_file_message("compareWithFile")
+    saved.file_bar.answer("compareWithFile")
     assert canvas.drawing.annotations.file_version == ""
     assert canvas.drawing.annotations.legend.isHidden()
-    assert saved.file_message
-    saved.answer_file_message("compareWithFile")
-    saved.answer_file_message("keepMine")
+    assert saved.file_bar.text
+    saved.file_bar.answer("compareWithFile")
+    saved.file_bar.answer("keepMine")
     assert canvas.drawing.annotations.file_version == ""
 
 
@@ -233,12 +233,12 @@ def test_saving_over_an_unseen_change_asks(saved, path):
     assert load(path) == THEIRS
     assert saved.session.files.is_modified
     assert saved.session.document is mine
-    assert saved.file_message.endswith("was changed by another program; it was not saved.")
+    assert saved.file_bar.text.endswith("was changed by another program; it was not saved.")
     assert offered(saved) == ["overwriteFile", "saveDocumentAs", "reloadFile", "compareWithFile"]
-    saved.answer_file_message("overwriteFile")
+    saved.file_bar.answer("overwriteFile")
     assert load(path) == mine
     assert not saved.session.files.is_modified
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
 
 
 def test_save_as_is_a_way_out(saved, path, tmp_path):
@@ -246,10 +246,10 @@ def test_save_as_is_a_way_out(saved, path, tmp_path):
     save(path, THEIRS)
     saved.trigger("saveDocument")
     answer_dialog(saved, tmp_path / "mine.curve.json")
-    saved.answer_file_message("saveDocumentAs")
+    saved.file_bar.answer("saveDocumentAs")
     assert load(tmp_path / "mine.curve.json") == mine
     assert load(path) == THEIRS
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
     assert saved.session.files.path == tmp_path / "mine.curve.json"
 
 
@@ -258,10 +258,10 @@ def test_a_cancelled_save_as_changes_nothing(saved, path):
     save(path, THEIRS)
     saved.trigger("saveDocument")
     answer_dialog(saved, None)
-    saved.answer_file_message("saveDocumentAs")
+    saved.file_bar.answer("saveDocumentAs")
     assert saved.session.files.path == path
     assert saved.session.document is mine
-    assert saved.file_message.endswith("was changed by another program; it was not saved.")
+    assert saved.file_bar.text.endswith("was changed by another program; it was not saved.")
 
 
 def test_the_question_can_be_put_away_and_comes_again(saved, path):
@@ -269,7 +269,7 @@ def test_the_question_can_be_put_away_and_comes_again(saved, path):
     save(path, THEIRS)
     saved.trigger("saveDocument")
     close = saved.window.findChild(QToolButton, "closeFileBar")
-    while saved.file_message:
+    while saved.file_bar.text:
         QTest.mouseClick(close, Qt.MouseButton.LeftButton)
     assert load(path) == THEIRS
     saved.trigger("saveDocument")
@@ -317,7 +317,7 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
     assert asked[0][0] == "Save drawing.curve.json as it is shown here?"
     assert words in asked[0][1]
     # The window knows it now, without waiting for the watch.
-    assert saved.file_message
+    assert saved.file_bar.text
     assert saved.session.files.is_modified
     assert saved.window.isWindowModified()
     QTimer.singleShot(0, lambda: answer(QMessageBox.StandardButton.Save))
@@ -329,7 +329,7 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
     assert not saved.window.close()
     assert path.read_bytes() == left
     assert "overwriteFile" in offered(saved)
-    saved.answer_file_message("overwriteFile")
+    saved.file_bar.answer("overwriteFile")
     assert load(path) == saved.session.document
     assert saved.window.close()
     assert len(asked) == 2
@@ -342,17 +342,17 @@ def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypa
     content = path.read_bytes()
     path.write_bytes(b"")
     until(lambda: saved.session.files.is_modified)
-    assert saved.file_message
+    assert saved.file_bar.text
     path.write_bytes(content)
     until(lambda: not saved.session.files.is_modified)
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
 
 
 def test_a_reader_is_not_asked_about_what_the_owner_saved(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     edit(saved)
     saved.trigger("saveDocument")
-    until(lambda: second.file_message.startswith("You saved changes"))
+    until(lambda: second.file_bar.text.startswith("You saved changes"))
     assert not second.session.files.is_modified
     assert second.window.close()
 
@@ -361,10 +361,10 @@ def test_half_a_file_is_waited_for(saved, path, until):
     content = encode(THEIRS)
     path.write_bytes(content[: len(content) // 2])
     until(lambda: looks(saved) == 2)
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
     path.write_bytes(content)
-    until(lambda: saved.file_message)
-    assert saved.file_message.endswith("was changed on the disk by another program.")
+    until(lambda: saved.file_bar.text)
+    assert saved.file_bar.text.endswith("was changed on the disk by another program.")
 
 
 def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
@@ -372,10 +372,10 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
     monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
     mine = saved.session.document
     path.write_bytes(b"not ours")
-    until(lambda: saved.file_message)
-    assert "holds no document now. Yours is still here." in saved.file_message
+    until(lambda: saved.file_bar.text)
+    assert "holds no document now. Yours is still here." in saved.file_bar.text
     assert not saved.action("reloadFile").isEnabled()
-    saved.answer_file_message("keepMine")
+    saved.file_bar.answer("keepMine")
     saved.trigger("saveDocument")
     assert load(path) == mine
 
@@ -384,12 +384,12 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
     monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
     monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
     path.rename(path.with_name("elsewhere"))
-    until(lambda: saved.file_message)
-    assert "is gone from its folder" in saved.file_message
+    until(lambda: saved.file_bar.text)
+    assert "is gone from its folder" in saved.file_bar.text
     assert saved.session.files.is_modified
-    saved.answer_file_message("saveDocument")
+    saved.file_bar.answer("saveDocument")
     assert load(path) == saved.session.document
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
     assert not saved.session.files.is_modified
 
 
@@ -399,16 +399,16 @@ def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until,
     monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
     mine = edit(saved)
     save(path, THEIRS)
-    until(lambda: saved.file_message)
+    until(lambda: saved.file_bar.text)
     if tries_to_save:
         saved.trigger("saveDocument")
-        assert "it was not saved" in saved.file_message
+        assert "it was not saved" in saved.file_bar.text
     path.unlink()
-    until(lambda: "is gone from its folder" in saved.file_message)
+    until(lambda: "is gone from its folder" in saved.file_bar.text)
     assert offered(saved) == ["saveDocument", "saveDocumentAs"]
-    saved.answer_file_message("saveDocument")
+    saved.file_bar.answer("saveDocument")
     assert load(path) == mine
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
 
 
 def test_a_file_put_back_at_once_was_never_gone(saved, path, until):
@@ -417,7 +417,7 @@ def test_a_file_put_back_at_once_was_never_gone(saved, path, until):
     until(lambda: looks(saved) == 1)
     path.write_bytes(content)
     until(lambda: looks(saved) == 0)
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
     assert not saved.session.files.is_modified
 
 
@@ -428,14 +428,14 @@ def test_own_saves_are_no_news(saved, qtbot, look_soon):
     for _ in range(3):
         with qtbot.waitSignal(watch.triggered, timeout=WAIT_MS):
             saved.trigger("saveDocument")
-        assert saved.file_message == ""
+        assert saved.file_bar.text == ""
 
 
 def test_a_new_document_has_nothing_to_do_with_the_old_file(saved, path, save_loudly):
     saved.new()
     save_loudly(path, THEIRS)
     assert not saved.window.findChild(DiskWatch)._soon.isActive()
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
     assert not lock_place(path).exists()
 
 
@@ -444,7 +444,7 @@ def test_a_gesture_in_flight_survives_the_news(saved, path, until):
     saved.press(saved.point(2))
     saved.move((0.2, 4.0))
     save(path, THEIRS)
-    until(lambda: saved.file_message)
+    until(lambda: saved.file_bar.text)
     assert saved.session.is_previewing
     saved.escape()
     assert saved.session.document is document
@@ -456,9 +456,9 @@ def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(saved
     watcher.removePaths([*watcher.files(), *watcher.directories()])
     save_loudly(path, THEIRS)
     assert not saved.window.findChild(DiskWatch)._soon.isActive()
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
     QApplication.sendEvent(saved.window, QEvent(QEvent.Type.WindowActivate))
-    until(lambda: saved.file_message)
+    until(lambda: saved.file_bar.text)
 
 
 def test_a_link_is_watched_where_it_leads(editor, path, tmp_path, until):
@@ -469,8 +469,8 @@ def test_a_link_is_watched_where_it_leads(editor, path, tmp_path, until):
     link.symlink_to(path)
     editor.window.open_file(link)
     save(path, OTHERS)
-    until(lambda: editor.file_message)
-    editor.answer_file_message("reloadFile")
+    until(lambda: editor.file_bar.text)
+    editor.file_bar.answer("reloadFile")
     assert editor.session.document == OTHERS
 
 
@@ -493,17 +493,17 @@ def test_a_second_window_opens_read_only(saved, path, qtbot):
     second = second_window(qtbot, path)
     assert second.session.files.is_read_only
     assert second.window.windowTitle() == "drawing.curve.json[*] (read-only) – Curvebench"
-    assert second.file_message.startswith("You have this open in another window, since ")
-    assert second.file_message.endswith("; opened read-only.")
+    assert second.file_bar.text.startswith("You have this open in another window, since ")
+    assert second.file_bar.text.endswith("; opened read-only.")
     assert saved.window.windowTitle() == "drawing.curve.json[*] – Curvebench"
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
 
 
 def test_the_owner_is_named(editor, path):
     save(path, THEIRS)
     foreign_lock(path)
     editor.window.open_file(path)
-    assert editor.file_message.startswith("Ada has this open on engine, since ")
+    assert editor.file_bar.text.startswith("Ada has this open on engine, since ")
     assert offered(editor) == ["takeOver", "saveDocumentAs"]
 
 
@@ -518,18 +518,18 @@ def test_read_only_can_be_edited_and_saved_elsewhere(saved, path, qtbot, tmp_pat
     assert load(path) == kept
     assert not second.session.files.is_read_only
     assert "(read-only)" not in second.window.windowTitle()
-    assert second.file_message == ""
+    assert second.file_bar.text == ""
 
 
 def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     changed = edit(second)
     assert saved.window.close()
-    until(lambda: "is free again" in second.file_message)
+    until(lambda: "is free again" in second.file_bar.text)
     assert offered(second) == ["takeOver"]
-    second.answer_file_message("takeOver")
+    second.file_bar.answer("takeOver")
     assert second.window.windowTitle() == "drawing.curve.json[*] – Curvebench"
-    assert second.file_message == ""
+    assert second.file_bar.text == ""
     second.trigger("saveDocument")
     assert load(path) == changed
 
@@ -549,11 +549,11 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     )
     owner.stdout.readline()
     editor.window.open_file(path)
-    assert "in another Curvebench, since" in editor.file_message
+    assert "in another Curvebench, since" in editor.file_bar.text
     owner.kill()
     owner.communicate()
-    until(lambda: "is free again" in editor.file_message)
-    editor.answer_file_message("takeOver")
+    until(lambda: "is free again" in editor.file_bar.text)
+    editor.file_bar.answer("takeOver")
     assert not editor.session.files.is_read_only
 
 
@@ -565,15 +565,15 @@ def test_two_windows_of_one_start(qtbot, path):
         session.open(path)
     editors = [Editor(qtbot, session) for session in sessions]
     assert [each.session.files.is_read_only for each in editors] == [False, True]
-    assert "opened read-only" in editors[1].file_message
+    assert "opened read-only" in editors[1].file_bar.text
 
 
 def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     document = edit(saved)
     saved.trigger("saveDocument")
-    until(lambda: "You saved changes to “drawing.curve.json” in another" in second.file_message)
-    second.answer_file_message("reloadFile")
+    until(lambda: "You saved changes to “drawing.curve.json” in another" in second.file_bar.text)
+    second.file_bar.answer("reloadFile")
     assert second.session.document == document
     assert second.session.files.is_read_only
 
@@ -585,12 +585,12 @@ def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, un
     theirs = saved.session.document
     saved.trigger("saveDocument")
     assert saved.window.close()
-    until(lambda: "is free again" in second.file_message)
-    second.answer_file_message("takeOver")
+    until(lambda: "is free again" in second.file_bar.text)
+    second.file_bar.answer("takeOver")
     assert offered(second) == ["reloadFile", "keepMine", "compareWithFile"]
     second.trigger("saveDocument")
     assert load(path) == theirs
-    second.answer_file_message("reloadFile")
+    second.file_bar.answer("reloadFile")
     assert second.session.document == theirs
     second.trigger("undo")
     assert second.session.document == mine
@@ -599,15 +599,15 @@ def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, un
 def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     changed = edit(second)
-    second.answer_file_message("takeOver")
-    assert "may still be editing" in second.file_message
+    second.file_bar.answer("takeOver")
+    assert "may still be editing" in second.file_bar.text
     assert second.session.files.is_read_only
     QTest.mouseClick(second.window.findChild(QToolButton, "closeFileBar"), Qt.MouseButton.LeftButton)
     assert second.session.files.is_read_only
-    second.answer_file_message("takeOver")
-    second.answer_file_message("editAnyway")
+    second.file_bar.answer("takeOver")
+    second.file_bar.answer("editAnyway")
     assert not second.session.files.is_read_only
-    until(lambda: "taken “drawing.curve.json” over" in saved.file_message)
+    until(lambda: "taken “drawing.curve.json” over" in saved.file_bar.text)
     assert saved.window.windowTitle().endswith("[*] (read-only) – Curvebench")
     second.trigger("saveDocument")
     assert load(path) == changed
@@ -619,8 +619,8 @@ def test_one_who_has_forgotten_it_is_not_asked(editor, path):
     save(path, THEIRS)
     foreign_lock(path, since=time.time() - OLD - 60)
     editor.window.open_file(path)
-    assert editor.file_message.endswith("opened read-only. Perhaps Ada forgot it.")
-    editor.answer_file_message("takeOver")
+    assert editor.file_bar.text.endswith("opened read-only. Perhaps Ada forgot it.")
+    editor.file_bar.answer("takeOver")
     assert not editor.session.files.is_read_only
 
 
@@ -635,7 +635,7 @@ def test_save_as_onto_a_document_that_is_open_elsewhere(saved, path, qtbot, tmp_
     asked = confirm_replacing(other)
     other.trigger("saveDocumentAs")
     assert len(asked) == 1
-    assert "You have “drawing.curve.json” open in another window; it was not saved." in other.file_message
+    assert "You have “drawing.curve.json” open in another window; it was not saved." in other.file_bar.text
     assert offered(other) == ["saveDocumentAs"]
     assert load(path) == kept
     assert other.session.document is document
@@ -710,17 +710,17 @@ def test_a_save_that_fails_keeps_everything_and_offers_save_as(saved, path, monk
     with monkeypatch.context() as faulty:
         faulty.setattr(owner, step, fail_with(code))
         saved.trigger("saveDocument")
-    assert saved.file_message.startswith("drawing.curve.json was not saved. ")
-    assert words in saved.file_message
+    assert saved.file_bar.text.startswith("drawing.curve.json was not saved. ")
+    assert words in saved.file_bar.text
     assert offered(saved) == ["saveDocumentAs"]
     assert saved.session.files.is_modified
     assert saved.session.document is document
     assert path.read_bytes() == old
     answer_dialog(saved, tmp_path / "rescued.curve.json")
-    saved.answer_file_message("saveDocumentAs")
+    saved.file_bar.answer("saveDocumentAs")
     assert load(tmp_path / "rescued.curve.json") == document
     assert not saved.session.files.is_modified
-    assert saved.file_message == ""
+    assert saved.file_bar.text == ""
 
 
 def test_a_folder_that_is_gone_keeps_the_document(saved, tmp_path):
@@ -730,7 +730,7 @@ def test_a_folder_that_is_gone_keeps_the_document(saved, tmp_path):
     document = edit(saved)
     shutil.rmtree(folder)
     saved.trigger("saveDocument")
-    assert "does not exist. Choose another folder." in saved.file_message
+    assert "does not exist. Choose another folder." in saved.file_bar.text
     assert "saveDocumentAs" in offered(saved)
     assert saved.session.files.is_modified
     assert saved.session.document is document
@@ -752,8 +752,8 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     newer = encode(THEIRS).replace(b'"version": 1', b'"version": 2')
     path.write_bytes(newer)
     saved.trigger("saveDocument")
-    saved.answer_file_message("overwriteFile")
-    assert "was written by a newer version of Curvebench and stays as it is" in saved.file_message
+    saved.file_bar.answer("overwriteFile")
+    assert "was written by a newer version of Curvebench and stays as it is" in saved.file_bar.text
     assert "saveDocumentAs" in offered(saved)
     assert path.read_bytes() == newer
     assert saved.session.document is document
@@ -818,7 +818,7 @@ def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path
     save(tmp_path / "there.curve.json", THEIRS)
     answer_dialog(saved, tmp_path / "there")
     saved.trigger("saveDocumentAs")
-    assert "“there.curve.json” is there already." in saved.file_message
+    assert "“there.curve.json” is there already." in saved.file_bar.text
     assert load(tmp_path / "there.curve.json") == THEIRS
     assert saved.session.files.is_modified
 

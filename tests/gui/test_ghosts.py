@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
+from itertools import combinations
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
-from app.appearance.theme import theme_of
+from app.appearance.theme import DARK, LIGHT, theme_of
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, ChosenSettings
@@ -79,7 +82,17 @@ def test_runges_function_shows_all_families_side_by_side(editor):
     assert set(shown(editor)) == {Ghost(family=family) for family in others}
     assert editor.action("ghostAllFamilies").isChecked()
     legend = editor.window.canvas.drawing.annotations.legend
-    assert rows(editor) == ["Lagrange · Uniform", *(family.label for family in others)]
+    # By the rules of the natural spline these are one curve: cubic pieces are quintic ones, too.
+    twins = {"quintic_hermite": " = Hermite", "cubic_spline": " = Hermite"}
+    assert rows(editor) == [
+        "Lagrange · Uniform",
+        *(f"{family.label}{twins.get(family.name, '')}" for family in others),
+    ]
+    for name in twins:
+        ghost = shown(editor)[Ghost(family=FAMILIES.named(name))]
+        t = np.linspace(0.0, 1.0, 1001)
+        away = ghost.curve.evaluate(t) - shown(editor)[Ghost(family=HERMITE)].curve.evaluate(t)
+        assert np.abs(away).max() < 1e-13
     figures = {row.text: row.figure for row in legend.rows}
     # Measured, and as in the paper on Lebesgue constants at most 4 (2 + log 10) = 17 for d = 3.
     assert figures["Lagrange · Uniform"] == "Λ 30"
@@ -212,8 +225,101 @@ def test_a_ghost_is_painted_in_its_colour(editor):
 def test_every_ghost_has_a_look_of_its_own():
     styles = [(style.colour, style.dashes) for style in (ghost.style for ghost in all_ghosts())]
     assert len({dashes for _, dashes in styles}) == len(styles) >= 7
-    # There are no more colours that everybody tells apart.
-    assert len({colour for colour, _ in styles}) == 7
+    # There are no more colours that everybody tells apart; dashes go on.
+    assert len({colour for colour, _ in styles}) == 8
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=["light", "dark"])
+def test_families_are_told_apart_by_colours_and_by_dashes(theme):
+    """Lagrange and B-spline had one blue; distances in OKLab, where 0.02 is just seen side by side."""
+    styles = [Ghost(family=family).style for family in FAMILIES if family.is_built_in]
+    colours = [oklab(colour_of(style, theme)) for style in styles]
+    assert min(math.dist(one, other) for one, other in combinations(colours, 2)) > 0.1
+    assert len({style.dashes for style in styles}) == len(styles) == 8
+
+
+def oklab(colour):
+    """B. Ottosson, "A perceptual color space for image processing" (2020)."""
+    encoded = np.array([colour.redF(), colour.greenF(), colour.blueF()])
+    linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
+    cones = np.cbrt(
+        np.array(
+            [
+                [0.4122214708, 0.5363325363, 0.0514459929],
+                [0.2119034982, 0.6806995451, 0.1073969566],
+                [0.0883024619, 0.2817188376, 0.6299787005],
+            ]
+        )
+        @ linear
+    )
+    return (
+        np.array(
+            [
+                [0.2104542553, 0.7936177850, -0.0040720468],
+                [1.9779984951, -2.4285922050, 0.4505937099],
+                [0.0259040371, 0.7827717662, -0.8086757660],
+            ]
+        )
+        @ cones
+    )
+
+
+# The place of the legend
+
+
+def covered(editor):
+    """Return how many points of the curve, and of its ghosts, lie under the legend."""
+    canvas = editor.window.canvas
+    box = canvas.drawing.annotations.legend.geometry()
+    curves = [editor.session.active_view.curve, *(ghost.curve for ghost in shown(editor).values())]
+    places = [each.evaluate(np.linspace(0.0, 1.0, 2001)) for each in curves]
+    places.append(editor.session.active_view.points)
+    return sum(box.contains(canvas.to_pixel(x, y)) for x, y in np.concatenate(places).tolist())
+
+
+@pytest.mark.parametrize("size", [(1024, 640), (1280, 800), (1440, 900)])
+def test_the_legend_of_all_families_covers_no_curve(editor, qtbot, size):
+    """It lay over the end of the curve at 1280."""
+    editor.window.resize(*size)
+    uniform = Parametrization(ParametrizationKind.UNIFORM)
+    curve = replace(make_curve(RUNGE, name="Runge"), parametrization=uniform)
+    editor.session.commit(Document((curve,)), "Runge")
+    editor.trigger("ghostAllFamilies")
+    legend = editor.window.canvas.drawing.annotations.legend
+    editor.fit()
+    qtbot.waitUntil(lambda: covered(editor) == 0)
+    tip = editor.window.findChild(QToolButton, "legendChoose_floater_hormann").toolTip()
+    assert tip == "Make this the curve: Barycentric rational (Λ 3.7)"
+    assert editor.window.canvas.viewport().rect().contains(legend.geometry())
+
+
+def in_corner(editor):
+    legend = editor.window.canvas.drawing.annotations.legend.geometry()
+    room = editor.window.canvas.viewport().rect()
+    return legend.center().x() > room.center().x(), legend.center().y() > room.center().y()
+
+
+def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor, qtbot):
+    editor.session.commit(Document((make_curve([(0, 0), (2, 0), (4, 0.0), (6, 0)]),)), "Line")
+    editor.fit()
+    editor.trigger("ghostHermite")
+    assert in_corner(editor) == (True, True)
+    canvas = editor.window.canvas
+    end = canvas.to_plane(canvas.drawing.annotations.legend.geometry().center())
+    editor.press(editor.point(3))
+    editor.move(end)
+    # What the timer would do, now.
+    canvas.drawing.annotations.legend._soon.timeout.emit()
+    assert in_corner(editor) == (True, True)
+    assert covered(editor)
+    editor.release(end)
+    qtbot.waitUntil(lambda: not covered(editor))
+    assert in_corner(editor) == (True, False)
+    # And it stays there, as long as it is not in the way.
+    editor.trigger("undo")
+    editor.settle()
+    canvas.drawing.annotations.legend._soon.timeout.emit()
+    assert in_corner(editor) == (True, False)
 
 
 def test_dashes_run_on_over_corners():

@@ -152,13 +152,13 @@ def type_chord_lengths(editor):
     # From the last to the first, and again: each has to lie between its neighbours as they are then.
     rows = list(enumerate(np.cumsum(lengths)[:-1] / lengths.sum(), start=1))[::-1]
     for index, t in rows + rows:
-        editor.type_parameter(index, f"{t:.3f}")
+        editor.rail.type(index, f"{t:.3f}")
 
 
 def calm_by_hand(editor):
     for _ in range(2):
         for index, t in enumerate((0.2, 0.34, 0.48, 0.66, 0.81), start=1):
-            editor.type_parameter(index, f"{t}")
+            editor.rail.type(index, f"{t}")
 
 
 def press_in_legend(editor, name):

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import threading
 import time
+from itertools import combinations
 
 import numpy as np
 import pytest
 from PIL import Image
 from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QComboBox,
@@ -25,11 +27,11 @@ from app.document import edits
 from app.document.derivatives import VelocityRule
 from app.document.model import ParametrizationKind
 from app.exchange.drawing.animation import write_film
-from app.families import HERMITE
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.bar import MotionBar
 from app.features.motion.commands import MotionCommands
 from app.features.motion.player import Player
-from app.view_model.motion_picture import Role
+from app.view_model.motion_picture import OWN
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -292,19 +294,68 @@ def test_cubic_beside_quintic(editor, motion):
     session = editor.session
     editor.choose_family(HERMITE)
     session.commit(edits.set_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
-    editor.trigger("motionCompare")
+    editor.trigger("motionWithQuinticHermite")
     assert motion.player.is_playing
     motion.wait(0.3)
     own, cubic, quintic = motion.dots
-    assert (own.role, cubic.role, quintic.role) == (Role.OWN, Role.CUBIC, Role.QUINTIC)
+    assert own.role is OWN
+    assert (cubic.role.families, quintic.role.families) == ((HERMITE,), (QUINTIC_HERMITE,))
     assert own.place == cubic.place != quintic.place
-    assert "Cubic: acceleration jumps at 6 of 6 joints" in motion.bar.words
+    assert "Hermite: acceleration jumps at 6 of 6 joints" in motion.bar.words
     assert "Quintic: no jump of acceleration." in motion.bar.words
-    assert editor.session.document.curves[0].family is HERMITE
-    editor.trigger("motionCompare")
+    assert editor.session.document.curves[0].family == HERMITE
+    editor.trigger("motionWithQuinticHermite")
     motion.wait(0.1)
     assert len(motion.dots) == 1
     assert motion.bar.words == ""
+
+
+def test_all_families_that_go_through_the_points_run_side_by_side(editor, motion):
+    session = editor.session
+    editor.choose_family(HERMITE)
+    session.commit(edits.set_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
+    editor.trigger("motionCompare")
+    motion.wait(0.3)
+    own, *others = motion.dots
+    timed = [family for family in FAMILIES if family.interpolates]
+    assert [family for dot in others for family in dot.role.families] == timed
+    assert len(timed) >= 6
+    assert not editor.window.findChild(QAction, "motionWithBezier")
+    for family in timed:
+        action = editor.action(family.action_name.replace("family", "motionWith"))
+        assert action.isChecked()
+        assert action.text().replace("&", "") == f"Compare with {family.label}"
+        assert family.short in motion.bar.words
+    # Each of its own colour, one ring within the other where they meet.
+    assert len({dot.role.colour for dot in others}) == len(others)
+    radii = [dot.role.radius for dot in others]
+    assert radii == sorted(radii, reverse=True)
+    assert min(radii) > own.role.radius
+    # Their names do not cover each other, though they are all but in one place.
+    written = editor.window.canvas.drawing._motion._written
+    assert len(written) == len(others)
+    assert not any(one.intersects(other) for one, other in combinations(written, 2))
+    # One of them less.
+    editor.trigger("motionWithLagrange")
+    motion.wait(0.1)
+    assert LAGRANGE not in [family for dot in motion.dots for family in dot.role.families]
+    assert not editor.action("motionCompare").isChecked()
+    editor.trigger("motionCompare")
+    editor.trigger("motionCompare")
+    motion.wait(0.1)
+    assert len(motion.dots) == 1
+
+
+def test_curves_that_are_the_same_have_one_dot(editor, motion):
+    """By the natural rules the cubic pieces, the quintic ones and the spline are one curve."""
+    editor.choose_family(HERMITE)
+    editor.trigger("motionCompare")
+    motion.wait(0.1)
+    names = [[family.name for family in dot.role.families] for dot in motion.dots]
+    assert ["hermite", "quintic_hermite", "cubic_spline"] in names
+    assert (
+        "Hermite, Quintic, Spline: no jump of acceleration (its velocities are those of" in motion.bar.words
+    )
 
 
 def test_another_theme_keeps_the_icon_of_pause(editor, motion):

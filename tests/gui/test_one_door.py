@@ -251,7 +251,7 @@ def test_what_is_refused_leaves_the_selection(two):
 
 def test_a_number_typed_at_a_tick_stays_with_its_curve(two):
     panel = two.window.basis_panel
-    two.click_parameter(1)
+    two.rail.click(1)
     panel.edit_tick(1)
     assert panel.tick_edit.isVisible()
     two.trigger("nextCurve")

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+import time
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QMenu, QToolBar, QToolButton
 
@@ -25,7 +26,7 @@ from curvecore import LagrangeCurve
 WAIT_MS = 30_000
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
 NAME = "my_lagrange"
-DIFFERENCES = "Derivatives are differences: some 9 digits of c′, 8 digits of c″ and 6 digits of c‴."
+DIFFERENCES = "Derivatives are differences: c′, c″, c‴ to some 9, 8, 6 digits."
 
 
 @pytest.fixture(autouse=True)
@@ -154,6 +155,41 @@ def basis(t, parameters, order):
 """)
     qtbot.waitUntil(lambda: "is not the derivative of" in said.text(), timeout=WAIT_MS)
     assert DIFFERENCES not in said.text()
+
+
+@pytest.mark.parametrize("size", [(1024, 640), (1440, 900)])
+def test_the_line_about_a_file_lies_over_nothing(editor, path, ask, size):
+    """It lay over the foot of the canvas, where points are set and dragged."""
+    editor.window.resize(*size)
+    editor.settle()
+    ask(path)
+    editor.trigger("familyTemplate")
+    editor.settle()
+    bar, canvas = bar_of(editor), editor.window.canvas
+    area = QRect(canvas.mapToGlobal(QPoint(0, 0)), canvas.size())
+    own = QRect(bar.mapToGlobal(QPoint(0, 0)), bar.size())
+    panel = QRect(editor.window.basis_panel.mapToGlobal(QPoint(0, 0)), editor.window.basis_panel.size())
+    assert not own.intersects(area)
+    assert not own.intersects(panel)
+    needed = bar.sentence.heightForWidth(bar.sentence.width())
+    assert bar.sentence.height() >= needed
+    height = canvas.height()
+    QTest.mouseClick(editor.window.findChild(QToolButton, "closeFamilyBar"), Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert canvas.height() == height + own.height()
+
+
+def test_a_line_waits_until_a_drag_has_ended(using, save, path, qtbot):
+    """The canvas would have another size under the hand."""
+    place, height = using.point(2), using.window.canvas.height()
+    using.press(place)
+    using.move((3.0, 2.0))
+    path.unlink()
+    qtbot.waitUntil(lambda: bool(family_files().problems), timeout=WAIT_MS)
+    assert bar_of(using) is None
+    assert using.window.canvas.height() == height
+    using.release((3.0, 2.0))
+    qtbot.waitUntil(lambda: "is gone from its folder" in text_of(using), timeout=WAIT_MS)
 
 
 def test_a_template_is_short_and_says_what_there_is(path):
@@ -355,6 +391,94 @@ def test_a_file_that_hangs_is_tried_elsewhere_and_can_be_stopped(editor, save, p
     QTest.mouseClick(bar_of(editor).button("stopFamilyFile"), Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "was stopped" in text_of(editor), timeout=WAIT_MS)
     assert NAME not in [family.name for family in FAMILIES]
+
+
+SLOW = """import time
+
+def spin(seconds):
+    began = time.thread_time()
+    while time.thread_time() - began < seconds:
+        pass
+
+def basis(t, parameters):
+    if len(parameters) == len(t) == 6:
+        print("slow {")
+        spin(SECONDS)
+"""
+
+
+def slow(text, seconds):
+    """The template with functions that take so many seconds of processor time at six points."""
+    return text.replace("def basis(t, parameters):\n", SLOW.replace("SECONDS", str(seconds)))
+
+
+@pytest.fixture
+def slowing(using, save, path, qtbot):
+    """The editor, after the file was saved with other seconds."""
+
+    def slowed(seconds):
+        title = f"slow by {seconds}"
+        text = slow(template(path), seconds).replace('title = "my lagrange"', f'title = "{title}"')
+        save(text)
+        qtbot.waitUntil(
+            lambda: using.action("familyMyLagrange").text() == title.capitalize(), timeout=WAIT_MS
+        )
+        return text[: text.index("< seconds")].count("\n") + 1
+
+    return slowed
+
+
+LAST = "The last curve that could be drawn is shown."
+
+
+def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
+    using, slowing, path, qtbot, monkeypatch
+):
+    """It stood still for 5 s, and then said "Cancelled." alone."""
+    line = slowing(1e9)
+    monkeypatch.setattr(trial, "SECONDS", 1.5)
+    good = using.session.active_view.curve
+    began = time.process_time()
+    using.add_point(4.5, 2.5)
+    assert time.process_time() - began < 2.0
+    what = rf"“{NAME}\.py”, line {line}|{line + 1}: the family “slow by 1e9” takes long for 6 points"
+    assert re.match(what, using.message)
+    assert using.message.endswith(f"and is tried beside the window. {LAST}")
+    assert using.session.active_view.curve is good
+    using.drag_point(2, (3.0, 2.0))
+    assert using.point(2) == pytest.approx((3.0, 2.0), abs=2 * using.pixel)
+    assert not using.window.findChild(QToolButton, "offeredAction").isVisible()
+    using.screenshot()
+    qtbot.waitUntil(lambda: "ran for longer than 1.5 s and was stopped" in using.message, timeout=WAIT_MS)
+    assert re.match(what, using.message)
+    assert using.message.endswith(LAST)
+    # With the points that it can draw it is drawn.
+    using.trigger("undo")
+    using.trigger("undo")
+    assert using.session.active_view.is_current
+    assert using.message == ""
+    using.drag_point(1, (1.2, 1.5))
+    assert using.session.active_view.is_current
+
+
+def test_what_hangs_beside_the_window_can_be_stopped(using, slowing, qtbot):
+    slowing(1e9)
+    using.add_point(4.5, 2.5)
+    qtbot.waitUntil(lambda: "takes long for 6 points…" in text_of(using), timeout=WAIT_MS)
+    QTest.mouseClick(bar_of(using).button("stopFamilyFile"), Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "takes long for 6 points and was stopped" in using.message, timeout=WAIT_MS)
+    assert using.message.endswith(LAST)
+    assert bar_of(using) is None
+
+
+def test_functions_that_are_slow_and_end_are_drawn_a_moment_later(using, slowing, qtbot):
+    slowing(0.2)
+    using.add_point(4.5, 2.5)
+    assert "is tried beside the window" in using.message
+    qtbot.waitUntil(lambda: using.session.active_view.is_current, timeout=WAIT_MS)
+    using.settle()
+    assert using.message == ""
+    assert len(using.session.active_view.parameters) == 6
 
 
 @pytest.mark.parametrize(

@@ -68,25 +68,27 @@ def lengths(editor, index, kind=1):
 # Handles
 
 
-@pytest.mark.parametrize("kind", [*ParametrizationKind])
 @pytest.mark.parametrize("family", WITH_VELOCITIES)
-def test_no_handle_gets_longer_than_it_was_drawn(ruled):
+def test_no_handle_gets_longer_than_it_was_drawn(pen, family):
     """340 px on, a handle of 45 px used to become one of 510."""
-    for x in (0, 30):
-        ruled.click(at(ruled, x, 0))
-    ruled.press(at(ruled, 60, 0))
-    ruled.move(at(ruled, 60, 45))
-    assert "handles stay at most this long" in ruled.status
-    ruled.release(at(ruled, 60, 45))
-    drawn = lengths(ruled, 2)[False]
-    assert drawn == pytest.approx(45, abs=1.5)
-    ruled.click(at(ruled, 400, 0))
-    after = lengths(ruled, 2)
-    assert max(after.values()) == pytest.approx(drawn, rel=1e-9)
-    ruled.trigger("undo")
-    assert lengths(ruled, 2)[False] == drawn
-    ruled.click(at(ruled, 75, 0))
-    assert max(lengths(ruled, 2).values()) == pytest.approx(drawn, rel=1e-9)
+    empty = edits.set_family(pen.session.document, 0, family)
+    for kind in ParametrizationKind:
+        begin(pen, edits.set_parametrization(empty, 0, kind, []))
+        for x in (0, 30):
+            pen.click(at(pen, x, 0))
+        pen.press(at(pen, 60, 0))
+        pen.move(at(pen, 60, 45))
+        assert "handles stay at most this long" in pen.status, kind
+        pen.release(at(pen, 60, 45))
+        drawn = lengths(pen, 2)[False]
+        assert drawn == pytest.approx(45, abs=1.5), kind
+        pen.click(at(pen, 400, 0))
+        after = lengths(pen, 2)
+        assert max(after.values()) == pytest.approx(drawn, rel=1e-9), kind
+        pen.trigger("undo")
+        assert lengths(pen, 2)[False] == drawn, kind
+        pen.click(at(pen, 75, 0))
+        assert max(lengths(pen, 2).values()) == pytest.approx(drawn, rel=1e-9), kind
 
 
 def test_the_handle_behind_stays_where_it_was_drawn_before_a_short_segment(pen):

@@ -1,13 +1,14 @@
 """The pencil: a drag with the mouse becomes a curve of few points near the line."""
 
 import math
+import time
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.families import FAMILIES
-from app.testing import Editor
+from app.testing.input_driver import spin
 from app.view_model.curve_view import view_of
 
 PLACES = {
@@ -18,8 +19,7 @@ PLACES = {
 
 
 @pytest.fixture
-def editor(qtbot):
-    editor = Editor(qtbot)
+def editor(editor):
     editor.new()
     editor.choose_family(FAMILIES.named("hermite"))
     editor.trigger("pencilTool")
@@ -37,7 +37,17 @@ def draw(editor, places, *, release=True):
     editor.settle()
     if release:
         editor.release(tuple(line[-1]))
+        wait(editor)
     return line
+
+
+def wait(editor):
+    """Wait until the lines that were drawn have become curves."""
+    deadline = time.monotonic() + 20.0
+    while editor.window.canvas.tools.background.lines:
+        assert time.monotonic() < deadline
+        spin(5)
+    editor.settle()
 
 
 def farthest(editor, line):
@@ -98,11 +108,20 @@ def test_every_family_can_be_drawn(editor, family):
     assert farthest(editor, line) <= 2.2
 
 
-def test_a_zigzag_that_a_polynomial_would_follow_for_half_a_minute_comes_out_in_local_pieces(editor):
+def test_a_zigzag_of_few_teeth_that_took_a_polynomial_half_a_minute_is_drawn(editor):
     editor.new()
     editor.choose_family(FAMILIES.named("bezier"))
     editor.trigger("pencilTool")
     line = draw(editor, [(100 + 4 * i, 160 + abs(10 * i % 160 - 80)) for i in range(100)])
+    assert editor.session.active_curve.family is FAMILIES.named("bezier")
+    assert farthest(editor, line) <= 2.2
+
+
+def test_a_zigzag_that_a_polynomial_would_follow_for_long_comes_out_in_local_pieces(editor):
+    editor.new()
+    editor.choose_family(FAMILIES.named("bezier"))
+    editor.trigger("pencilTool")
+    line = draw(editor, [(100 + i, 160 + abs(10 * i % 120 - 60)) for i in range(600)])
     assert editor.session.active_curve.family.curve_class.is_local
     assert farthest(editor, line) <= 2.2
     assert "It is a Hermite curve: a Bézier curve so near takes too long to find." in editor.status
@@ -147,3 +166,85 @@ def test_a_line_of_two_thousand_places_is_drawn_as_quickly_as_a_short_one(editor
     assert len(editor.window.canvas.marks.line) >= 1900
     assert editor.session.undo_stack.count() == 1
     editor.key(Qt.Key.Key_Escape)
+
+
+TEETH = [(100 + i, 160 + abs(10 * i % 120 - 60)) for i in range(600)]
+"""A zigzag that takes a Bézier curve a second, and then is drawn in local pieces."""
+
+
+@pytest.fixture
+def slow(editor):
+    """An editor in which a line takes its time."""
+    editor.new()
+    editor.choose_family(FAMILIES.named("bezier"))
+    editor.trigger("pencilTool")
+    return editor
+
+
+def draw_without_waiting(editor, places):
+    line = draw(editor, places, release=False)
+    editor.release(tuple(line[-1]))
+    return line
+
+
+def test_the_line_stays_until_the_curve_is_there_and_how_far_it_is_is_told(slow, qtbot):
+    line = draw_without_waiting(slow, TEETH)
+    canvas = slow.window.canvas
+    assert not slow.session.active_curve.points
+    assert np.array_equal(canvas.marks.waiting, [line])
+    qtbot.waitUntil(lambda: "Escape cancels" in slow.status, timeout=20_000)
+    assert slow.status.startswith("Fitting: ")
+    wait(slow)
+    assert canvas.marks.waiting == ()
+    assert slow.session.active_curve.points
+    assert slow.session.undo_stack.count() == 2  # the family before it
+
+
+def test_escape_takes_a_line_back_that_is_becoming_a_curve(slow):
+    before, count = slow.session.document, slow.session.undo_stack.count()
+    draw_without_waiting(slow, TEETH)
+    slow.key(Qt.Key.Key_Escape)
+    assert slow.window.canvas.marks.waiting == ()
+    assert slow.status == "Cancelled."
+    assert slow.session.document == before
+    assert slow.session.undo_stack.count() == count
+    assert slow.window.canvas.tools.record.name == "pencil"
+    line = draw(slow, PLACES["wobbling"])
+    assert farthest(slow, line) <= 2.2
+
+
+def test_quick_lines_come_one_after_the_other(slow):
+    first = draw_without_waiting(slow, TEETH)
+    second = draw_without_waiting(slow, PLACES["wobbling"])
+    assert len(slow.window.canvas.marks.waiting) == 2
+    wait(slow)
+    curves = slow.session.document.curves
+    assert len({curve.name for curve in curves}) == len(curves) == 2
+    for place, line in enumerate((first, second)):
+        slow.session.selected.activate(place)
+        assert farthest(slow, line) <= 2.2
+    slow.trigger("undo")
+    assert len(slow.session.document.curves) == 1
+
+
+def test_a_gesture_in_flight_is_not_disturbed_by_a_curve_that_is_done(slow, qtbot):
+    draw_without_waiting(slow, PLACES["wobbling"])
+    line = draw(slow, PLACES["corner"], release=False)
+    qtbot.waitUntil(lambda: not slow.window.canvas.jobs.is_busy, timeout=20_000)
+    assert not slow.session.active_curve.points
+    assert len(slow.window.canvas.marks.line) > 40
+    slow.release(tuple(line[-1]))
+    wait(slow)
+    assert len(slow.session.document.curves) == 2
+
+
+def test_another_tool_does_not_lose_the_line_and_another_document_does(slow):
+    line = draw_without_waiting(slow, PLACES["wobbling"])
+    slow.trigger("selectTool")
+    wait(slow)
+    assert farthest(slow, line) <= 2.2
+    slow.trigger("pencilTool")
+    draw_without_waiting(slow, TEETH)
+    slow.new()
+    wait(slow)
+    assert not slow.session.active_curve.points

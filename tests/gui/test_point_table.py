@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtGui import QAction, QFocusEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtTest import QSignalSpy
@@ -11,7 +12,7 @@ from app.appearance.colours import point_colours
 from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
 from app.document import edits
 from app.document.derivatives import VelocityRule
-from app.document.model import ParametrizationKind, make_curve
+from app.document.model import Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.controller import PointTableController
 from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
@@ -22,18 +23,11 @@ from app.view_model.point_columns import columns_of
 
 Role = Qt.ItemDataRole
 T, X, Y, VX, VY, AX, AY, JX, JY = range(9)
+pytestmark = pytest.mark.usefixtures("point_locale")
+
 SEPTIC_HERMITE = FAMILIES.named("septic_hermite")
 WIDTH = len(columns_of(derivatives=0))
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
-
-
-@pytest.fixture(autouse=True)
-def point_locale():
-    """Decimal points, whatever the machine's locale is."""
-    before = QLocale()
-    QLocale.setDefault(QLocale.c())
-    yield
-    QLocale.setDefault(before)
 
 
 def refusals_of(session):
@@ -334,6 +328,36 @@ def test_an_unchanged_text_is_no_edit(table):
     assert table.session.document is before
 
 
+@pytest.mark.parametrize(
+    ("times", "shown"),
+    [
+        ([0.1 * k for k in range(3)] + [0.1 + 0.2, 0.4], ["0.0", "0.1", "0.2", "0.3", "0.4"]),
+        ([k / 30 for k in range(5)], ["0.00000", "0.03333", "0.06667", "0.10000", "0.13333"]),
+        # A clock's seconds: they were 1.7e9, one like the other.
+        (
+            [1.7e9 + 0.04 * k for k in range(5)],
+            ["1700000000.00", "1700000000.04", "1700000000.08", "1700000000.12", "1700000000.16"],
+        ),
+    ],
+)
+def test_imported_parameters_read_well_and_are_whole_when_edited(table, times, shown):
+    points = tuple(Point(float(k), float(k % 2), t=t) for k, t in enumerate(times))
+    curve = replace(
+        table.session.active_curve, points=points, parametrization=Parametrization(ParametrizationKind.MANUAL)
+    )
+    table.session.commit(table.session.document.with_curve(0, curve), "Import")
+    QApplication.processEvents()
+    delegate = table.view.cell_delegate
+    assert [delegate.text(row, T) for row in range(5)] == shown
+    for row, t in enumerate(times):
+        editor = table.edit(row, T)
+        assert float(editor.text()) == t
+        table.qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    metrics = table.view.fontMetrics()
+    assert table.view.columnWidth(T) >= metrics.horizontalAdvance(shown[-1]) + 3
+    assert sum(table.view.columnWidth(each) for each in (T, X, Y)) <= table.view.viewport().width()
+
+
 def test_leaving_an_estimated_cell_untouched_keeps_it_estimated(hermite):
     editor = hermite.edit(2, VX)
     hermite.qtbot.keyClick(editor, Qt.Key.Key_Return)
@@ -611,7 +635,10 @@ def test_paste_appends_to_manual_parameters_at_their_pace(table):
     assert table.session.active_view.is_current
 
 
-def test_pasted_points_leave_the_handles_of_the_others_alone(hermite):
+@pytest.mark.parametrize("is_closed", [False, True])
+def test_pasted_points_leave_the_handles_of_the_others_alone(hermite, is_closed):
+    if is_closed:
+        closed(hermite)
     document = edits.set_velocity(hermite.session.document, 0, 2, (3.0, 4.0))
     hermite.session.commit(document, "Set")
 
@@ -1041,20 +1068,6 @@ def test_pasting_into_a_closed_curve(hermite):
     view = hermite.session.active_view
     assert view.is_current
     assert view.parameters.tolist() == list(range(11))
-
-
-def test_pasted_points_leave_the_handles_of_a_closed_curve_alone(hermite):
-    closed(hermite)
-    hermite.session.commit(edits.set_velocity(hermite.session.document, 0, 2, (3.0, 4.0)), "Set")
-
-    def handle():
-        view = hermite.session.active_view
-        return np.multiply(view.spacing(2, ahead=True), view.velocity_of(2))
-
-    before = handle()
-    hermite.click(7, X)
-    hermite.paste("0.75 0.6\n3 4\n5 6")
-    np.testing.assert_allclose(handle(), before, rtol=1e-13)
 
 
 def test_at_a_corner_the_table_has_what_is_before_it(hermite):

@@ -6,23 +6,13 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.document.model import Document, make_curve
-from app.families import HERMITE
-
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 
 
 @pytest.fixture
-def three(editor):
+def three(waves):
     """Three waves one above the other, A below, C on top; B is active."""
-    curves = tuple(
-        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=HERMITE)
-        for level, name in enumerate("ABC")
-    )
-    editor.session.commit(Document(curves), "Begin", active=1)
-    editor.fit()
-    return editor
+    return waves("ABC")
 
 
 def on_curve(editor, row, t=0.45):

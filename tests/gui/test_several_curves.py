@@ -21,18 +21,12 @@ from app.view_model import flattener
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
 LEFT = Qt.MouseButton.LeftButton
-WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 
 
 @pytest.fixture
-def three(editor):
+def three(waves):
     """Three waves one above the other, A below, C on top; B is active."""
-    curves = tuple(
-        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=HERMITE)
-        for level, name in enumerate("ABC")
-    )
-    editor.session.commit(Document(curves), "Begin", active=1)
-    editor.fit()
+    editor = waves("ABC")
     editor.show_dock("curvesDock")
     return editor
 

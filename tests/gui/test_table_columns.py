@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QItemSelectionModel, QLocale, Qt
+from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
@@ -19,6 +19,8 @@ from app.features.point_table.delegate import CellEditor
 from app.features.point_table.edits import passed_over
 from app.view_model import point_columns as columns
 from app.view_model.point_columns import Column
+
+pytestmark = pytest.mark.usefixtures("point_locale")
 
 Key, Role = Qt.Key, Qt.ItemDataRole
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -56,14 +58,6 @@ DISTANCE = Column(
     is_estimated=lambda view: np.arange(len(view.source.points)) == 1,
     estimate=lambda curve: f"guessed for {curve.name}",
 )
-
-
-@pytest.fixture(autouse=True)
-def point_locale():
-    before = QLocale()
-    QLocale.setDefault(QLocale.c())
-    yield
-    QLocale.setDefault(before)
 
 
 @pytest.fixture

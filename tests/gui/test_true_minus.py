@@ -91,7 +91,7 @@ def test_no_hyphen_stands_for_a_minus(negative):
 
 @pytest.mark.parametrize(("t", "words"), [("-3", "greater than −2"), ("-0.9", "less than −1")])
 def test_what_a_refused_parameter_must_be_is_said_with_a_true_minus(negative, t, words):
-    negative.type_parameter(1, t)
+    negative.rail.type(1, t)
     assert words in negative.message + negative.status
     assert not HYPHEN.search(negative.message + negative.status)
 

@@ -9,25 +9,17 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QSlider, QToolButton
 
 from app.document import edits
-from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.features.point_table.commands import PointTableCommands
 from app.features.reference_image.commands import ImageCommands
 
 LEFT = Qt.MouseButton.LeftButton
-WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 
 
 @pytest.fixture
-def pair(editor):
+def pair(waves):
     """Two Hermite waves; B, the upper one, is active."""
-    curves = tuple(
-        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=HERMITE)
-        for level, name in enumerate("AB")
-    )
-    editor.session.commit(Document(curves), "Begin", active=1)
-    editor.fit()
-    return editor
+    return waves("AB")
 
 
 def insert(editor):
@@ -335,3 +327,20 @@ def test_the_hint_of_the_rail_follows_a_step(pair):
     assert "t of point 1" in pair.window.status_line.hint
     pair.trigger("redo")
     assert "t of point 1" not in pair.window.status_line.hint
+
+
+def test_an_empty_canvas_speaks_of_the_tool_in_hand(editor):
+    """With the pencil it spoke of pressing P."""
+    editor.new()
+    said = {}
+    for tool in ("selectTool", "addTool", "pencilTool"):
+        editor.trigger(tool)
+        said[tool] = editor.message
+    assert said["selectTool"].startswith("Press P, then click")
+    assert said["addTool"].startswith("Click on the canvas to add points")
+    assert said["pencilTool"].startswith("Drag on the canvas to draw freehand")
+    bar = editor.window.message_bar
+    QTest.mouseClick(bar.close_button, Qt.MouseButton.LeftButton)
+    for tool in said:
+        editor.trigger(tool)
+        assert editor.message == ""

@@ -43,6 +43,7 @@ from app.view_model.growth import growth_of_points
 from app.view_model.hold import BendWith
 from app.view_model.motion import STATIONS, Course, Pace
 from app.view_model.motion_picture import jumps_in_words, rivals_of
+from app.view_model.motion_settings import timed_families
 from app.view_model.nearest import NearestPoint
 from app.view_model.reshape import reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
@@ -236,6 +237,9 @@ def test_a_split_keeps_the_shape_or_is_refused(name, t):
         assert not family.derivatives
         assert not family.curve_class.is_one_polynomial
         assert made.startswith(f"{family.subject} cannot be split")
+        # The way out keeps the shape of polynomials alone.
+        way_out = "keeping the shape" if view.curve.exact_pieces() is not None else "within 0.0"
+        assert f"Convert it to Hermite first, {way_out}" in made
         assert name != "tests_cosine_steps" or t == 1.9
         return
     assert name != "tests_gaussian"
@@ -461,8 +465,11 @@ def test_the_rest_of_what_is_said_holds_for_it(name):
     document = Document((view.source,))
     cures = cures_of(document, 0, view, 2)
     assert all(np.isfinite(cure.overshoot) or cure.problem for cure in cures.cures)
-    rivals = rivals_of(view)
+    rivals = rivals_of(view, frozenset(timed_families()))
     assert rivals
+    assert (view.source.family in {each for role in rivals for each in role.families}) is (
+        view.source.family.interpolates
+    )
     assert jumps_in_words(rivals)
 
 

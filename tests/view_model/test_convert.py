@@ -9,14 +9,15 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
+from app.document.derivatives import VelocityRule
 from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
-from app.view_model.convert import converted
+from app.view_model.convert import converted, outlook
 from app.view_model.curve_view import view_of
 from app.view_model.measure import is_kept
 from app.view_model.smoothness import with_corners
-from curvecore import CurveError
+from curvecore import CurveError, LagrangeCurve
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
 TAKERS = [family for family in FAMILIES if family.takes_shapes]
@@ -43,12 +44,17 @@ def apart(before, after):
 def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
     before = view(one, count, manual=manual)
     size = np.ptp(before.points, axis=0).max()
+    told = outlook(before, other)
     try:
         other.curve_class.near(before.curve, 1e-4 * size)
+        assert told.within or other.curve_class.check_shape(before.curve) is None
     except CurveError:
-        with pytest.raises(EditError, match="This is no "):
+        with pytest.raises(EditError, match="This is no ") as refusal:
             converted(before, other)
+        # Known before anybody tries.
+        assert told.refusal == str(refusal.value)
         return
+    assert told.refusal == ""
     made = converted(before, other)
     after = view_of(made.curve)
     assert made.curve.family == other
@@ -59,6 +65,10 @@ def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
     words = "Shape kept" if is_kept(made.residual, (before.source,)) else "The shape is another"
     assert made.sentence.startswith(f"{words}, largest change ")
     assert words == "Shape kept" or before.curve.degree is None
+    assert told.within == pytest.approx(0.0 if before.curve.degree is not None else 1e-4 * size, rel=0.5)
+    assert [point.corner for point in made.curve.points].count(True) == made.note.count("jumps at") * (
+        len(made.curve.points) - 2
+    )
     assert made.left_rule is (made.curve.is_manual and not manual)
     assert ("manual now" in made.sentence) is made.left_rule
 
@@ -88,10 +98,29 @@ def test_these_are_the_same_curve(one, other, count):
         (
             "hermite",
             "bezier",
-            "no Bézier curve: a Bézier curve is one polynomial, and this one is 5.",
+            "no Bézier curve: a Bézier curve is one polynomial from end to end, and this curve has 5 pieces.",
         ),
-        ("lagrange", "hermite", "its pieces have degree 5, those of a Hermite curve 3."),
-        ("bezier", "b_spline", "its pieces have degree 5, those of a B-spline curve 3."),
+        (
+            "lagrange",
+            "hermite",
+            "it is one polynomial of degree 5, the pieces of a Hermite curve have degree 3.",
+        ),
+        (
+            "bezier",
+            "b_spline",
+            "it is one polynomial of degree 5, the pieces of a B-spline curve have degree 3.",
+        ),
+        (
+            "septic_hermite",
+            "hermite",
+            "its pieces are polynomials of degree 7, the pieces of a Hermite curve have degree 3.",
+        ),
+        (
+            "b_spline",
+            "septic_hermite",
+            "its jerk jumps at 2 joints, where that of a septic Hermite curve goes on.",
+        ),
+        ("floater_hormann", "bezier", "it does not consist of polynomials, and a Bézier curve does."),
     ],
 )
 def test_these_are_not(one, other, words):
@@ -111,7 +140,7 @@ def test_a_velocity_set_by_hand_makes_the_acceleration_jump():
 def test_corners_stand_in_the_way():
     before = view(FAMILIES.named("hermite"))
     cornered = view_of(with_corners(before, [2]))
-    with pytest.raises(EditError, match="with corners between them"):
+    with pytest.raises(EditError, match="a B-spline curve has no corners inside, and this curve has 1"):
         converted(cornered, FAMILIES.named("b_spline"))
 
 
@@ -119,8 +148,14 @@ def test_corners_stand_in_the_way():
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("corners", [[], [2], [0, 3]])
 def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners):
-    """With corners where a derivative jumps that the family's own curves do not let jump."""
-    before = view(FAMILIES.named("hermite"), manual=True, closed=closed)
+    """With two sides where the acceleration jumps, which the family's own curves do not let jump.
+
+    By the Bessel rule that is at all joints: a jerk alone that jumps is no reason to make a corner.
+    """
+    source = replace(make_curve(POINTS, family=FAMILIES.named("hermite")), closed=closed)
+    source = replace(source, velocity_rule=VelocityRule.BESSEL)
+    parameters = view_of(source).parameters.tolist()
+    before = view_of(edits.freeze_parameters(Document((source,)), 0, parameters).curves[0])
     source = edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 9.0)).curves[0]
     before = view_of(source)
     inner = [index for index in corners if closed or index]
@@ -130,10 +165,23 @@ def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners)
     after = view_of(made.curve)
     assert after.source.is_closed is closed
     assert apart(before, after) < 1e-13
-    assert "became" in made.note
+    new = (6 if closed else 4) - len(inner)
+    points = "the points there have"
+    assert made.note == f"The acceleration jumps at {new} joints: {points} derivatives before and after."
     back = converted(after, FAMILIES.named("hermite")).curve
     assert apart(before, view_of(back)) < 1e-13
     assert [point.corner for point in back.points] == [False] * 6
+
+
+def test_what_is_told_before_takes_no_work(monkeypatch):
+    """The exact control points of one polynomial through 60 points take seconds, and are not asked for."""
+    monkeypatch.setattr(LagrangeCurve, "exact_pieces", lambda _curve: pytest.fail("computed"))
+    wild = view_of(make_curve([(float(x), float(x % 2)) for x in range(60)]))
+    told = [outlook(wild, family) for family in TAKERS if family != wild.source.family]
+    assert [each.refusal for each in told if each.refusal.count("of degree 59")] == [
+        each.refusal for each in told if each.refusal
+    ]
+    assert sum(not each.refusal for each in told) == 1
 
 
 def test_closed_curves_stay_closed_where_they_can():

@@ -15,9 +15,9 @@ from app.storage.examples import first_sketch
 from app.view_model.curve_view import view_of
 from app.view_model.motion import STATIONS, Course, folded, round_of, runs_back
 from app.view_model.motion_picture import (
+    OWN,
     TRAIL,
     ArrowKind,
-    Role,
     Scales,
     dot_at,
     dots_at,
@@ -32,6 +32,7 @@ QUARTERS = np.arange(0.0, 12.0, 0.25)
 """Sums of powers of two: nothing is rounded."""
 
 LINE = HermiteCurve([[0, 0], [4, 0]], [[2, 0], [2, 0]], [1, 3])
+BOTH = frozenset((HERMITE, QUINTIC_HERMITE))
 WAVE = LagrangeCurve([[0, 0], [1, 2], [3, -1], [4, 0]], [0, 0.5, 1.5, 2.5])
 
 
@@ -150,10 +151,12 @@ def test_the_longest_arrow_is_a_quarter_of_the_curve():
 
 def test_cubic_and_quintic_are_compared_by_their_accelerations():
     view = view_of(sketch(velocity_rule=VelocityRule.CATMULL_ROM))
-    rivals = rivals_of(view)
-    assert rivals[Role.CUBIC] is view
-    assert rivals[Role.QUINTIC].source.family is QUINTIC_HERMITE
-    courses = {Role.OWN: Course(view.curve), **{role: Course(each.curve) for role, each in rivals.items()}}
+    rivals = rivals_of(view, BOTH)
+    cubic, quintic = rivals.values()
+    assert cubic is view
+    assert quintic.source.family == QUINTIC_HERMITE
+    assert [role.title for role in rivals] == ["Hermite", "Quintic"]
+    courses = {OWN: Course(view.curve), **{role: Course(each.curve) for role, each in rivals.items()}}
     own, *others = dots_at(courses, 0.4, Repeat.LOOP, scales_of(list(courses.values())))
     assert own.arrows == ()
     assert [[arrow.kind for arrow in dot.arrows] for dot in others] == [[ArrowKind.ACCELERATION]] * 2
@@ -163,18 +166,21 @@ def test_the_jumps_are_said_as_they_are_measured():
     # h = 1, v = (1, 0): y'' is 6 (0 - 1) = -6 before the middle and 6 (3 - 1) = 12 after it, x'' is 0.
     points = tuple(Point(float(i), y, velocity=(1.0, 0.0)) for i, y in enumerate((0.0, 1.0, 3.0)))
     rule = Parametrization(ParametrizationKind.UNIFORM, start=0.0, end=2.0)
-    text = jumps_in_words(rivals_of(view_of(sketch(points=points, parametrization=rule))))
+    text = jumps_in_words(rivals_of(view_of(sketch(points=points, parametrization=rule)), BOTH))
     assert text == (
-        "Cubic: acceleration jumps at its joint, at point 1 by 18.0.  Quintic: no jump of acceleration."
+        "Hermite: acceleration jumps at its joint, at point 1 by 18.0.  Quintic: no jump of acceleration."
     )
 
 
 def test_where_there_is_no_jump_the_reason_is_given():
-    text = jumps_in_words(rivals_of(view_of(sketch(velocity_rule=VelocityRule.NATURAL_SPLINE))))
-    assert text.startswith("Cubic: no jump of acceleration (its velocities are those of the natural spline")
+    text = jumps_in_words(rivals_of(view_of(sketch(velocity_rule=VelocityRule.NATURAL_SPLINE)), BOTH))
+    assert text.startswith(
+        "Hermite, Quintic: no jump of acceleration (its velocities are those of the natural spline"
+    )
 
 
 def test_two_points_have_no_joints():
     view = view_of(sketch(points=first_sketch().curves[0].points[:2]))
-    assert jumps_in_words(rivals_of(view)) == "Cubic: no joints.  Quintic: no joints."
-    assert rivals_of(view_of(sketch(points=()))) == {}
+    assert jumps_in_words(rivals_of(view, BOTH)) == "Hermite, Quintic: no joints."
+    assert rivals_of(view_of(sketch(points=())), BOTH) == {}
+    assert rivals_of(view, frozenset()) == {}

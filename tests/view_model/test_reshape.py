@@ -138,7 +138,7 @@ def test_one_more_control_point_keeps_the_shape_under_every_rule(family, count, 
 def test_there_is_no_second_knot_where_there_is_one():
     """Knots of higher multiplicity are not written down by parameters that increase."""
     before = view(FAMILIES.named("b_spline"))
-    with pytest.raises(EditError, match="A knot is there already"):
+    with pytest.raises(EditError, match="The knot at t of point 3 is there already"):
         with_point_inserted(before, float(before.parameters[3]))
     # What is no knot stands nobody in the way.
     made = with_point_inserted(before, float(before.parameters[1]))

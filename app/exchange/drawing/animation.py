@@ -20,11 +20,12 @@ from typing import IO, TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from ...document.model import Document
+from ...families import Family
 from ...storage.files import write
 from ...tasks.progress import FINAL, Report, silent
 from ...view_model.curve_view import view_of
 from ...view_model.motion import Course, round_of
-from ...view_model.motion_picture import Role, rivals_of
+from ...view_model.motion_picture import OWN, Role, rivals_of
 from ...view_model.motion_settings import Pace, Repeat
 from .. import drawing
 from ..errors import ExchangeError
@@ -59,8 +60,8 @@ class Film:
         Frames a second.
     seconds
         How long the film is: one round of the motion.
-    compares
-        Whether cubic and quintic run side by side.
+    compared
+        The families whose curves run side by side with the curve itself.
     points
         Whether to draw the points.
     """
@@ -71,7 +72,7 @@ class Film:
     seconds: float = 4.0
     repeat: Repeat = Repeat.LOOP
     pace: Pace = Pace.PARAMETER
-    compares: bool = False
+    compared: frozenset[Family] = frozenset()
     style: Style = LIGHT
     points: bool = True
 
@@ -85,8 +86,8 @@ class Film:
         view = view_of(document.curves[self.curve])
         if not view.is_current or view.curve is None:
             raise ExchangeError(f"There is no curve to run along. {view.problem}")
-        courses = {Role.OWN: Course(view.curve, self.pace)}
-        for role, rival in (rivals_of(view) if self.compares else {}).items():
+        courses = {OWN: Course(view.curve, self.pace)}
+        for role, rival in rivals_of(view, self.compared).items():
             assert rival.curve is not None
             courses[role] = Course(rival.curve, self.pace)
         return courses
@@ -94,14 +95,12 @@ class Film:
     def drawn(self, document: Document) -> Document:
         """Return the document with all curves that are seen: those that are compared are among them."""
         source = document.curves[self.curve]
-        if not self.compares:
-            return document
         others = [
             replace(each.source, colour=role.colour)
-            for role, each in rivals_of(view_of(source)).items()
+            for role, each in rivals_of(view_of(source), self.compared).items()
             if each.source is not source
         ]
-        return Document((*others, *document.curves))
+        return Document((*others, *document.curves)) if others else document
 
     def durations(self, unit: int) -> list[int]:
         """Return how long each frame stands, in milliseconds that are multiples of `unit`.
@@ -114,7 +113,7 @@ class Film:
 
 def first_round(document: Document, repeat: Repeat) -> float:
     """Return the seconds that one round along the first curve takes at its own speed."""
-    return round_of(Film().courses(document)[Role.OWN].duration, repeat)
+    return round_of(Film().courses(document)[OWN].duration, repeat)
 
 
 def _missing_for_video() -> str:

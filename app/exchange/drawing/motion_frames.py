@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Document
 from ...view_model.motion import round_of
-from ...view_model.motion_picture import TRAIL, Dot, Role, arrow_segments, colour_of, dots_at, scales_of
+from ...view_model.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of, dots_at, scales_of
 from ...view_model.motion_settings import Repeat
 from ...view_model.palette import ACCENT, PAPER, colour_on
 from .animation import Film
@@ -43,7 +43,7 @@ class FrameMaker:
         self._film = film
         self._courses = film.courses(document)
         self._scales = scales_of(list(self._courses.values()))
-        self._times = _times(film, self._courses[Role.OWN].duration)
+        self._times = _times(film, self._courses[OWN].duration)
         drawing = drawing_of(film.drawn(document))
         self._frame = self._with_room_for_arrows(drawing.frame)
         self.width = film.width // 2 * 2
@@ -119,7 +119,7 @@ class FrameMaker:
             painter.setPen(QPen(QColor(colour_on(self._paper, colour_of(dot, arrow))), 2.0 * self._scale))
             for segment in arrow_segments(tuple(place), tuple(tip), 9.0 * self._scale).tolist():
                 painter.drawLine(QLineF(*segment))
-        if len(self._courses) > 1 and dot.role is Role.OWN:
+        if len(self._courses) > 1 and dot.role is OWN:
             return
         painter.setPen(QPen(QColor(self._paper), 1.5 * self._scale))
         painter.setBrush(self._colour(dot.role))

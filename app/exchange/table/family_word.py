@@ -43,8 +43,8 @@ def read_family_word(text: str) -> FamilyWord:
     words = text.strip().lower().split()
     closed = words[:1] == [_CLOSED]
     name, *pairs = words[closed:] or [""]
-    family = FAMILIES.named(name)
-    if family.is_missing:
+    family = FAMILIES.called(name)
+    if family is None:
         raise ValueError(f"one of {', '.join(map(str, FAMILIES))}")
     chosen = dict(_read_setting(family, pair) for pair in pairs)
     return FamilyWord(family, closed, family.settings.without_defaults(chosen))

@@ -9,7 +9,7 @@ from ..errors import ExchangeError
 from .layout import RowProblem
 from .table import MAX_ROWS
 
-BLOCK = 2**19
+_BLOCK = 2**19
 """Bytes that are read at once: some milliseconds, in which no other thread can do anything."""
 
 SNIFFED_LINES = 50
@@ -41,14 +41,14 @@ def plain_utf_8(data: bytes) -> bytes:
     return data.removeprefix(_UTF_8_MARK)
 
 
-def parts_of(data: bytes, size: int = BLOCK) -> Iterator[tuple[int, list[str], int]]:
+def parts_of(data: bytes) -> Iterator[tuple[int, list[str], int]]:
     """Yield the lines of UTF-8 bytes in parts: the first one's number, the lines, the place after them.
 
     Lines end where an editor ends them, not where str.splitlines does.
     """
     start, number = 0, 1
     while start < len(data):
-        end = data.find(b"\n", start + size)
+        end = data.find(b"\n", start + _BLOCK)
         end = len(data) if end < 0 else end
         lines = _decoded(data[start:end], number).split("\n")
         yield number, lines, end

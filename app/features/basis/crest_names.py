@@ -7,14 +7,14 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSizeF, QTimer
-from PySide6.QtGui import QFontMetricsF, QPainter
+from PySide6.QtCore import QSizeF, QTimer
+from PySide6.QtGui import QFontMetricsF, QPainter, QPixmap
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...appearance.colours import point_colours
 from ...appearance.theme import Theme
-from ...plotting.halo import Halo
+from ...plotting.halo import with_halo
 from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
 from ...view_model.basis_view import BasisView
@@ -44,7 +44,7 @@ class Crest(NamedTuple):
 def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
     """Return the crests of the functions of these kinds; that of a derivative lies ahead of its knot."""
     knots, last = basis.curve.parameters.tolist(), basis.count - 1
-    found = [_crest_of_point(basis, knot, t) for knot, t in enumerate(knots) if 0 in kinds]
+    found = _crests_of_points(basis) if 0 in kinds else []
     for kind in kinds:
         if kind == 0:
             continue
@@ -56,13 +56,18 @@ def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
     return found
 
 
-def _crest_of_point(basis: BasisView, knot: int, t: float) -> Crest:
-    """Return the crest of a position function: 1 at its parameter, of a control point where it is."""
+def _crests_of_points(basis: BasisView) -> list[Crest]:
+    """Return the crests of the position functions: 1 at their parameters; of control points as found."""
     if basis.curve.interpolates:
-        return Crest(basis.owners[knot], 0, t, 1.0)
-    at, values = basis.function(knot, 0)
-    top = int(np.argmax(values))
-    return Crest(basis.owners[knot], 0, float(at[top]), float(values[top]))
+        tops = [(t, 1.0) for t in basis.curve.parameters.tolist()]
+    elif basis.first is None:
+        places = basis.values[:, :, 0].argmax(axis=0)
+        highest = basis.values[places, np.arange(basis.count), 0]
+        tops = list(zip(basis.t[places].tolist(), highest.tolist(), strict=True))
+    else:
+        functions = [basis.function(knot, 0) for knot in range(basis.count)]
+        tops = [(float(t[values.argmax()]), float(values.max())) for t, values in functions]
+    return [Crest(owner, 0, *top) for owner, top in zip(basis.owners, tops, strict=True)]
 
 
 class Room(NamedTuple):
@@ -87,7 +92,9 @@ class CrestNames:
     """
 
     def __init__(self, plot: PlotWidget, again: Callable[[], None]) -> None:
-        self._halos = tuple(Halo() for _ in range(MOST))
+        self._pictures: dict[int, QPixmap] = {}
+        self._made_of: tuple[object, ...] = ()
+        self._measured: tuple[object, ...] = ()
         self._cell = QSizeF()
         self._written = np.empty((0, 2))
         self._crests_of: tuple[BasisView, list[int]] | None = None
@@ -118,11 +125,21 @@ class CrestNames:
         places, clear = crests + self._asides, np.flatnonzero(self._is_clear)
         kept = clear[apart(places[clear], self._cell)]
         self._written = np.round(places[kept])
-        colours, rim = point_colours(basis.point_count, theme), _RIM * scale
-        box = QRectF(QPointF(), self._cell).adjusted(rim, rim, -rim, -rim)
-        for owner, place in zip(self._owners[kept].tolist(), self._written.tolist(), strict=True):
-            box.moveCenter(QPointF(*place))
-            self._halos[owner].write(painter, box, str(owner), theme.paper, colours[owner], rim)
+        self._write(painter, self._owners[kept].tolist(), basis.point_count, theme, scale)
+
+    def _write(self, painter: QPainter, owners: list[int], count: int, theme: Theme, scale: float) -> None:
+        """Write the numbers of points of `count` where they were found to have room."""
+        made_of = (self._measured, count, theme, painter.device().devicePixelRatioF())
+        if made_of != self._made_of:
+            self._made_of = made_of
+            self._pictures.clear()
+        left, top = self._cell.width() / 2, self._cell.height() / 2
+        for owner, (x, y) in zip(owners, self._written.tolist(), strict=True):
+            if owner not in self._pictures:
+                ink, rim = point_colours(count, theme)[owner], _RIM * scale
+                self._pictures[owner] = with_halo(painter, self._cell, str(owner), theme.paper, ink, rim)
+            # On whole pixels, where letters are sharp.
+            painter.drawPixmap(int(x - left), int(y - top), self._pictures[owner])
 
     def _find_crests(self, basis: BasisView, kinds: list[int]) -> None:
         known = self._crests_of
@@ -174,10 +191,13 @@ class CrestNames:
 
     def _measure(self, painter: QPainter, scale: float) -> None:
         """Find out how much room a number takes, with its halo of paper."""
-        metrics, rim = QFontMetricsF(painter.font()), _RIM * scale
-        # Even numbers of pixels: their middles are whole, and letters are sharp.
-        width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
-        self._cell = QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
+        measured = (painter.font().key(), scale)
+        if measured != self._measured:
+            self._measured = measured
+            metrics, rim = QFontMetricsF(painter.font()), _RIM * scale
+            # Even numbers of pixels: their middles are whole, and letters are sharp.
+            width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
+            self._cell = QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
 
 
 class Lines:

@@ -14,7 +14,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...appearance.colours import point_colours
-from ...appearance.theme import mix
+from ...appearance.theme import Theme, mix
 from ...document.words import number
 from ...plotting.layers import Layer
 from ...plotting.pens import with_dashes
@@ -50,7 +50,8 @@ _PLACE_RADIUS = 3.0
 _IDLE = 0.6
 """Share of the colour in the rim of a tick that does nothing."""
 
-_MOST_PENS = 1000
+_MOST_LOOKS = 24
+"""Sets of pens that are kept: one for each kind, opacity and width, before and after a change of theme."""
 
 
 class FunctionLayer(Layer):
@@ -145,17 +146,18 @@ class FunctionLayer(Layer):
         without: frozenset[int] = frozenset(),
     ) -> None:
         assert self._lines is not None
-        colours = point_colours(basis.point_count, self.theme)
-        kinds = basis.shown_of(self.kinds)
+        wide = width * self.scale
+        kinds = [
+            (kind, _pens(basis.point_count, self.theme, opacity, wide, kind))
+            for kind in basis.shown_of(self.kinds)
+        ]
         for knot in knots:
             owner = basis.owners[knot]
             if owner in without:
                 continue
-            # Mixed with the paper beforehand: Qt draws opaque lines a third faster than translucent ones.
-            colour = mix(colours[owner], self.theme.paper, opacity)
-            for kind in kinds:
-                painter.setPen(_pen(colour.rgb(), width * self.scale, kind))
-                if kind == 0 and width * self.scale > 1:
+            for kind, pens in kinds:
+                painter.setPen(pens[owner])
+                if kind == 0 and wide > 1:
                     # Qt takes many times as long for one long line that is wide.
                     self._lines.stroke(knot, kind).draw(painter)
                 else:
@@ -192,14 +194,19 @@ class RailLayer(Layer):
         """Return the point that a knot belongs to: of a closed curve, to the last one the first."""
         return knot % self._count
 
+    @property
+    def shown_places(self) -> FloatArray | None:
+        """The parameters near which control points act most, where they are drawn."""
+        return self.places if self._count <= _NUMBERED_UP_TO else None
+
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         top = shown.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(shown.width, round(top) + 0.5))
         self._paint_ticks(painter, shown, top)
-        if self.places is not None and self._count <= _NUMBERED_UP_TO:
-            self._paint_places(painter, shown.x(self.places), top)
+        if (places := self.shown_places) is not None:
+            self._paint_places(painter, shown.x(places), top)
         if self.scrub is not None:
             self._paint_scrub(painter, shown, self.scrub)
 
@@ -242,11 +249,12 @@ class RailLayer(Layer):
         size = min(max(room, 0.5 * least), 5.0 * self.scale)
         places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
-        self._paint_idle(painter, x[spread_out(x, visible[is_idle], least)[0]], top + 1 + size, size)
+        if is_idle.any():
+            self._paint_idle(painter, x[spread_out(x, visible[is_idle], least)[0]], top + 1 + size, size)
         self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)
-        chosen = (
-            [*self.selection, self.hovered] if len(self.selection) <= _MOST_EMPHASISED else [self.hovered]
-        )
+        chosen = {self.hovered}
+        if len(self.selection) <= _MOST_EMPHASISED:
+            chosen |= self.selection
         return np.array([knot for knot in chosen if 0 <= knot < count], dtype=np.intp)
 
     def _paint_idle(self, painter: QPainter, x: FloatArray, y: float, size: float) -> None:
@@ -295,10 +303,14 @@ class RailLayer(Layer):
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
 
 
-@lru_cache(maxsize=_MOST_PENS)
-def _pen(colour: int, width: float, kind: int) -> QPen:
-    """Return the pen of a function; pens are kept, for a drag needs sixty of them every frame."""
-    return with_dashes(QPen(QColor.fromRgb(colour), width), KIND_DASHES[kind])
+@lru_cache(maxsize=_MOST_LOOKS)
+def _pens(count: int, theme: Theme, opacity: float, width: float, kind: int) -> tuple[QPen, ...]:
+    """Return the pens of the functions of one kind, by their points; a drag needs sixty of them every frame.
+
+    Their colours are mixed with the paper: Qt draws opaque lines a third faster than translucent ones.
+    """
+    colours = (mix(colour, theme.paper, opacity) for colour in point_colours(count, theme))
+    return tuple(with_dashes(QPen(colour, width), KIND_DASHES[kind]) for colour in colours)
 
 
 def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:

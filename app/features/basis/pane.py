@@ -53,11 +53,11 @@ class BasisPane(FollowsTheme, CentralPane):
         self._estimates = tool_button("withEstimates", words, "", text="With estimates")
         mirror(self._estimates, estimates)
         self._shows_cardinals, self._linearised = False, ""
-        self._functions = self._title.text()
         self._kinds = [self._kind_button(kind) for kind in range(len(_NAMES))]
-        self._formulas: tuple[str, ...] = ()
         # The functions that the header is about, and whether with the estimates.
         self._told_of: tuple[BasisView | None, bool] = (None, False)
+        # The formulas of the kinds, the note on the drawing, and the name of the functions.
+        self._said: tuple[tuple[str, ...], str, str] = ((), "", self._title.text())
         self._reach: tuple[float, float] | None = None
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
@@ -123,17 +123,16 @@ class BasisPane(FollowsTheme, CentralPane):
             return
         self._told_of = (basis, drawing.with_estimates)
         has_estimates = view.source.family.derivatives > 0
-        self._estimates.setVisible(has_estimates)
         shows_cardinals = drawing.with_estimates and has_estimates
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
-        for kind, button in enumerate(self._kinds):
-            button.setVisible(kind < len(formulas) and len(formulas) > 1)
         note = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
         # Laying the header out costs more than drawing the curve: only when it says something else.
-        functions = view.source.family.curve_class.functions
-        if (formulas, note, functions) != (self._formulas, self._drawing.text(), self._functions):
-            self._formulas, self._shows_cardinals = formulas, shows_cardinals
-            self._functions, self._linearised = functions, view.linearised
+        said = (formulas, note, view.source.family.curve_class.functions)
+        if said != self._said:
+            self._said, self._shows_cardinals, self._linearised = said, shows_cardinals, view.linearised
+            self._estimates.setVisible(has_estimates)
+            for kind, button in enumerate(self._kinds):
+                button.setVisible(kind < len(formulas) and len(formulas) > 1)
             self._drawing.setText(note)
             self._write_header()
 
@@ -161,10 +160,11 @@ class BasisPane(FollowsTheme, CentralPane):
         """
         linearised = f"; shown are those {self._linearised}" if self._linearised else ""
         self._title.setToolTip(f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
+        formulas, _drawing, functions = self._said
         for brief in range(4):
             self._brevity = brief
-            self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else self._functions)
-            for kind, formula in enumerate(self._formulas):
+            self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else functions)
+            for kind, formula in enumerate(formulas):
                 # The leading space keeps the words off the line that is their sign.
                 shown = _function_of(formula) if brief > 2 else formula
                 self._kinds[kind].setText(" " + (shown if brief else f"{_NAMES[kind]}  {formula}"))

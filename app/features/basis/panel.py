@@ -5,7 +5,6 @@ from __future__ import annotations
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QWidget
 
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
@@ -48,8 +47,8 @@ class BasisPanel(ToolPlot):
     camera: CameraOverT
     camera_class = CameraOverT
 
-    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
-        super().__init__(tools, parent)
+    def __init__(self, tools: Toolbox) -> None:
+        super().__init__(tools)
         self.setObjectName("basisPanel")
         self.drawing = BasisScene(self, self.camera)
         self._ripple_down = False

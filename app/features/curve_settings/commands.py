@@ -1,20 +1,65 @@
-"""The form of the active curve in the window: its dock, and what it shows."""
+"""The form of the active curve in the window: its dock, what it shows, and actions for what stands in it."""
 
 from __future__ import annotations
 
 from functools import partial
+from string import capwords
 
 from PySide6.QtWidgets import QWidget
 
-from ...document.edits import set_family_setting
+from ...actions.declaration import Action, action_for_each
+from ...actions.keymap import action_name
+from ...actions.needs import Need
+from ...actions.sections import CURVE_ESTIMATES, CURVE_SETTINGS
+from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
+from ...document.edits import set_family_setting, set_rule
 from ...document.model import Document
+from ...families import FAMILIES, Family, FamilySetting
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits
 from ...workbench.slider_gesture import SliderGesture
-from .panel import CurveSettings
+from .panel import CurveSettings, choice_of
 from .setting_fields import step_of
+
+_RULES = tuple((of, rule) for of in DERIVATIVES for rule in of.rules)
+
+
+def _rule_action(each: tuple[Derivative, EstimateRule]) -> Action:
+    """Return the action that lets a rule estimate the derivatives that nobody set."""
+    of, rule = each
+    return Action(
+        action_name(f"{of.name}Rule", rule),
+        f"{of.plural.capitalize()}: {rule.label}",
+        CURVE_ESTIMATES,
+        tip=rule.tip,
+        keywords=f"estimate {of.name} rule tangents",
+        needs=Need(f"a curve with {of.plural}", lambda now: now.view.source.family.derivatives >= of.order),
+        checked=lambda now: (
+            now.view.source.family.derivatives >= of.order and getattr(now.view.source, of.rule_field) is rule
+        ),
+        group=f"{of.name}Rule",
+    )
+
+
+def _settings() -> list[tuple[Family, FamilySetting]]:
+    return [(family, setting) for family in FAMILIES for setting in family.settings.all]
+
+
+def _setting_action(each: tuple[Family, FamilySetting]) -> Action:
+    """Return the action that leads to the field of a setting."""
+    family, setting = each
+    name = "".join(word.capitalize() for word in setting.name.split("_"))
+    return Action(
+        f"{family.action_name}{name}",
+        f"{capwords(setting.title)}…",
+        CURVE_SETTINGS,
+        tip=setting.tip or setting.label,
+        full_name=f"{capwords(family.title)}: {capwords(setting.title)}…",
+        keywords=f"{setting.name.replace('_', ' ')} set setting",
+        needs=Need(family.a_curve, lambda now: now.view.source.family == family),
+    )
 
 
 class CurveSettingsCommands:
@@ -30,6 +75,7 @@ class CurveSettingsCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._hold_ghost = context.session, context.central.canvas.drawing.hold_ghost
+        self._dock = context.docks["curveDock"]
         self._gestures: list[SliderGesture] = []
         self._shown: CurveView | None = None
 
@@ -52,6 +98,16 @@ class CurveSettingsCommands:
 
     def _with_value(self, name: str, document: Document, value: int) -> Document:
         return set_family_setting(document, self._session.active_index, name, value)
+
+    @action_for_each(_RULES, _rule_action)
+    def _use_rule(self, each: tuple[Derivative, EstimateRule]) -> None:
+        (of, rule), session = each, self._session
+        session.change(choice_of(of, rule), lambda document: set_rule(document, session.active_index, rule))
+
+    @action_for_each(_settings, _setting_action)
+    def _lead_to_setting(self, each: tuple[Family, FamilySetting]) -> None:
+        self._dock.bring_up()
+        self.panel.settings.focus(each[1])
 
     def render(self, view: CurveView) -> None:
         """Show `view`; where only the selection has changed, the form stays as it is."""

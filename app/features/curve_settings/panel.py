@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document import edits
-from ...document.derivatives import DERIVATIVES, Derivative
+from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
@@ -21,7 +21,7 @@ from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import FieldEdit, NumberEdit
 from ...widgets.field_form import FieldForm
-from ...widgets.number_text import decimal_mark
+from ...widgets.number_text import decimal_mark, telling_digits
 from ...widgets.tool_buttons import ICON, tool_button
 from .setting_fields import SettingFields, step_of
 
@@ -112,10 +112,13 @@ class CurveSettings(FieldForm):
         curve = self._view.source
         self.name_edit.show_text(curve.name)
         for edit, value in zip((self.start_edit, self.end_edit), self._interval, strict=True):
-            edit.show_number(value, 6)
+            edit.show_number(value, _digits_of(self._interval))
         self.settings.render_view(self._view)
         for each, box in self.rule_boxes.items():
-            box.setCurrentIndex(list(each.rules).index(getattr(curve, each.rule_field)))
+            rule = getattr(curve, each.rule_field)
+            box.setCurrentIndex(list(each.rules).index(rule))
+            if (tip := f"{_rule_tip(each)}\n{rule.label}: {rule.tip}") != box.toolTip():
+                box.setToolTip(tip)
             self._form.setRowVisible(box, each.order <= curve.family.derivatives)
         self.reset_button.setVisible(bool(orders_set(self._view)))
         self._facts.setText(_facts(self._view))
@@ -142,9 +145,7 @@ class CurveSettings(FieldForm):
 
     def _set_rule(self, of: Derivative, place: int) -> None:
         rule = list(of.rules)[place]
-        self.edited.emit(
-            f"Choose {of.name} rule", lambda document, curve: edits.set_rule(document, curve, rule)
-        )
+        self.edited.emit(choice_of(of, rule), lambda document, curve: edits.set_rule(document, curve, rule))
 
     def _choose_setting(self, setting: FamilySetting, value: SettingValue) -> None:
         self.edited.emit(
@@ -172,10 +173,16 @@ def _facts(view: CurveView) -> str:
     facts = [count_of(len(curve.points), curve.family.point)]
     if view.is_current and view.curve is not None:
         facts += [*_kind_facts(view.curve), *_shape_facts(view)]
-        start, end = (number(t, 6, decimal_mark()) for t in view.curve.domain)
+        domain = view.curve.domain
+        start, end = (number(t, _digits_of(domain), decimal_mark()) for t in domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
+
+
+def _digits_of(interval: tuple[float, float]) -> int:
+    """Return how many digits tell both ends apart, six at least."""
+    return min(max(telling_digits(np.array(interval)), 6), 15)
 
 
 def _kind_facts(curve: ParametricCurve) -> list[str]:
@@ -198,10 +205,21 @@ def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
     return NumberEdit(name, label, tip)
 
 
+def choice_of(of: Derivative, rule: EstimateRule) -> str:
+    """Return the name of a step in the history: Choose velocity rule “Akima”."""
+    return f"Choose {of.name} rule “{rule.label}”"
+
+
+def _rule_tip(of: Derivative) -> str:
+    return f"{of.name.capitalize()} rule: how those that nobody set are estimated"
+
+
 def _rule_box(of: Derivative) -> QComboBox:
-    label = f"{of.name.capitalize()} rule"
-    tip = f"{label}: how those that nobody set are estimated"
-    box = choice_box(f"{of.name}Rule", label, tip, (each.label for each in of.rules))
+    label, tip = f"{of.name.capitalize()} rule", _rule_tip(of)
+    rules = list(of.rules)
+    box = choice_box(
+        f"{of.name}Rule", label, tip, (each.label for each in rules), (each.tip for each in rules)
+    )
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box

@@ -32,6 +32,8 @@ class NumberField:
     ----------
     edit, slider
         The field and the slider.
+    row, entry
+        What stands in the form, and what is typed into.
     """
 
     def __init__(self, setting: FamilySetting, limits: tuple[int, int]) -> None:
@@ -39,7 +41,7 @@ class NumberField:
         reach = f"({limits[0]} to {limits[1]}"
         self.edit = NumberEdit(name, label, f"{setting.tip} {reach}, Enter to set)".strip())
         self.edit.setFixedWidth(_FIELD_WIDTH)
-        slider = LiveSlider(Qt.Orientation.Horizontal)
+        slider = LiveSlider()
         tip = f"{setting.tip} {reach}; Escape cancels a drag)".strip()
         self.slider = named(slider, f"{name}Slider", f"{label}, slider", tip)
         self.slider.setRange(*limits)
@@ -47,6 +49,7 @@ class NumberField:
         self._value: SettingValue = setting.default
         self.slider.drag_ended.connect(self._show)
         self.row: QLayout = row_of(self.edit, (self.slider, 1), spacing=8)
+        self.entry: QWidget = self.edit
 
     def render_value(self, value: SettingValue) -> None:
         """Show `value`; the handle of a slider that is being dragged stays where it is."""
@@ -60,13 +63,19 @@ class NumberField:
 
 
 class ChoiceField:
-    """A box of choices."""
+    """A box of choices.
+
+    Attributes
+    ----------
+    row, entry
+        The box.
+    """
 
     def __init__(self, setting: FamilySetting) -> None:
         self._values = [value for value, _ in setting.choices]
         labels = (text for _, text in setting.choices)
         self.box = choice_box(_widget_name(setting), setting.label, setting.tip, labels)
-        self.row: QWidget = self.box
+        self.row = self.entry = self.box
 
     def render_value(self, value: SettingValue) -> None:
         """Show `value`; none of a document whose family has become another one."""
@@ -114,6 +123,11 @@ class SettingFields(QObject):
         for setting, value in settings.values(view.source.settings_in_effect).items():
             self._fields[setting].render_value(value)
             self._fields[setting].row.setEnabled(not (closed and setting.when_closed is not None))
+
+    def focus(self, setting: FamilySetting) -> None:
+        """Lead the person to the field of a setting."""
+        if (field := self._fields.get(setting)) is not None:
+            field.entry.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _rebuild(self, settings: tuple[FamilySetting, ...]) -> None:
         for _ in self._fields:

@@ -99,7 +99,15 @@ class CurveCommands:
 
     # Shape
 
-    @action("insertPoint", "Insert Point at the Scrub Line", CURVE_POINTS, "I", "add", needs=UNLOCKED_CURVE)
+    @action(
+        "insertPoint",
+        "Insert Point at the Scrub Line",
+        CURVE_POINTS,
+        "I",
+        "add",
+        needs=UNLOCKED_CURVE,
+        keywords="knot insertion, elevate degree elevation, refine, add control point",
+    )
     def _insert(self) -> None:
         """Insert a point on the curve; under manual parameters, and of control points, its shape stays."""
         self._at_scrub(self.insert_at)

@@ -14,8 +14,8 @@ from ...widgets.tool_buttons import tool_button
 class JobBar(QWidget):
     """A line with a word, a bar and a button; it shows what it is told."""
 
-    def __init__(self, cancel: QAction, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, cancel: QAction) -> None:
+        super().__init__()
         self.setObjectName("jobBar")
         self._word = Label(name="jobWord")
         self.bar = ThinProgress("jobProgress", "How far it has come")

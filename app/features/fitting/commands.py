@@ -41,6 +41,7 @@ _SHARE = 0.002
 """The tolerance that is offered first, as a share of the size of a curve."""
 
 _HEIGHT = 300
+_BUSY = "Fitting… Escape cancels."
 
 FAR_STYLE = LineStyle("warning", width=2.0)
 
@@ -105,6 +106,7 @@ class FitCommands(QObject):
         CURVE_POINTS,
         icon="fewer-points",
         needs=UNLOCKED_CURVE,
+        keywords="simplify reduce thin decimate approximate least squares",
     )
     def _open(self) -> None:
         """Replace the curve by one of fewer points near it, of any family; it is shown first."""
@@ -121,6 +123,13 @@ class FitCommands(QObject):
         if self._panel is not None and self._is_seen:
             self._ask()
 
+    def escape(self) -> bool:
+        """Cancel a fit that is being computed; return whether there was one."""
+        is_busy = self._is_busy
+        if is_busy:
+            self._cancel()
+        return is_busy
+
     def close(self) -> None:
         """End what is being computed."""
         self._task.close()
@@ -131,6 +140,10 @@ class FitCommands(QObject):
             self._forget()
         elif self._panel is not None:
             self._ask()
+
+    @property
+    def _is_busy(self) -> bool:
+        return self._asked is not None and self._found is None and not self._problem
 
     def _forget(self) -> None:
         self._task.give_up()
@@ -170,15 +183,16 @@ class FitCommands(QObject):
             traces.append(Trace(far, FAR_STYLE, f"farthest: {number(found.deviation, 3)}"))
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Fewer points")
         if self._panel is not None:
-            busy = self._asked is not None and found is None and not self._problem
-            words = self._words(found) if found is not None else self._problem or ("Fitting…" if busy else "")
+            busy = self._is_busy
+            words = self._words(found) if found is not None else self._problem or (_BUSY if busy else "")
             self._panel.render_result(words, can_apply=found is not None, busy=busy)
 
     def _words(self, found: Fitted) -> str:
         assert self._asked is not None
         view, wish = self._asked
         text = f"{count_of(len(view.source.points), 'point')} become {found.words}"
-        if wish.tolerance is not None and found.deviation > wish.tolerance:
+        is_short = wish.tolerance is not None and found.deviation > wish.tolerance
+        if is_short and not found.is_scattered:
             text += f" No {wish.family.title} curve was found nearer."
         return text
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import msgspec
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from ...document.words import NamedEnum
 from ...families import FAMILIES, Family
 from ...qt.labels import Label
+from ...qt.overrides import Guarded
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box, push_button
 from ...widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
@@ -32,7 +34,7 @@ class FitWish(msgspec.Struct, frozen=True):
     keeps_times: bool
 
 
-class FitPanel(QScrollArea):
+class FitPanel(Guarded, QScrollArea):
     """Form of a fit.
 
     Signals
@@ -68,7 +70,9 @@ class FitPanel(QScrollArea):
         self.result = Label(name="fitResult", wordWrap=True)
         self.progress = ThinProgress("fitProgress", "How far the fit has come")
         self.apply_button = push_button("applyFit", "Replace the Curve", "One step, and undo takes it back")
-        self.cancel_button = push_button("cancelFit", "Cancel", "Leave the curve as it is")
+        self.cancel_button = push_button(
+            "cancelFit", "Cancel", "Leave the curve as it is; Escape does so while it is fitted"
+        )
         self._lay_out()
         self._connect()
 
@@ -132,6 +136,13 @@ class FitPanel(QScrollArea):
         self.tolerance.setValue(tolerance)
         self._is_rendering = False
         self._show_goal()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        # While it works; else Escape is the window's.
+        if event.key() == Qt.Key.Key_Escape and self.progress.isVisible():
+            self.cancelled.emit()
+            return
+        super().keyPressEvent(event)
 
     def render_result(self, words: str, *, can_apply: bool, busy: bool) -> None:
         """Show what came of it, or why nothing did."""

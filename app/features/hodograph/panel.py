@@ -40,8 +40,8 @@ class HodographPlot(ToolPlot):
     ranges above 1e150.
     """
 
-    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
-        super().__init__(tools, parent)
+    def __init__(self, tools: Toolbox) -> None:
+        super().__init__(tools)
         named(self, "hodograph", "Hodograph")
         self.setAccessibleDescription("The velocity as a curve in the plane; drag along it to scrub.")
         self.getViewBox().setAspectLocked(True)

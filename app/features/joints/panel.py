@@ -39,8 +39,8 @@ class JointsView(ClaimsKeys, QTableView):
     visited = Signal(int)
     copy_requested = Signal()
 
-    def __init__(self, model: JointsModel, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, model: JointsModel) -> None:
+        super().__init__()
         named(self, "jointsTable", "Joints")
         self.setModel(model)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -19,8 +19,8 @@ _ROWS = {"first": "Operations, first point", "further": "Each further point", "t
 class CostPanel(QWidget):
     """The operations of both ways for the present n, their time, and a chart."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("costPanel")
         self._words = Label(name="costWords", wordWrap=True)
         self._numbers = QGridLayout()

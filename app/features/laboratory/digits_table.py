@@ -18,8 +18,8 @@ _SMALLER = 0.75
 class DigitsTable(QWidget):
     """A row for the truth and one for each method: x and y as they were computed, digit by digit."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         named(self, "digitsTable", "Computed digits")
         self._title = Label(name="digitsTitle")
         self._title.setToolTip("Put the scrub line (T) where you want to look; without it, the worst place")

@@ -44,8 +44,8 @@ class MethodTable(FollowsTheme, QWidget):
 
     chosen = Signal(frozenset)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         named(self, "laboratoryTable", "Methods and their errors")
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
@@ -58,6 +58,7 @@ class MethodTable(FollowsTheme, QWidget):
             heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             heading.setAlignment(_side(column))
             self._grid.addWidget(heading, 0, column)
+        self._compared = frozenset[Calculation]()
         self._boxes: dict[Calculation, QCheckBox] = {}
         self._cells: dict[Calculation, list[Label]] = {}
         for row, method in enumerate(Calculation, start=1):
@@ -67,7 +68,7 @@ class MethodTable(FollowsTheme, QWidget):
     def _add_row(self, row: int, method: Calculation) -> None:
         box = check_box(f"method_{method.value}", method.label, method.tip, f"Compare {method.label}")
         box.setIconSize(SIGN)
-        box.clicked.connect(self._choose)
+        box.clicked.connect(lambda: self.chosen.emit(self._compared ^ {method}))
         self._boxes[method] = box
         self._grid.addWidget(box, row, 0)
         self._cells[method] = []
@@ -78,15 +79,13 @@ class MethodTable(FollowsTheme, QWidget):
             self._cells[method].append(cell)
             self._grid.addWidget(cell, row, column)
 
-    def _choose(self) -> None:
-        self.chosen.emit(frozenset(method for method, box in self._boxes.items() if box.isChecked()))
-
     def offers(self, method: Calculation) -> bool:
         """Whether the method can be chosen for this family."""
         return not self._boxes[method].isHidden()
 
     def render_methods(self, available: Sequence[Calculation], chosen: frozenset[Calculation]) -> None:
         """Show the methods that there are, and check those that are compared."""
+        self._compared = chosen
         widest = max(box.sizeHint().width() for box in self._boxes.values())
         self._grid.setColumnMinimumWidth(0, widest)
         for method, box in self._boxes.items():

@@ -13,7 +13,7 @@ from ...actions.mnemonics import plain
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document.words import with_decimals
-from ...view_model.motion_picture import Dot, Role, in_three_digits
+from ...view_model.motion_picture import OWN, Dot, in_three_digits
 from ...view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import choice_box
@@ -110,7 +110,7 @@ class MotionBar(QWidget):
 
     def show_dots(self, dots: Sequence[Dot], problem: str) -> None:
         """Show the numbers of the dot that stands for the curve, or why there is none."""
-        own = next((dot for dot in dots if dot.role is Role.OWN), None)
+        own = next((dot for dot in dots if dot.role is OWN), None)
         self._next = _numbers(own) if own is not None else problem
         if not self._soon.isActive():
             self._soon.start()

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.keymap import action_name
 from ...actions.needs import CURVE_THROUGH_TWO, Need
-from ...actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN, Section
+from ...actions.sections import MOTION_COMPARE, MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN, Section
 from ...actions.strips import TOOLBAR
+from ...families import Family
 from ...view_model.curve_view import CurveView
-from ...view_model.motion_settings import Pace, Repeat
+from ...view_model.motion_settings import Pace, Repeat, timed_families
 from ...workbench.context import WindowContext
 from .. import motion
 
@@ -130,18 +131,33 @@ class MotionCommands:
     def _use_pace(self, each: _Choice) -> None:
         self.stage.player.change(pace=each.value)
 
+    @action_for_each(
+        timed_families,
+        lambda family: Action(
+            family.action_name.replace("family", "motionWith"),
+            f"Compare with {family.label}",
+            MOTION_COMPARE,
+            tip=f"Let {family.a_curve} through these points run side by side",
+            full_name=f"Compare Motion with {family.label}",
+            needs=CURVE_THROUGH_TWO,
+            checked=lambda now: family in now.state.motion.compared,
+        ),
+    )
+    def _compare_with(self, family: Family) -> None:
+        self.stage.player.compare(frozenset((family,)))
+
     @action(
         "motionCompare",
-        "Compare Cubic and Quintic",
-        MOTION_MORE,
+        "Compare All Families",
+        MOTION_COMPARE,
         icon="compare",
-        full_name="Compare Motion, Cubic and Quintic",
+        full_name="Compare Motion, All Families",
         needs=CURVE_THROUGH_TWO,
-        checked=lambda now: now.state.motion.compares,
+        checked=lambda now: frozenset(timed_families()) <= now.state.motion.compared,
     )
     def _compare(self) -> None:
-        """Let the cubic and the quintic Hermite curve through these points run side by side."""
-        self.stage.player.compare()
+        """Let curves of all families that go through these points run side by side."""
+        self.stage.player.compare(frozenset(timed_families()))
 
     @action("exportMotion", "Export Motion…", MOTION_MORE, icon="film", needs=CURVE_THROUGH_TWO)
     def _export(self) -> None:

@@ -64,7 +64,7 @@ class MotionExport:
             seconds=dialog.seconds_box.value(),
             repeat=settings.repeat,
             pace=settings.pace,
-            compares=settings.compares,
+            compared=settings.compared,
             style=DARK if theme_of(QApplication.palette()).name == "dark" else LIGHT,
             points=dialog.points_check.isChecked(),
         )

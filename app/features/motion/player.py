@@ -9,6 +9,7 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
+from ...families import Family
 from ...session import Session
 from ...state.window_state import WindowStore
 from ...view_model.curve_view import ParametricCurve
@@ -106,11 +107,13 @@ class Player(QObject):
         else:
             self.play()
 
-    def compare(self) -> None:
-        """Let cubic and quintic run side by side, or the curve alone again."""
-        compares = not self.settings.compares
-        self.change(compares=compares)
-        if compares:
+    def compare(self, families: frozenset[Family]) -> None:
+        """Let curves of these families run side by side, too; those that do already, no longer."""
+        compared = self.settings.compared
+        if families <= compared:
+            self.change(compared=compared - families)
+        else:
+            self.change(compared=compared | families)
             self.play()
 
     def pause(self) -> None:

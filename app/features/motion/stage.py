@@ -8,10 +8,11 @@ from PySide6.QtWidgets import QApplication
 from curvecore.arrays import FloatArray
 
 from ...appearance.theme import theme_of
+from ...families import Family
 from ...qt.overrides import Guarded
 from ...view_model.curve_view import CurveView
 from ...view_model.motion import Course
-from ...view_model.motion_picture import Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
+from ...view_model.motion_picture import OWN, Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
 from ...workbench.context import WindowContext
 from .bar import MotionBar
 from .export import MotionExport
@@ -30,7 +31,7 @@ class MotionStage(Guarded, QObject):
         context.central.under_canvas.addWidget(self._bar)
         self.export = MotionExport(context)
         self._rivals: dict[Role, CurveView] = {}
-        self._rivals_of: CurveView | None = None
+        self._rivals_of: tuple[CurveView, frozenset[Family]] | None = None
         self._courses: dict[Role, Course] = {}
         self._scales: Scales | None = None
         self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
@@ -52,8 +53,7 @@ class MotionStage(Guarded, QObject):
             return
         self._scales = None
         self.draw()
-        compared = self._rivals if self.player.settings.compares else {}
-        self._bar.show_words(jumps_in_words(compared))
+        self._bar.show_words(jumps_in_words(self._rivals))
 
     def follow(self) -> None:
         """Draw the dots on a curve that is being changed; if they run, where they are by now."""
@@ -71,7 +71,7 @@ class MotionStage(Guarded, QObject):
             if player.is_open:
                 self._bar.show_dots((), context.session.active_view.problem)
             return
-        courses = {Role.OWN: course, **self._courses_to_compare()}
+        courses = {OWN: course, **self._courses_to_compare()}
         if self._scales is None:
             self._scales = scales_of(list(courses.values()))
         dots = dots_at(courses, player.seconds, player.settings.repeat, self._scales)
@@ -80,22 +80,21 @@ class MotionStage(Guarded, QObject):
 
     def _courses_to_compare(self) -> dict[Role, Course]:
         settings, view = self.player.settings, self._context.session.active_view
-        if not settings.compares:
-            self._rivals, self._rivals_of = {}, None
-            return {}
-        if self._rivals_of is not view:
-            self._rivals, self._rivals_of = rivals_of(view), view
+        asked = (view, settings.compared)
+        if self._rivals_of != asked:
+            self._rivals, self._rivals_of = rivals_of(view, settings.compared), asked
+        # By identity: curves compare by all their numbers.
+        known = {id(each.curve): each for each in self._courses.values() if each.pace is settings.pace}
+        self._courses = {}
         for role, rival in self._rivals.items():
             assert rival.curve is not None
-            known = self._courses.get(role)
-            if known is None or known.curve is not rival.curve or known.pace is not settings.pace:
-                self._courses[role] = Course(rival.curve, settings.pace)
-        return self._courses if self._rivals else {}
+            self._courses[role] = known.get(id(rival.curve)) or Course(rival.curve, settings.pace)
+        return self._courses
 
     def _lines(self) -> list[tuple[Role, FloatArray]]:
         """Return the curves that are compared, but for the one that is drawn anyway."""
         family = self._context.session.active_view.source.family
-        return [(role, view.polyline) for role, view in self._rivals.items() if role.family != family]
+        return [(role, view.polyline) for role, view in self._rivals.items() if family not in role.families]
 
     def _render(self) -> None:
         player = self.player

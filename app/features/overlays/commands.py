@@ -163,7 +163,7 @@ class OverlayCommands:
         lambda ghost: Action(
             ghost.action_name,
             capwords(ghost.title),
-            GHOSTS_FAMILY if ghost.family is not None else GHOSTS_RULE,
+            GHOSTS_FAMILY if ghost.is_of_family else GHOSTS_RULE,
             tip=ghost.tip,
             full_name=f"Ghost: {capwords(ghost.title)}",
             checked=lambda now: ghost in now.state.analysis.ghosts,
@@ -202,15 +202,14 @@ class OverlayCommands:
     def _make_real(self, ghost: Ghost) -> None:
         """Give the curve the rules of a ghost."""
         session = self._context.session
-        is_family = ghost.family is not None
-        text = f"Switch to {ghost.title}" if is_family else f"Use {ghost.title.lower()} parameters"
         session.change(
-            text, lambda document: analysis.ghosts.with_ghost_real(document, session.active_index, ghost)
+            ghost.step,
+            lambda document: analysis.ghosts.with_ghost_real(document, session.active_index, ghost),
         )
 
 
 def _ghosts_of_families() -> frozenset[Ghost]:
-    return frozenset(ghost for ghost in all_ghosts() if ghost.family is not None)
+    return frozenset(ghost for ghost in all_ghosts() if ghost.is_of_family)
 
 
 COMMAND_SETS = (OverlayCommands,)

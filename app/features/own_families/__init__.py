@@ -1,6 +1,6 @@
 """Families from a file of Python that the person names, run now and whenever it is saved.
 
-- ``commands``: the actions, and the line on the canvas that tells what became of a file.
+- ``commands``: the actions, and the line under the canvas that tells what became of a file.
 - ``files``: the files in use, of all windows together: watched, tried beside the window, then taken over.
   ``bar``: where it is told.  ``trial``: the process that runs one first.  ``template``: one to begin with.
 """

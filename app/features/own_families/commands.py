@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from ...actions.declaration import action
@@ -32,6 +32,9 @@ class OwnFamilyCommands(QObject):
         self._files = family_files()
         self._files.brought.connect(self._take)
         self._files.told.connect(self._show)
+        self._files.answered.connect(self._draw_anew)
+        self._answered: set[Family] = set()
+        self._shows_late = False
         self._bar: FamilyBar | None = None
         self._asked: Path | None = None
         self._news = ""
@@ -96,7 +99,7 @@ class OwnFamilyCommands(QObject):
         FILE_FAMILY_MORE,
         icon="stop",
         full_name="Stop the Family File",
-        needs=Need("a family file that is running", lambda _now: family_files().running is not None),
+        needs=Need("a family file that is running", lambda _now: bool(family_files().running)),
     )
     def _stop(self) -> None:
         """Stop the file of families that is running; nothing changes."""
@@ -122,8 +125,26 @@ class OwnFamilyCommands(QObject):
             self._news = ""
             self._session.say(f"{path.name} was run again: its curves are drawn by what it says now.")
 
+    def _draw_anew(self, family: Family) -> None:
+        """Draw curves of a family as they can be now; no gesture in flight is taken back for it."""
+        self._answered.add(family)
+        self._draw_answered()
+
+    def _catch_up(self) -> None:
+        """Do what a gesture in flight would have been disturbed by."""
+        self._draw_answered()
+        if self._shows_late:
+            self._show()
+
+    def _draw_answered(self) -> None:
+        if self._answered and not self._session.is_previewing:
+            answered, self._answered = frozenset(self._answered), set()
+            self._session.renew(answered)
+
     def render(self, view: CurveView) -> None:
         """Say no longer what is new where it is in use."""
+        if (self._answered or self._shows_late) and not self._session.is_previewing:
+            QTimer.singleShot(0, self, self._catch_up)
         if self._news and view.source.family == self._files.offered:
             self._news = ""
             self._show()
@@ -134,6 +155,10 @@ class OwnFamilyCommands(QObject):
 
     def _show(self) -> None:
         """Show the most urgent sentence: what runs, what is wrong, what is new."""
+        self._shows_late = self._session.is_previewing
+        if self._shows_late:
+            # The canvas has another size with it: what is dragged would move under the hand.
+            return
         self._context.actions.render()
         text, offered, warns = self._sentence()
         if not text or text == self._dismissed:
@@ -141,13 +166,13 @@ class OwnFamilyCommands(QObject):
                 self._bar.hide()
             return
         if self._bar is None:
-            self._bar = FamilyBar(self._context.central.canvas)
+            self._bar = FamilyBar(self._context.central.under_canvas)
             self._bar.closed.connect(self._dismiss)
         self._bar.show_notice(text, [self._context.actions[name] for name in offered], warns=warns)
 
     def _sentence(self) -> tuple[str, tuple[str, ...], bool]:
-        if self._files.running is not None:
-            return f"“{self._files.running.name}” has been running for a while…", ("stopFamilyFile",), False
+        if self._files.running:
+            return self._files.running, ("stopFamilyFile",), False
         for path, problem in reversed(self._files.problems.items()):
             last = " The last version that worked stays." if path in FAMILIES.files else ""
             return f"{problem}{last} It is run again when it is saved.", (), True

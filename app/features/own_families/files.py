@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
@@ -14,7 +15,16 @@ from ...tasks.single_task import SingleTask
 from ...workbench.disk_watch import DiskWatch
 from .. import own_families
 
+if TYPE_CHECKING:
+    from ...families.file_calls import Call
+
 _RECHECK_MS = 100
+_SHOWN_AFTER_MS = 1000
+"""Milliseconds that a file may run before it is said that it does: starting a process takes half of them."""
+
+_CALL_MS = 100
+"""Milliseconds that a window waits for a function of a file."""
+
 _MOST_CHECKS = 5
 """Number of looks, each after twice as long, before a file counts as gone: editors replace what they save."""
 
@@ -23,7 +33,8 @@ class FamilyFiles(QObject):
     """Runs files of families that the person named, and again whenever they are saved.
 
     A file is first run in a process of its own, with a limit of time; only one that works there is run in
-    this one. A mistake leaves what the file said last.
+    this one. A mistake leaves what the file said last. A function that takes too long for a window is tried
+    there too; until it has ended there, curves of so many points are refused.
 
     Signals
     -------
@@ -31,29 +42,32 @@ class FamilyFiles(QObject):
         A file was run: its path, and the families that are new, others than before, or offered no longer.
     told
         There is something else to say.
+    answered
+        A function that took too long was tried elsewhere: curves of this family are to be drawn anew.
 
     Attributes
     ----------
     problems
         What is wrong with each file, as a sentence that names the line.
     running
-        The file that has been running for a while; None while none is.
+        What has been running for a while, in words; empty while nothing is.
     offered
         What has just been written or brought, to be used: a template or a family; None where nothing has.
     """
 
     brought = Signal(object, object)
     told = Signal()
+    answered = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.problems: dict[Path, str] = {}
-        self.running: Path | None = None
+        self.running = ""
         self.offered: Path | Family | None = None
         self._seen: dict[Path, bytes | None] = {}
         self._watches: dict[Path, DiskWatch] = {}
-        self._waiting: list[Path] = []
-        self._trying: Path | None = None
+        self._waiting: list[Path | Call] = []
+        self._trying: Path | Call | None = None
         self._made_task: SingleTask | None = None
         if isinstance(application := QCoreApplication.instance(), QGuiApplication):
             application.applicationStateChanged.connect(self._look_when_active)
@@ -66,13 +80,14 @@ class FamilyFiles(QObject):
         path = path.absolute()
         self._follow(path)
         self._seen[path] = _content(path)
-        self._try(path)
+        self._begin(path)
 
     def stop(self) -> None:
         """Stop what is running; everything is as it was."""
-        path = self._trying
-        if path is not None and self._task.cancel():
-            self._take_problem(path, f"“{path.name}” was stopped.")
+        tried = self._trying
+        if tried is not None and self._task.cancel():
+            what = f"“{tried.name}”" if isinstance(tried, Path) else f"{tried.words} and"
+            self._fail(tried, own_families.trial.FamilyFileError(f"{what} was stopped."))
 
     def forget_all(self) -> None:
         """Use no file any more."""
@@ -82,6 +97,8 @@ class FamilyFiles(QObject):
         for watch in self._watches.values():
             watch.watch(None)
             watch.deleteLater()
+        if self._watches:
+            own_families.trial.PATIENCE.of_no_window()
         self._watches.clear()
         self._seen.clear()
         self.problems.clear()
@@ -92,6 +109,7 @@ class FamilyFiles(QObject):
 
     def _follow(self, path: Path) -> None:
         if path not in self._watches:
+            own_families.trial.PATIENCE.of_a_window(1e-3 * _CALL_MS, self._begin)
             watch = self._watches[path] = DiskWatch(self)
             watch.triggered.connect(partial(self._look, path))
             watch.watch(path)
@@ -115,7 +133,7 @@ class FamilyFiles(QObject):
                     path, f"“{path.name}” is gone from its folder; its curves go on as they were."
                 )
             else:
-                self._try(path)
+                self._begin(path)
 
     # Running
 
@@ -123,22 +141,30 @@ class FamilyFiles(QObject):
     def _task(self) -> SingleTask:
         """The trials of files in flight; made with the first file."""
         if self._made_task is None:
-            self._made_task = SingleTask(self)
+            self._made_task = SingleTask(self, _SHOWN_AFTER_MS)
             self._made_task.shown.connect(self._tell_running)
             self._made_task.ended.connect(self._go_on)
         return self._made_task
 
-    def _try(self, path: Path) -> None:
-        if self._trying == path:
+    def _begin(self, tried: Path | Call) -> None:
+        """Try a file, or a call of one, as soon as nothing else is tried; never at once, amid a drawing."""
+        if self._trying == tried:
             # It has been saved again meanwhile.
             self._task.cancel()
-        if self._task.is_busy:
-            if path not in self._waiting:
-                self._waiting.append(path)
+        if tried not in self._waiting:
+            self._waiting.append(tried)
+            QTimer.singleShot(0, self, self._try_next)
+
+    def _try_next(self) -> None:
+        if not self._waiting or self._trying is not None:
             return
-        self._trying = path
-        work = partial(own_families.trial.try_out, path)
-        self._task.start(path.name, work, lambda _done: self._take(path), partial(self._fail, path))
+        tried = self._trying = self._waiting.pop(0)
+        trial, fail = own_families.trial, partial(self._fail, tried)
+        if isinstance(tried, Path):
+            self._task.start(tried.name, partial(trial.try_out, tried), lambda _done: self._take(tried), fail)
+        else:
+            work = partial(trial.try_call, tried)
+            self._task.start(tried.calls.path.name, work, partial(self._allow, tried), fail)
 
     def _take(self, path: Path) -> None:
         """Run a file that works elsewhere here."""
@@ -151,26 +177,43 @@ class FamilyFiles(QObject):
         self.brought.emit(path, families)
         self.told.emit()
 
-    def _fail(self, path: Path, problem: Exception) -> None:
+    def _allow(self, call: Call, seconds: float) -> None:
+        call.calls.allow(call.kind, seconds)
+        self.answered.emit(FAMILIES.named(call.calls.name))
+
+    def _fail(self, tried: Path | Call, problem: Exception) -> None:
         if not isinstance(problem, own_families.trial.FamilyFileError):
             raise problem
-        self._take_problem(path, str(problem).replace(str(path), path.name))
+        path = _path_of(tried)
+        text = str(problem).replace(str(path), path.name)
+        if isinstance(tried, Path):
+            self._take_problem(path, text)
+        else:
+            tried.calls.refuse(tried.kind, text)
+            self.answered.emit(FAMILIES.named(tried.calls.name))
 
     def _take_problem(self, path: Path, text: str) -> None:
         self.problems[path] = text
         self.told.emit()
 
     def _tell_running(self) -> None:
-        self.running = self._trying
+        tried = self._trying
+        assert tried is not None
+        self.running = (
+            f"“{tried.name}” has been running for a while…" if isinstance(tried, Path) else f"{tried.words}…"
+        )
         self.told.emit()
 
     def _go_on(self) -> None:
-        """Run what has been waiting; called when a trial has ended, before its result is taken."""
-        was_told, self._trying, self.running = self.running is not None, None, None
+        """Try what has been waiting; called when a trial has ended, before its result is taken."""
+        was_told, self._trying, self.running = bool(self.running), None, ""
         if was_told:
             self.told.emit()
-        if self._waiting:
-            QTimer.singleShot(0, self, partial(self._try, self._waiting.pop(0)))
+        QTimer.singleShot(0, self, self._try_next)
+
+
+def _path_of(tried: Path | Call) -> Path:
+    return tried if isinstance(tried, Path) else tried.calls.path
 
 
 def _content(path: Path) -> bytes | None:

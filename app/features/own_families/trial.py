@@ -1,7 +1,11 @@
-"""A process of its own that runs a file of families first: it may hang, print without end, or exit."""
+"""A process of its own that runs a file of families first: it may hang, print without end, or exit.
+
+There it runs when it is used or saved, and whatever call of its functions took too long for a window.
+"""
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -10,21 +14,26 @@ import time
 from pathlib import Path
 
 from ... import __version__
+from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point
+from ...families import FAMILIES
 from ...families.family_file import FamilyFileError, use_file
+from ...families.file_calls import PATIENCE, Call
+from ...storage.format import encode
 from ...tasks.progress import Report
 
 SECONDS = 15.0
 """The longest that a file may take to be run and tried out; what it runs has shorter limits of its own."""
 
+_JSON_BEGINS = '{\n  "file"'
 _MOST_PRINTED = 2**20
 _POLL_S = 0.02
 _SAYS = "curvebench: "
 _START = (
-    "import sys; sys.path[:] = sys.argv[4:]; "
-    f"from {__name__.partition('.')[0]}.cli import main; sys.exit(main(sys.argv[1:4]))"
+    "import sys; end = 2 + int(sys.argv[1]); sys.path[:] = sys.argv[end:]; "
+    f"from {__name__.partition('.')[0]}.cli import main; sys.exit(main(sys.argv[2:end]))"
 )
 
-__all__ = ["SECONDS", "FamilyFileError", "try_out", "use_file"]
+__all__ = ["PATIENCE", "SECONDS", "FamilyFileError", "try_call", "try_out", "use_file"]
 
 
 def try_out(path: Path, report: Report) -> None:
@@ -35,11 +44,47 @@ def try_out(path: Path, report: Report) -> None:
     FamilyFileError
         If it holds no family that works; the text names the file without its folder.
     """
-    arguments = ["--families", str(path), "--version"]
-    frozen = getattr(sys, "frozen", False)
-    command = (
-        [sys.executable, *arguments] if frozen else [sys.executable, "-c", _START, *arguments, *sys.path]
+    printed = _printed_by(path, ("--families", str(path), "--version"), report)
+    if not printed.rstrip().endswith(__version__):
+        raise FamilyFileError(f"“{path.name}” ended the process that ran it (code 0).")
+
+
+def try_call(call: Call, report: Report) -> float:
+    """Make the curve of a call in a process of its own; return how many seconds that took.
+
+    Raises
+    ------
+    FamilyFileError
+        If there is none: a sentence, from which the file's folder is left out.
+    """
+    began, path = time.monotonic(), call.calls.path
+    family = FAMILIES.named(call.calls.name)
+    curve = Curve(
+        name="",
+        family=family,
+        parametrization=Parametrization(ParametrizationKind.MANUAL),
+        points=tuple(Point(t, 0.0, t) for t in call.parameters.tolist()),
+        settings=family.settings.without_defaults(call.settings),
     )
+    with tempfile.TemporaryDirectory() as folder:
+        document = Path(folder) / "tried.curve.json"
+        document.write_bytes(encode(Document((curve,))))
+        try:
+            printed = _printed_by(path, ("info", "--json", "--families", str(path), str(document)), report)
+        except FamilyFileError as problem:
+            raise FamilyFileError(f"{call.words}. {problem}") from None
+    # What the file prints comes before.
+    (facts,) = json.loads(printed[printed.rfind(_JSON_BEGINS) :])["curves"]
+    if facts["domain"] is None:
+        raise FamilyFileError(" ".join(facts["warnings"]))
+    return time.monotonic() - began
+
+
+def _printed_by(path: Path, arguments: tuple[str, ...], report: Report) -> str:
+    """Return what the program prints that is started with these arguments and runs the file at `path`."""
+    frozen = getattr(sys, "frozen", False)
+    start = () if frozen else ("-c", _START, str(len(arguments)))
+    command = [sys.executable, *start, *arguments, *(() if frozen else sys.path)]
     # One thread: each would take time to begin. No limit by a pipe: it would fill up, or the memory would.
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONIOENCODING": "utf-8"}
     began = time.monotonic()
@@ -55,8 +100,8 @@ def try_out(path: Path, report: Report) -> None:
             finally:
                 process.kill()
         printed, said = (_end_of(each.fileno()) for each in (output, errors))
-    if process.returncode == 0 and printed.rstrip().endswith(__version__):
-        return
+    if process.returncode == 0:
+        return printed
     said = said.rstrip().rpartition("\n")[2]
     if said.startswith(_SAYS):
         raise FamilyFileError(said.removeprefix(_SAYS).replace(str(path), path.name))

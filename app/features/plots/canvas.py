@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QWidget
 
 from curvecore.arrays import FloatArray
 
@@ -41,8 +40,8 @@ class PlotCanvas(ToolPlot):
     camera: CameraOverT
     camera_class = CameraOverT
 
-    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
-        super().__init__(tools, parent)
+    def __init__(self, tools: Toolbox) -> None:
+        super().__init__(tools)
         # Whose t axis it shares decides what is seen.
         self.camera.led = True
         self.setObjectName("plotCanvas")

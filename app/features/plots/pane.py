@@ -36,10 +36,8 @@ class PlotPane(FollowsTheme, QWidget):
 
     close_asked = Signal()
 
-    def __init__(
-        self, canvas: PlotCanvas, choices: Sequence[tuple[str, QAction]], parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, canvas: PlotCanvas, choices: Sequence[tuple[str, QAction]]) -> None:
+        super().__init__()
         self.setObjectName("plotPane")
         self.canvas = canvas
         self._values = named(ElidedLabel(), "plotValues", "Values at the scrub line")

@@ -36,6 +36,7 @@ from ...widgets.number_text import (
     decimal_mark,
     exact_text,
     most_decimals,
+    telling_digits,
     widest_texts,
 )
 from .model import PointTableModel
@@ -53,6 +54,8 @@ Numbers that almost touch are read as one; before that a derivative is shown wit
 """
 
 _DIGITS = (6, 5, 4, 3)
+_MOST_DIGITS = 15
+"""Digits that every float has."""
 
 _MOST_KNOWN = 1000
 """Widths that are kept: of the columns as they have been of late."""
@@ -194,6 +197,18 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
             for column, numbers in zip(self._model.columns, self._model.numbers_of_columns, strict=True)
         ]
 
+    def telling_widths(self, metrics: QFontMetrics) -> list[int]:
+        """Return how wide the columns are at least that tell numbers apart which are close together."""
+        return [
+            self._widths.of(numbers.extent, digits, metrics) if (digits := self._telling(column)) else 0
+            for column, numbers in enumerate(self._model.numbers_of_columns)
+        ]
+
+    def _telling(self, column: int) -> int:
+        """Return the digits that it takes to tell numbers apart where the usual ones do not; else 0."""
+        digits = telling_digits(self._model.values[:, column])
+        return min(digits, _MOST_DIGITS) if digits > _DIGITS[0] else 0
+
     def update_formats(self, widths: Sequence[int], metrics: QFontMetrics, *, streaming: bool) -> bool:
         """Fit the formats to columns of these widths; return whether any is another one now.
 
@@ -213,7 +228,9 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
         numbers = self._model.numbers_of_columns[column]
-        fitting = (each for each in _DIGITS if self._widths.of(numbers.extent, each, metrics) <= width)
+        telling = 0 if self._streaming else self._telling(column)
+        tried = (telling, *_DIGITS) if telling else _DIGITS
+        fitting = (each for each in tried if self._widths.of(numbers.extent, each, metrics) <= width)
         digits = next(fitting, _DIGITS[-1])
         if not self._streaming:
             decimals = column_decimals(self._model.values[:, column], digits)

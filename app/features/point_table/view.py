@@ -107,6 +107,9 @@ class PointTableView(ClaimsKeys, QTableView):
         """Share the width among the columns; none gets less than a few digits need."""
         room = self.viewport().width()
         candidates = [self._needed(*digits) for digits in COMPACT_DIGITS]
+        telling = self.cell_delegate.telling_widths(self.fontMetrics())
+        if any(telling):
+            candidates.insert(0, [max(both) for both in zip(telling, candidates[-1], strict=True)])
         needed = next((each for each in candidates if sum(each) + _EDGE // 2 <= room), candidates[-1])
         spare = max(room - sum(needed), 0)
         # Numbers at the very edge of the window are hard to read.

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -133,6 +132,6 @@ def _number_edit(name: str, label: str, what: str) -> NumberEdit:
 
 def _opacity_slider() -> LiveSlider:
     tip = "How much of the image is seen; Escape cancels a drag"
-    slider = named(LiveSlider(Qt.Orientation.Horizontal), "imageOpacity", "Opacity of the image", tip)
+    slider = named(LiveSlider(), "imageOpacity", "Opacity of the image", tip)
     slider.setRange(0, STEPS)
     return slider

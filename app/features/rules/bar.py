@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QSizePolicy
 
 from ...document.model import ParametrizationKind
 from ...qt.labels import Label
@@ -39,8 +39,8 @@ class ParametrizationBar(ToolbarWidget):
     kind_chosen = Signal(object)
     drag_changed = Signal(bool)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._view: CurveView | None = None
         self._is_compact = False
         kinds = (each.label for each in ParametrizationKind)
@@ -62,7 +62,7 @@ class ParametrizationBar(ToolbarWidget):
 
     @staticmethod
     def _make_slider() -> LiveSlider:
-        slider = LiveSlider(Qt.Orientation.Horizontal)
+        slider = LiveSlider()
         tip = "Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length"
         named(slider, "alphaSlider", "Exponent α of the power rule", tip)
         slider.setRange(0, STEPS)

@@ -5,18 +5,19 @@ from __future__ import annotations
 from PySide6.QtGui import QAction
 
 from ... import view_model
-from ...actions.declaration import Action, action, action_for_each, also, also_for_each, widget_at
+from ...actions.declaration import Action, Sight, action, action_for_each, also, also_for_each, widget_at
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
+from ...actions.situation import Situation
 from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Place
 from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
-from ...document.model import Curve, Document, ParametrizationKind
+from ...document.model import Document, ParametrizationKind
+from ...document.words import number
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
 from ...view_model.curve_view import CurveView
-from ...view_model.reshape import Reshaped
 from ...widgets.toolbar_widget import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.slider_gesture import SliderGesture
@@ -42,12 +43,6 @@ def _icon_of(family: Family) -> str:
     return own if has_resource("icons", f"{own}.svg") else "spline"
 
 
-def _short_word_for(family: Family) -> str:
-    """Return a word for a button where room is short: the family's own, or the first of the label."""
-    own = family.curve_class.short_title
-    return f"{own[:1].upper()}{own[1:]}" or family.label.partition(" ")[0]
-
-
 def _place_of(family: Family) -> Place:
     """Return where a family stands in the toolbar."""
     return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
@@ -58,8 +53,9 @@ class RuleCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._actions = context.session, context.actions
-        self._bar, self._families = ParametrizationBar(), FamilyButton()
+        self._bar, self._families = ParametrizationBar(), FamilyButton(self._actions.is_on)
         self._actions.redeclared.connect(self._offer_further)
+        self._actions.switched.connect(self._families.show_in_use)
         self._bar.kind_chosen.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
@@ -96,7 +92,8 @@ class RuleCommands:
             _key_of(family),
             _icon_of(family),
             family.tip,
-            short=_short_word_for(family),
+            short=family.short,
+            keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda now: now.view.source.family == family,
             group="family",
         ),
@@ -122,6 +119,7 @@ class RuleCommands:
             f"Convert to {family.label}, Keeping the Shape",
             CURVE_CONVERT,
             tip=f"Write the same curve as {family.a_curve}, where it is one: the shape stays",
+            on_sight=lambda now: _outlook(now, family),
             needs=Need(
                 "a curve of another family that is not locked",
                 lambda now: UNLOCKED_CURVE.is_met(now) and now.view.source.family != family,
@@ -129,15 +127,15 @@ class RuleCommands:
         ),
     )
     def _convert(self, family: Family) -> None:
-        session, made = self._session, list[Reshaped]()
-
-        def edit(document: Document) -> Document:
-            made.append(view_model.convert.converted(session.active_view, family))
-            return replace_curve(document, session.active_index, made[0].curve)
-
-        if session.change(f"Convert to {family.title}, keeping the shape", edit):
+        session = self._session
+        made = view_model.convert.converted(session.active_view, family)
+        kept = "keeping the shape" if made.is_kept else f"within {number(made.residual, 2)}"
+        if session.change(
+            f"Convert to {family.title}, {kept}",
+            lambda document: replace_curve(document, session.active_index, made.curve),
+        ):
             session.selected.set_points([])
-            session.say(made[0].sentence)
+            session.say(made.sentence)
 
     @action_for_each(
         tuple(ParametrizationKind),
@@ -195,18 +193,24 @@ class RuleCommands:
 
     def _with_alpha(self, document: Document, position: int) -> Document:
         index, alpha = self._session.active_index, position / STEPS
-        if _alpha_of(document.curves[index]) == alpha:
+        if document.curves[index].parametrization.exponent == alpha:
             return document
         return edits.set_alpha(document, index, alpha)
 
 
+def _outlook(now: Situation, family: Family) -> Sight:
+    """Return what a conversion does to the curve of the moment."""
+    found = view_model.convert.outlook(now.view, family)
+    text, tip = f"Convert to {family.label}, ", f"Write the same curve as {family.a_curve}: the shape stays"
+    if not found.within:
+        return Sight(f"{text}Keeping the Shape", tip, found.refusal)
+    within = number(found.within, 1)
+    follow = f"Follow the curve, which does not consist of polynomials, with {family.a_curve}"
+    return Sight(f"{text}Within {within}", f"{follow}: it changes by {within} at most")
+
+
 def _alpha_step(position: int) -> str:
     return f"Set α to {position / STEPS:.2f}"
-
-
-def _alpha_of(curve: Curve) -> float | None:
-    rule = curve.parametrization
-    return rule.alpha if rule.kind is ParametrizationKind.POWER else rule.kind.alpha
 
 
 COMMAND_SETS = (RuleCommands,)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
@@ -22,12 +22,19 @@ _ICON, _ARROW, _BESIDES = 20, 22, 36
 
 
 class FamilyButton(FollowsTheme, ToolbarWidget):
-    """Chooses one of the further families, and shows the one in use."""
+    """Chooses one of the further families, and shows the one in use.
+
+    Parameters
+    ----------
+    is_on
+        Tells by its name whether what an action switches is on.
+    """
 
     yields_late = True
 
-    def __init__(self) -> None:
+    def __init__(self, is_on: Callable[[str], bool]) -> None:
         super().__init__()
+        self._is_on = is_on
         self._words: dict[QAction, str] = {}
         self._is_compact = False
         self.button = named(QToolButton(), "familiesButton", _TIP)
@@ -48,10 +55,10 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         for action, _word in further:
             if action not in self._words:
                 self._menu.addAction(action)
-                action.changed.connect(self._show)
+                action.changed.connect(self.show_in_use)
         self._words = dict(further)
         self.button.setVisible(bool(further))
-        self._show()
+        self.show_in_use()
 
     def _make_menu(self) -> QMenu:
         menu = QMenu(self.button)
@@ -60,15 +67,15 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         return menu
 
     def set_theme(self, theme: Theme) -> None:
-        self._show()
+        self.show_in_use()
 
     def set_compact(self, compact: bool) -> None:
         self._is_compact = compact
-        self._show()
+        self.show_in_use()
 
-    def _show(self) -> None:
+    def show_in_use(self) -> None:
         """Show the family in use, if it is one of these; the width stays."""
-        action = next((each for each in self._words if each.isChecked()), None)
+        action = next((each for each in self._words if self._is_on(each.objectName())), None)
         button, word = self.button, _WORD if action is None else self._words[action]
         button.setChecked(action is not None)
         button.setIcon(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QToolButton
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
@@ -32,8 +32,8 @@ class TeachingBadge(FollowsTheme, QToolButton):
     explanation_wanted = Signal()
     dismiss = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("teachingBadge")
         self.setAutoRaise(True)
         # No higher than the labels beside it: the drawing must not move when the badge appears.

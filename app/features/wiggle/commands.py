@@ -108,6 +108,11 @@ class WiggleCommands(QObject):
         self.follow(self._session.active_view)
         make_room_once(self._context.window, self._dock, _HEIGHT)
 
+    def escape(self) -> None:
+        """Put the explanation away."""
+        if self._is_seen:
+            self._dock.close()
+
     def _follow_visibility(self, visible: bool) -> None:
         self._is_seen = visible
         if visible:
@@ -125,7 +130,7 @@ class WiggleCommands(QObject):
         t = self._session.selected.scrub
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.points), view.problem)
-        if explanation is None:
+        if explanation is None or explanation.is_calm:
             self._preview("")
             self._asked = self._cures = None
             self._task.give_up()

@@ -92,17 +92,21 @@ class WigglePanel(QScrollArea):
         self._headings = [Label(name=name) for name in ("curesState", "swingNow", "lebesgueNow")]
         self.buttons: dict[str, CureButton] = {}
         self._effects: dict[str, tuple[Label, Label]] = {}
+        self.calm = Label(name="nothingToCure", wordWrap=True)
+        self._rows = QWidget()
         self._lay_out()
 
     def _lay_out(self) -> None:
         page = QWidget()
-        parts = (self.words, self.title, self.bars, self._cure_rows(), 1)
+        self._fill_rows()
+        parts = (self.words, self.title, self.bars, self.calm, self._rows, 1)
         column_of(*parts, margins=(10, 10, 8, 10), spacing=8, parent=page)
         self.setWidget(page)
         self.setMinimumWidth(page.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
-    def _cure_rows(self) -> QGridLayout:
-        grid = QGridLayout()
+    def _fill_rows(self) -> None:
+        grid = QGridLayout(self._rows)
+        grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(3)
         grid.setColumnStretch(0, 1)
@@ -127,13 +131,15 @@ class WigglePanel(QScrollArea):
                 label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 grid.addWidget(label, row, column)
             self._effects[key] = effects
-        return grid
 
     def render_explanation(self, explanation: Explanation | None, count: int, problem: str = "") -> None:
         """Show why the curve is where it is at one t; without one, what to do."""
         known = explanation is not None
         self.title.setVisible(known)
         self.bars.setVisible(known)
+        is_calm = explanation is not None and explanation.is_calm
+        self.calm.setVisible(is_calm)
+        self._rows.setVisible(not is_calm)
         if explanation is None:
             self.words.setText(problem or _NOWHERE)
             return
@@ -141,6 +147,7 @@ class WigglePanel(QScrollArea):
         at = number(explanation.t)
         self.title.setText(f"Weights at t = {at}, together Λ(t) = {short(explanation.lebesgue)}")
         self.bars.render_pulls(explanation.pulls, count)
+        self.calm.setText(_calm_words(explanation))
 
     def render_cures(self, cures: Cures | None, *, busy: bool) -> None:
         """Show what each cure would do; muted while they are tried out."""
@@ -158,6 +165,11 @@ class WigglePanel(QScrollArea):
             heading.setText(text)
 
 
+def _calm_words(explanation: Explanation) -> str:
+    within = short(explanation.overshoot)
+    return f"Nothing to cure here: the curve stays within {within} of the straight line between its points."
+
+
 def _finite(value: float) -> str:
     return short(value) if math.isfinite(value) else ""
 
@@ -166,8 +178,8 @@ def _swing(cure: Cure | None, cures: Cures | None) -> str:
     if cure is None or cures is None:
         return ""
     if cure.document is None:
-        return "in use" if cure.is_in_use else "not possible"
-    return f"{'worse, ' if cure.overshoot > cures.overshoot else ''}{short(cure.overshoot)}"
+        return "in use" if cure.is_in_use else "same curve" if cure.is_same else "not possible"
+    return f"{'worse, ' if cure.is_worse(cures.overshoot) else ''}{short(cure.overshoot)}"
 
 
 def _lebesgue(cure: Cure | None) -> str:

@@ -10,20 +10,20 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ...appearance.colours import point_colours
 from ...appearance.theme import theme_of
+from ...document.derivatives import DERIVATIVES
 from ...qt.overrides import Guarded
 from ...view_model.analysis.wiggle import MOST_PULLS, Pull
 from ...view_model.analysis.wording import short
 from ...widgets.controls import named
 
 _ROW = 19
-_NAMES = ("", "velocity ", "acceler. ")
 
 
 class WeightBars(Guarded, QWidget):
     """A bar for each datum that pulls, the strongest at the top."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         tip = "The weight of each point here: to the right it pulls, to the left it pushes away"
         named(self, "weightBars", "Weights of the points here", tip)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -83,4 +83,4 @@ class WeightBars(Guarded, QWidget):
 
 
 def _name(pull: Pull) -> str:
-    return f"{_NAMES[pull.order]}{'point ' if not pull.order else ''}{pull.point}"
+    return f"{DERIVATIVES[pull.order - 1].name if pull.order else 'point'} {pull.point}"

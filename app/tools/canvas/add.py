@@ -198,6 +198,7 @@ ADD = ToolRecord(
     name="add",
     make=AddTool,
     hint="Click to add points; Enter finishes the curve; V or Escape goes back to selecting.",
+    beginning="Click on the canvas to add points; two of them make a curve.",
     doing="adding points",
     gestures=(
         GestureRow("Click", "add a point"),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import count
+from functools import partial
+from time import thread_time
 
 from msgspec.structs import replace
 
@@ -13,8 +14,9 @@ from ...document.edits import EditError
 from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
-from ...tasks.progress import Cancelled
+from ...tasks.progress import Report
 from ...view_model.least_squares import Fitted, fitted
+from ..background import Errand
 from ..drag_machine import CANCELLED, THRESHOLD, EditingHost
 from ..marks import GestureMarks
 from ..pointer import Hint, Pointer
@@ -26,8 +28,8 @@ _CLOSING = 12.0
 _LEAST_ROUND = 5.0
 """Times that length, from which on a line can return."""
 
-_ROUNDS = 60
-"""Rounds of a fit that a hand waits for. Smooth lines take fewer; a zigzag took a Bézier curve a thousand."""
+_PATIENCE_S = 0.8
+"""Seconds of computing that a hand waits for. Smooth lines take a tenth; 50 teeth take a Bézier curve two."""
 
 _HINT = "Drag to draw freehand; the curve gets few points"
 
@@ -63,23 +65,12 @@ class Drawing(Gesture):
             host.say(f"{_HINT}.")
             return
         returns = math.dist(self._last, self._press.pixel) <= _CLOSING
-        model, place = _model(host, closed=returns and self._length > _LEAST_ROUND * _CLOSING)
+        closed = returns and self._length > _LEAST_ROUND * _CLOSING
         tolerance = context.settings.pencil.pixels / self._press.scale
-        try:
-            made = _fitted(model, self.line, tolerance)
-        except EditError as reason:
-            host.refuse(str(reason))
-            return
-        if host.change(
-            "Draw with the pencil",
-            lambda document: (
-                replace_curve(document, place, made.curve)
-                if place < len(document.curves) and not document.curves[place].points
-                else add_curve(document, place, made.curve)
-            ),
-            active=place,
-        ):
-            host.say(_told(made, model, self._press, tolerance))
+        model, _ = _model(host, closed=closed)
+        work = partial(_fitted, model, self.line, tolerance)
+        done = partial(_take, host, model, self._press, tolerance)
+        context.background.do(Errand("The pencil's curve", work, done, self.line))
 
     def cancel(self, context: ToolContext) -> None:
         """Tell that nothing was drawn."""
@@ -103,19 +94,45 @@ def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
     return replace(fresh, settings=active.settings, closed=closed), place + 1
 
 
-def _fitted(model: Curve, line: Sequence[Vector], tolerance: float) -> Fitted:
+def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:
     """Return the curve near a line; where the family takes long, as one of local pieces, which never do."""
-    rounds = count()
+    began = thread_time()
 
-    def wait(_share: float, _word: str) -> None:
-        if next(rounds) == _ROUNDS and not model.family.curve_class.is_local:
-            raise Cancelled
+    def hurry(share: float, word: str) -> None:
+        if thread_time() - began > _PATIENCE_S and not model.family.curve_class.is_local:
+            raise _TooLong
+        report(share, word)
 
     try:
-        return fitted(model, line, tolerance=tolerance, report=wait)
-    except Cancelled:
+        return fitted(model, line, tolerance=tolerance, report=hurry)
+    except _TooLong:
         quick = next(family for family in FAMILIES if family.curve_class.is_local)
-        return fitted(model.with_family(quick), line, tolerance=tolerance)
+        return fitted(model.with_family(quick), line, tolerance=tolerance, report=report)
+    except EditError as reason:
+        return str(reason)
+
+
+class _TooLong(Exception):  # noqa: N818 - nothing has gone wrong
+    """The family takes longer than a hand waits for."""
+
+
+def _take(host: EditingHost, model: Curve, press: Pointer, tolerance: float, made: Fitted | str) -> None:
+    """Put the curve of a line into the document, as that is by now."""
+    if isinstance(made, str):
+        host.refuse(made)
+        return
+    now, place = _model(host, closed=model.closed)
+    curve = replace(made.curve, name=now.name, colour=now.colour)
+    if host.change(
+        "Draw with the pencil",
+        lambda document: (
+            replace_curve(document, place, curve)
+            if place < len(document.curves) and not document.curves[place].points
+            else add_curve(document, place, curve)
+        ),
+        active=place,
+    ):
+        host.say(_told(made, model, press, tolerance))
 
 
 def _told(made: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
@@ -155,6 +172,7 @@ PENCIL = ToolRecord(
     name="pencil",
     make=PencilTool,
     hint="Drag to draw freehand; V or Escape goes back to selecting.",
+    beginning="Drag on the canvas to draw freehand; a curve of few points near the line comes out.",
     doing="drawing freehand",
     gestures=(
         GestureRow("Drag", "draw a line; a curve of few points near it comes out"),

@@ -17,9 +17,14 @@ from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, told
 from ..curve_view import CurveView, view_of
 from ..growth import growth_of_points
+from ..measure import dense, is_kept, largest_distance
 from .wiggle import overshoot
 
 _IN_USE = "The curve is like that already."
+_SAME = "It gives the same curve."
+
+_WORSE = 1.05
+"""Growth of a swing from which on it is called worse: less cannot be told from the two digits shown."""
 
 _MOST_LAGRANGE = 250
 """Points up to which Lagrange curves are tried: beyond it takes seconds, and nobody would want one."""
@@ -61,10 +66,14 @@ class Remedy(NamedTuple):
         return result
 
 
+def _parameters(name: str, kind: ParametrizationKind) -> Remedy:
+    return Remedy(name, kind.label, f"Use {kind.phrase} parameters", kind)
+
+
 CURES = (
-    Remedy("chordLength", "Chord-length t", "Use chord length parameters", ParametrizationKind.CHORD_LENGTH),
-    Remedy("centripetal", "Centripetal t", "Use centripetal parameters", ParametrizationKind.CENTRIPETAL),
-    Remedy("chebyshev", "Chebyshev t", "Use Chebyshev (2nd kind) parameters", ParametrizationKind.CHEBYSHEV),
+    _parameters("chordLength", ParametrizationKind.CHORD_LENGTH),
+    _parameters("centripetal", ParametrizationKind.CENTRIPETAL),
+    _parameters("chebyshev", ParametrizationKind.CHEBYSHEV),
     Remedy(
         "hermite",
         "Hermite, local tangents",
@@ -112,6 +121,15 @@ class Cure:
         """Whether the curve is like that already."""
         return self.problem == _IN_USE
 
+    @property
+    def is_same(self) -> bool:
+        """Whether the curve would stay where it is."""
+        return self.problem == _SAME
+
+    def is_worse(self, before: float) -> bool:
+        """Whether the curve would swing out farther than it did, by more than can be overlooked."""
+        return self.overshoot > _WORSE * before
+
 
 @dataclass(frozen=True, eq=False)
 class Cures:
@@ -149,7 +167,12 @@ def _tried(remedy: Remedy, document: Document, curve: int, view: CurveView, knot
     other = view_of(source)
     if not other.is_current or knot > len(other.parameters) - 2:
         return Cure(remedy, problem=other.problem or "There is no such segment.")
-    return Cure(remedy, document, other.polyline, overshoot(other, knot)[0], _lebesgue(other))
+    swing, growth = overshoot(other, knot)[0], _lebesgue(other)
+    if np.array_equal(other.parameters, view.parameters):
+        t = dense(view.parameters)
+        if is_kept(largest_distance(view, t, other, t), (view.source,)):
+            return Cure(remedy, overshoot=swing, lebesgue=growth, problem=_SAME)
+    return Cure(remedy, document, other.polyline, swing, growth)
 
 
 def _shape(source: Curve) -> Curve:

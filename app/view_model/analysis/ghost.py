@@ -6,11 +6,11 @@ import msgspec
 
 from ...document.model import ParametrizationKind
 from ...families import FAMILIES, Family
-from ..line_styles import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
+from ..line_styles import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 
-_FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW)
+_FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW, GREY)
 _LONG, _MIDDLE, _DOT = (6.0, 2.7), (3.0, 2.7), (1.3, 2.7)
 _FAMILY_DASHES = (
     _LONG,
@@ -51,9 +51,26 @@ class Ghost(msgspec.Struct, frozen=True):
         return record.label if record is not None else ""
 
     @property
+    def short(self) -> str:
+        """The same where room is short."""
+        return self.family.short if self.family is not None else self.title
+
+    @property
     def action_name(self) -> str:
         """The object name of its action: ghostChordLength."""
         return "ghost" + "".join(word.capitalize() for word in self.name.split("_"))
+
+    @property
+    def is_of_family(self) -> bool:
+        """Whether it is another family's; else it is another rule's."""
+        return self.kind is None
+
+    @property
+    def step(self) -> str:
+        """The step in the history that makes it the curve: Use chord length parameters."""
+        if self.kind is not None:
+            return f"Use {self.kind.phrase} parameters"
+        return f"Switch to {self.title}"
 
     @property
     def tip(self) -> str:

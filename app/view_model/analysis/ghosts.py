@@ -11,6 +11,7 @@ from curvecore.arrays import FloatArray
 from ...document import edits
 from ...document.model import Curve, Document
 from ..curve_view import Box, CurveView, view_of
+from ..measure import coincide
 from ..sampling import all_along
 from .ghost import Ghost, all_ghosts
 from .scene import is_quick
@@ -41,6 +42,9 @@ class GhostView:
     is_sketch
         Whether samples must do: flattening a polynomial whose parameters change takes milliseconds, and
         seconds for a long one.
+    twin
+        The family or rule of what lies in the same place, the curve itself or another ghost; None where
+        nothing does.
     """
 
     ghost: Ghost
@@ -48,6 +52,7 @@ class GhostView:
     is_real: bool
     waits: bool = False
     is_sketch: bool = False
+    twin: Ghost | None = None
 
     @property
     def is_drawn(self) -> bool:
@@ -78,7 +83,7 @@ def ghost_views(
     view: CurveView, ghosts: Collection[Ghost], previous: Mapping[Ghost, GhostView], *, in_drag: bool = False
 ) -> dict[Ghost, GhostView]:
     """Return the variants of a curve; those of the frame before lend what did not change."""
-    views = {}
+    views = dict[Ghost, GhostView]()
     for ghost in all_ghosts():
         if ghost in ghosts:
             variant = _variant(view.source, ghost)
@@ -93,8 +98,21 @@ def ghost_views(
             last = old.view if old is not None and not (old.is_real or old.waits) else None
             made = view_of(variant, last)
             is_sketch = not is_quick(made) or (in_drag and not variant.family.curve_class.is_local)
-            views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch)
+            # Looked for when the drag is over.
+            kept = old.twin if old is not None else None
+            twin = kept if in_drag else _twin(ghost, made, view, views)
+            views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch, twin=twin)
     return views
+
+
+def _twin(ghost: Ghost, made: CurveView, view: CurveView, others: Mapping[Ghost, GhostView]) -> Ghost | None:
+    """Return the family or rule of what lies where a variant does: the curve, or one of the ghosts before."""
+    source = view.source
+    own = Ghost(family=source.family) if ghost.is_of_family else Ghost(kind=source.parametrization.kind)
+    drawn = (each for each in others.values() if each.is_drawn)
+    alike = [each for each in drawn if each.ghost.is_of_family is ghost.is_of_family]
+    candidates = [(own, view), *((each.ghost, each.view) for each in alike)]
+    return next((each for each, other in candidates if coincide(made, other)), None)
 
 
 def _variant(curve: Curve, ghost: Ghost) -> Curve:

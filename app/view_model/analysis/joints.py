@@ -40,7 +40,10 @@ _WORDS = {
         3,
         2,
     ): "Smooth: velocity, acceleration and jerk go on without a jump; so do direction and curvature.",
-    (2, 2): "Smooth: velocity and acceleration go on without a jump, and so do direction and curvature.",
+    (
+        2,
+        2,
+    ): "Smooth: velocity and acceleration go on, and so do direction and curvature; the jerk alone jumps.",
     (1, 2): "The acceleration jumps, the velocity does not. The curvature goes on: the eye sees no joint.",
     (1, 1): "The velocity goes on, the acceleration jumps, and the curvature with it: a mover feels a jerk.",
     (0, 2): "The speed jumps, but direction and curvature go on: the drawn line shows no joint.",

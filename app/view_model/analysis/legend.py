@@ -34,6 +34,8 @@ class LegendRow:
         The ghost that it explains, if any: to be chosen and hidden there.
     figure
         A number that stands at its end.
+    brief
+        A shorter text where room is short; empty where there is none.
     """
 
     style: LineStyle | None
@@ -42,6 +44,7 @@ class LegendRow:
     tip: str = ""
     ghost: Ghost | None = None
     figure: str = ""
+    brief: str = ""
 
 
 def legend_rows(
@@ -101,5 +104,9 @@ def _ghost_row(view: GhostView, *, in_drag: bool) -> LegendRow:
     elif not view.view.is_current:
         text, tip = f"{ghost.title}: none", view.view.problem
     else:
-        return LegendRow(ghost.style, ghost.title, ghost=ghost, figure=_growth(view.view, in_drag=in_drag))
+        text, brief = ghost.title, ghost.short
+        if view.twin is not None:
+            text, brief = f"{text} = {view.twin.title}", f"{brief} = {view.twin.short}"
+        figure = _growth(view.view, in_drag=in_drag)
+        return LegendRow(ghost.style, text, ghost=ghost, figure=figure, brief=brief)
     return LegendRow(ghost.style, text, True, tip, ghost)

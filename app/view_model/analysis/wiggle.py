@@ -66,6 +66,8 @@ class Explanation:
         Λ(t), the sum of the sizes of all weights of points.
     overshoot
         The farthest distance of the curve from the straight line between the two points.
+    is_calm
+        Whether that is what a round curve does anyway, so that there is nothing to cure.
     sentences
         The same in words.
     """
@@ -75,6 +77,7 @@ class Explanation:
     pulls: tuple[Pull, ...]
     lebesgue: float
     overshoot: float
+    is_calm: bool
     sentences: tuple[str, ...]
 
 
@@ -130,7 +133,7 @@ def explain(view: CurveView, t: float) -> Explanation | None:
         words = (*_control_words(view, t, pulls), _error_words(lebesgue))
     if view.linearised:
         words = (*words, f"The weights are those {view.linearised}.")
-    return Explanation(t, segment, pulls[:MOST_PULLS], lebesgue, swing, words)
+    return Explanation(t, segment, pulls[:MOST_PULLS], lebesgue, swing, swing <= _CALM * chord, words)
 
 
 def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ...]:

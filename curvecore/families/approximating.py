@@ -10,7 +10,7 @@ from curvecore.arrays import BoolArray, FloatArray
 from curvecore.families.part import CurvePart
 
 
-class ControlPoints(CurvePart):
+class Approximating(CurvePart):
     """A part of `ParametricCurve`: curves pass their points and need all t_i, unless a family says else."""
 
     __slots__ = ()
