@@ -83,6 +83,7 @@ analysis.curvature   curvature, its inflections and extrema
 fitting.fit          few points near many data: `fit`
   least_squares      the linear problem: `least_squares_curve`
   joints             corners of data, and where joints should be
+  fitter, search     a curve of so many points; the fewest within a tolerance
 
 rounding.evaluation  curves computed with k decimal digits
   exact_values       the truth, and the digits lost

@@ -1,5 +1,10 @@
 """Fewer points on the command line: convert --fit and --fit-tolerance."""
 
+import io
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -73,3 +78,73 @@ def test_what_cannot_be_fitted_is_refused(table, tmp_path, capsys, words, said):
     assert main(["convert", str(table), str(tmp_path / "out.svg"), *words]) == 1
     assert said in capsys.readouterr().err
     assert not (tmp_path / "out.svg").exists()
+
+
+class Terminal(io.StringIO):
+    """A terminal on which somebody presses Ctrl+C when so many words have been said."""
+
+    def __init__(self, patience=10**9):
+        super().__init__()
+        self.patience = patience
+
+    def isatty(self):
+        return True
+
+    def flush(self):
+        if self.getvalue().count("Fitting: ") > self.patience:
+            self.patience = 10**9
+            raise KeyboardInterrupt
+
+
+@pytest.fixture
+def noisy(tmp_path):
+    path = tmp_path / "noisy.csv"
+    rows = ROWS + 0.01 * np.random.default_rng(4).normal(size=ROWS.shape)
+    np.savetxt(path, rows, delimiter=",", header="x,y", comments="")
+    return path
+
+
+def test_a_terminal_hears_how_far_a_fit_is(noisy, tmp_path, monkeypatch):
+    monkeypatch.setattr("app.cli.commands._PATIENCE", -1.0)
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    out = tmp_path / "few.curve.json"
+    assert main(["convert", str(noisy), str(out), "--fit-tolerance", "0.035", "--family", "b_spline"]) == 0
+    words = [each for each in terminal.getvalue().split("\r") if each.startswith("Fitting: ")]
+    shares = [int(each.removeprefix("Fitting: ").partition("%")[0]) for each in words]
+    assert shares == sorted(shares)
+    assert len(set(shares)) >= 3
+    # The line is gone before the result is told.
+    rest = terminal.getvalue().rpartition("%\033[K")[2]
+    assert rest.startswith("\r\033[K")
+    assert " points; largest deviation 0.03" in rest
+
+
+def test_ctrl_c_ends_a_fit_and_leaves_no_file(noisy, tmp_path, monkeypatch):
+    monkeypatch.setattr("app.cli.commands._PATIENCE", -1.0)
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal(patience=5))
+    words = ["--fit-tolerance", "0.035", "--family", "b_spline"]
+    assert main(["convert", str(noisy), str(tmp_path / "few.curve.json"), *words]) == 130
+    assert terminal.getvalue().endswith("\r\033[K")
+    assert [path.name for path in tmp_path.iterdir()] == ["noisy.csv"]
+
+
+def test_data_that_scatter_farther_are_said_to_and_how_many_points_are_sensible(noisy, tmp_path, capsys):
+    out = tmp_path / "few.curve.json"
+    assert main(["convert", str(noisy), str(out), "--fit-tolerance", "0.02"]) == 1
+    said = capsys.readouterr().err
+    assert "largest deviation stays at 0.0" in said
+    assert not out.exists()
+    count = said.rpartition("--fit ")[2].rstrip(".\n")
+    assert 2 <= int(count) <= 10
+    assert main(["convert", str(noisy), str(out), "--fit", count]) == 0
+    assert len(load(out).curves[0].points) == int(count)
+
+
+def test_the_program_computes_in_one_thread_beside_the_window():
+    """A second one, which waits in a loop, held the window up for seconds."""
+    program = "import os; from app.__main__ import main; main(); print(os.environ['OPENBLAS_NUM_THREADS'])"
+    free = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
+    for given, expected in (({}, "1"), ({"OPENBLAS_NUM_THREADS": "2"}, "2")):
+        command = [sys.executable, "-c", f"import sys; sys.argv[1:] = ['lesson']; {program}"]
+        done = subprocess.run(command, env={**free, **given}, capture_output=True, text=True, check=True)
+        assert done.stdout.splitlines()[-1] == expected

@@ -13,10 +13,10 @@ from PySide6.QtGui import QPainter
 from curvecore.arrays import FloatArray
 
 from ..document.words import number
-from ..plotting.drawing import Bars
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.segments import Bars
 
 _LEAST_GAP = 8.0
 """Pixels between two lines of a grid of fixed spacing, at least."""

@@ -9,7 +9,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
 from curvecore.arrays import FloatArray
 
@@ -64,7 +64,7 @@ class _Shown(NamedTuple):
     """A row on screen: its words, and what stands behind them."""
 
     row: LegendRow
-    words: QLabel | QToolButton
+    words: Label | QToolButton
     behind: tuple[QWidget, ...]
 
     def say(self, form: Form) -> None:

@@ -24,6 +24,7 @@ from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import Handle, handles_of
+from .handle_marks import mark_sizes
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 from .point_ink import PointInk
@@ -38,9 +39,6 @@ _DISCS_MS = 200
 
 _HALF_NUMBER = 6.0
 """Half of what the number of a point takes, in pixels; what is written beside it makes it longer."""
-
-_MARK_SIZES = (4.0, 5.5, 5.5)
-"""Half the sizes of the marks of handles in pixels, by the order of their derivatives."""
 
 _MARGIN = 60.0
 """Pixels beyond the area within which points are drawn."""
@@ -84,6 +82,7 @@ class PointLayer(Layer):
         self.selection: frozenset[int] = frozenset()
         # Those on screen, of the selected point.
         self.handles: Sequence[Handle] = ()
+        self._mark_sizes: dict[Handle, float] = {}
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
         self.shows_new_handle = False
@@ -337,6 +336,7 @@ class PointLayer(Layer):
     # Handles
 
     def _paint_handles(self, painter: QPainter, shown: PixelMap) -> None:
+        self._mark_sizes = mark_sizes(self.handles, shown, self.scale)
         placed = [
             (handle, QPointF(*tip), QPointF(*anchor))
             for handle in self.handles
@@ -364,7 +364,7 @@ class PointLayer(Layer):
             _paint_mark(painter, handle, tip, self._mark_size(handle) + 2.5 * self.scale)
 
     def _mark_size(self, handle: Handle) -> float:
-        return _MARK_SIZES[handle.kind - 1] * self.scale
+        return self._mark_sizes[handle]
 
     # Weights
 

@@ -10,11 +10,12 @@ from PySide6.QtGui import QPainter
 
 from curvecore.arrays import FloatArray
 
-from ..plotting.drawing import Segments, Stroke
+from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pens import line_in_pixels, pen_of
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.segments import Segments
 from ..view_model.line_styles import LineStyle
 
 _FADED = 0.3

@@ -8,6 +8,7 @@ from pathlib import Path
 import PySide6
 from PySide6.QtWidgets import QApplication
 
+from ..qt.sources import spare_sources
 from .display import why_no_window
 from .refusals import RefusalError
 
@@ -20,6 +21,7 @@ def qt_application(without: str) -> QApplication:
     without
         A sentence about what goes without a display.
     """
+    spare_sources()
     running = QApplication.instance()
     if isinstance(running, QApplication):
         return running

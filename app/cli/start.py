@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from .. import cli
 from ..families import FAMILIES
-from ..features.lessons.commands import LessonCommands
 from ..storage.files import StorageError
 from ..storage.open_file import is_large
 from ..window.given import given
@@ -39,9 +38,7 @@ def edit(files: Sequence[str], lesson: str = "") -> int:
     with no_garbage_sought():
         application = _application()
         sentences = [*FAMILIES.problems, *(f"{str(each).removesuffix('.')}." for each in problems.values())]
-        windows = cli.windows.open_windows(able, sentences)
-        if lesson:
-            windows[0].commands[LessonCommands].open(lesson)
+        windows = cli.windows.open_windows(able, sentences, lesson)
     return cli.windows.run(application, windows)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication
 
+from ..features.lessons.commands import LessonCommands
 from ..session import Session
 from ..storage.open_file import is_large
 from ..window.given import given
@@ -15,11 +16,11 @@ from ..window.main_window import MainWindow
 from .lifecycle import Lifecycle
 
 
-def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[MainWindow]:
+def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str = "") -> list[MainWindow]:
     """Show a window for every document, or one with the first sketch; a large document is read beside it.
 
-    The first one takes what else there is as it takes a drop, and says what was wrong with other files, as
-    sentences in `problems`.
+    The first one takes what else there is as it takes a drop, says what was wrong with other files, as
+    sentences in `problems`, and opens a lesson that is named.
     """
     others = given(map(Path, files))
     documents = [Path(path) for path in files if Path(path) in others.documents]
@@ -35,6 +36,8 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[Mai
         if path in large:
             window.open_file(path)
     windows[0].commands.drops.take(replace(others, documents=()), problems)
+    if lesson:
+        windows[0].commands[LessonCommands].open(lesson)
     return windows
 
 

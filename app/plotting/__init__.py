@@ -1,7 +1,8 @@
 """Plots that are painted by us: shared by the canvas, the basis panel and the plots over t.
 
 - ``pixel_map``: plane to pixels and back.
-- ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.
+- ``drawing``: polylines drawn fast; nothing unsafe reaches Qt.  ``segments``: many shapes in one call.
+  ``crowds``: strokes that fill an area.
 - ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
 - ``painted_plot``: a pyqtgraph plot that we paint.  ``plot_widget``: one with mouse and keys.  ``tool_plot``:
   one with tools.

@@ -6,17 +6,15 @@ many times the time of the same path in short pieces. Numbers reach Qt as arrays
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
-from pyqtgraph.Qt.internals import PrimitiveArray
-from PySide6.QtCore import QLineF, QRectF, Qt
-from PySide6.QtGui import QPainter, QPen, QPolygonF
+from PySide6.QtGui import QPainter, QPolygonF
 
 from curvecore.arrays import BoolArray, FloatArray
 
+from .crowds import Crowd
 from .pixel_map import PixelMap
+from .segments import Segments
 
 _PIECE = 24
 """Segments in one piece of a stroke."""
@@ -93,33 +91,6 @@ def is_near(x: float, y: float) -> bool:
     return abs(x) < _FAR and abs(y) < _FAR
 
 
-class _Batch:
-    """Many shapes of four numbers each, drawn in one call with the painter's pen and brush."""
-
-    def __init__(self, shape: type[QLineF | QRectF], draw: Callable[..., None]) -> None:
-        self._shapes, self._draw = PrimitiveArray(shape, 4), draw
-
-    def __len__(self) -> int:
-        return len(self._shapes)
-
-    def fill(self, shapes: FloatArray) -> None:
-        """Take shapes (m, 4)."""
-        self._shapes.resize(len(shapes))
-        self._shapes.ndarray()[:] = shapes
-
-    def draw(self, painter: QPainter) -> None:
-        """Draw them."""
-        if len(self._shapes):
-            self._draw(painter, *self._shapes.drawargs())
-
-
-class Segments(_Batch):
-    """Many separate line segments, each x1, y1, x2, y2."""
-
-    def __init__(self) -> None:
-        super().__init__(QLineF, QPainter.drawLines)
-
-
 class Stroke:
     """A polyline drawn in pieces, wide and smooth.
 
@@ -130,7 +101,7 @@ class Stroke:
 
     def __init__(self) -> None:
         self._pieces: list[QPolygonF] = []
-        self._crowd = Segments()
+        self._crowd = Crowd()
         self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
         self._shown: tuple[FloatArray | None, PixelMap | None] = (None, None)
 
@@ -143,7 +114,8 @@ class Stroke:
     def fill(self, points: FloatArray, width: float, height: float) -> None:
         """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
         runs, crowd = _near(points, width, height)
-        self._crowd.fill(crowd)
+        if len(crowd) or len(self._crowd):
+            self._crowd.fill(crowd, width, height)
         pieces = [run[i : i + _PIECE + 1] for run in runs for i in range(0, len(run) - 1, _PIECE)]
         self._pieces = [self._polygon(number, piece) for number, piece in enumerate(pieces)]
 
@@ -160,14 +132,7 @@ class Stroke:
         """Draw with the painter's pen."""
         for piece in self._pieces:
             painter.drawPolyline(piece)
-        if len(self._crowd):
-            pen = painter.pen()
-            blunt = QPen(pen)
-            # With round ends each would be made a path of its own.
-            blunt.setCapStyle(Qt.PenCapStyle.FlatCap)
-            painter.setPen(blunt)
-            self._crowd.draw(painter)
-            painter.setPen(pen)
+        self._crowd.draw(painter)
 
 
 _NO_SEGMENTS = np.empty((0, 4))
@@ -213,13 +178,6 @@ def draw_segments(painter: QPainter, segments: FloatArray, shown: PixelMap) -> N
     drawn = Segments()
     drawn.fill(cut_segments(segments, shown.width, shown.height))
     drawn.draw(painter)
-
-
-class Bars(_Batch):
-    """Many rectangles x, y, width, height: of lines on whole pixels the quickest way."""
-
-    def __init__(self) -> None:
-        super().__init__(QRectF, QPainter.drawRects)
 
 
 def polygon(x: FloatArray, y: FloatArray) -> QPolygonF:

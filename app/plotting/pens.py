@@ -11,9 +11,10 @@ from ..appearance.colours import line_colour
 from ..appearance.theme import Theme, mix
 from ..view_model.line_styles import Dashes, LineStyle, Mark, Sign
 from .dashes import dashed
-from .drawing import Segments, Stroke, visible_segments
+from .drawing import Stroke, visible_segments
 from .pictures import transparent
 from .pixel_map import PixelMap
+from .segments import Segments
 
 SIGN = QSize(30, 14)
 """Size of a sign in pixels."""

@@ -21,8 +21,13 @@ from ..document.words import count_of, number
 from ..tasks.progress import Report, silent
 from .curve_view import CurveView
 
-_MANY = 1000
-"""Places on a curve that are enough to say what it looks like."""
+SCATTERED = "The data scatter so far; more points would follow that alone."
+
+_MANY, _FEW = 1000, 300
+"""Places on a curve that are enough to say what it looks like; points of which it is not said by these alone.
+
+Places between points that have errors would make a smooth curve of the errors.
+"""
 
 
 class Fitted(NamedTuple):
@@ -55,7 +60,7 @@ class Fitted(NamedTuple):
         points, stays = count_of(len(self.curve.points), "point"), "stays at " if self.is_scattered else ""
         mean = number(self.root_mean_square, 2)
         text = f"{points}; largest deviation {stays}{number(self.deviation, 3)}, root mean square {mean}."
-        return f"{text} The data scatter so far; more points would follow that alone." if stays else text
+        return f"{text} {SCATTERED}" if stays else text
 
 
 class Data(NamedTuple):
@@ -87,7 +92,7 @@ def data_of(view: CurveView) -> Data:
         raise EditError(view.problem)
     assert view.curve is not None
     t = view.parameters
-    if view.source.family.curve_class.is_local and len(t) < _MANY:
+    if view.source.family.curve_class.is_local and len(t) < _FEW:
         share = np.arange(ceil(_MANY / len(t))) / ceil(_MANY / len(t))
         t = np.append((t[:-1, None] + share * np.diff(t)[:, None]).reshape(-1), t[-1])
         return Data(view.curve.evaluate(t), t)

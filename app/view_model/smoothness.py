@@ -16,6 +16,9 @@ from ..document.model import Curve, Document, Vector
 from .curve_view import CurveView
 from .reshape import estimates_kept, with_jets
 
+_SAME = 1e-9
+"""Share of the largest derivative of an order up to which two of them are the same."""
+
 ENDS_STAY = "the ends of an open curve cannot be corners"
 """The words where some of the selected points are such ends."""
 
@@ -97,3 +100,14 @@ def _kept(view: CurveView, changed: Curve, but: Collection[int]) -> Curve:
     """Return `changed` with all estimates as they were, except at the points `but`."""
     own = np.delete(np.arange(len(changed.points)), sorted(but))
     return estimates_kept(view, changed, own, own)
+
+
+def jolts_of(view: CurveView) -> list[int]:
+    """Return the corners at which the velocity goes on, and a derivative above it jumps: no eye sees one."""
+    if view.sides is None:
+        return []
+    before, after = (side[view.corners, 1:] for side in view.sides)
+    scale = np.abs(view.sides.after[:, 1:]).max(axis=(0, 2))
+    jumps = np.abs(after - before).max(axis=2) > _SAME * scale
+    is_jolt = ~jumps[:, 0] & jumps.any(axis=1)
+    return [index for index, jolt in zip(view.corners, is_jolt.tolist(), strict=True) if jolt]

@@ -3,8 +3,7 @@
 Expanded about a place where it is 0, a polynomial has no constant term, so that it keeps a small *relative*
 error next to that place in plain arithmetic. Of the 2 R functions of a segment every one vanishes
 somewhere else; between two such places, each expansion holds as far as the middle, where the terms of every
-function sum up in size to at most some nine times the function itself. Those of R > 2 have roots of so high
-an order at the ends that their values take places between these: ends and quarters.
+function sum up in size to at most some nine times the function itself.
 
 The places are roots of polynomials with integer coefficients. Those of cubics are rational; all are found in
 exact arithmetic, once for every R and every order.
@@ -41,7 +40,7 @@ class VanishingPlaces(NamedTuple):
     shares : DoubleDouble, shape (2, 1, k)
         1 - s and s of these.
     cuts : ndarray, shape (P - 1,)
-        Where one expansion ends and the next begins.
+        The middles between neighbours.
     coefficients : ndarray, shape (K, P, 2 R)
         ``[j, i, k]`` belongs to the j-th power of s minus place i and to function k: those of the left end
         in the order of their derivatives, then those of the right end; K = 2 R - order.
@@ -58,12 +57,14 @@ class VanishingPlaces(NamedTuple):
 def vanishing_places(width: int, order: int) -> VanishingPlaces:
     """Return the places for the order-th derivatives by s of the functions, R = `width` at each end."""
     functions = range(2 * width)
-    places = sorted(_more_places(width, order).union(*(_roots(width, k, order) for k in functions)))
+    # About the middle, too: of mirrored data a derivative is 0 there, and a cusp at rest.
+    middle = {Fraction(1, 2)} if order else set()
+    places = sorted(middle.union(*(_roots(width, k, order) for k in functions)))
     coefficients = [
         [[_taylor(width, k, order, j, place) for k in functions] for place in places]
         for j in range(2 * width - order)
     ]
-    cuts = [float(_cut(a, b, order)) for a, b in pairwise(places)]
+    cuts = [float(a + b) / 2.0 for a, b in pairwise(places)]
     inner = [i for i, place in enumerate(places) if 0 < place < 1]
     return VanishingPlaces(
         read_only(np.array([float(place) for place in places])),
@@ -72,21 +73,6 @@ def vanishing_places(width: int, order: int) -> VanishingPlaces:
         read_only(np.array(cuts)),
         read_only(np.array(coefficients)),
     )
-
-
-def _more_places(width: int, order: int) -> set[Fraction]:
-    """Return places that are no roots."""
-    # The middle for derivatives: those of mirrored data are 0 there, and a cusp is at rest.
-    quarters = {Fraction(k, 4) for k in (1, 2, 3)} if width > 2 else set()
-    return {Fraction(1, 2)} if order else quarters
-
-
-def _cut(place: Fraction, following: Fraction, order: int) -> Fraction:
-    """Return where the expansion about the following place becomes the better one."""
-    if order:
-        return (place + following) / 2
-    # There the terms of r**k about the one exceed it as far as those of s**k about the other.
-    return following / (1 - place + following)
 
 
 def _value(form: tuple[int, ...], s: Fraction) -> Fraction:

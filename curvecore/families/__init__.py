@@ -18,7 +18,7 @@
   share; their cardinal polynomials, factored, of cubics and quintics, and of any width; derivatives from the
   jets at both ends of a segment.
 - ``taylor_pieces``: Hermite segments expanded about the places where one of their
-  functions vanishes: fast and accurate values and derivatives.
+  functions vanishes: fast and accurate derivatives, and values of cubics.
 - ``product_form``, ``product_series``: the Lagrange basis as products, accurate for any parameters; its
   derivatives, as products of power series.  ``product_kernels``: values and derivatives up to the
   third, faster.  ``differentiation_matrix``: derivatives by a short cut.

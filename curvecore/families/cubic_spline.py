@@ -14,7 +14,7 @@ from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite import HermiteCurve
 from curvecore.families.records import Interpolant, JointDerivatives, Slopes
 from curvecore.families.setting import FamilySetting, SettingValue
-from curvecore.families.spline_system import SplineEnds, spline_derivatives, velocity_moves
+from curvecore.families.spline_system import SplineEnds, refined_bends, spline_derivatives, velocity_moves
 from curvecore.scaling import made_finite
 from curvecore.vectors import vector_lengths
 
@@ -140,8 +140,8 @@ class CubicSplineCurve(ParametricCurve):
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         if self._units is None:
             unit = np.eye(len(self._parameters))
-            slopes = spline_derivatives(unit, np.diff(self._parameters), self.ends)
-            self._units = _Data(unit, *(read_only(made_finite(each)) for each in slopes))
+            velocities, _ = spline_derivatives(unit, np.diff(self._parameters), self.ends)
+            self._units = _Data(unit, read_only(made_finite(velocities)), self._bends_for(unit))
         return self._summed(t, order, self._units)[:, :, None]
 
     def _outside(self, t: FloatArray) -> IntArray:
@@ -247,13 +247,17 @@ class CubicSplineCurve(ParametricCurve):
     def _second(self) -> FloatArray:
         """The second derivatives at the joints."""
         if self._bends is None:
-            self._solve()
-        assert self._bends is not None
+            self._bends = self._bends_for(self.points)
         return self._bends
+
+    def _bends_for(self, points: FloatArray) -> FloatArray:
+        """Return the second derivatives for any points, (n, k): to the last digit, for they nearly cancel."""
+        _, bends = spline_derivatives(points, np.diff(self._parameters), self.ends)
+        return read_only(made_finite(refined_bends(points, self._parameters, bends, self.ends)))
 
     def _solve(self) -> None:
         """Compute first and second derivatives at the joints."""
-        velocities, bends = spline_derivatives(self.points, np.diff(self._parameters), self.ends)
+        velocities, _ = spline_derivatives(self.points, np.diff(self._parameters), self.ends)
         finite = np.isfinite(velocities).all(axis=1)
         if not finite.all():
             index = int(np.argmin(finite))
@@ -262,5 +266,5 @@ class CubicSplineCurve(ParametricCurve):
                 "the derivative there exceeds the largest number",
                 (index,),
             )
-        self._bends = read_only(made_finite(bends))
+        self._bends = None
         self._hermite = HermiteCurve(self.points, velocities, self._parameters)

@@ -34,8 +34,10 @@ from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import LIMIT, made_finite
 from curvecore.vectors import vector_lengths
 
-_ALL = 256  # segments, up to which it pays to expand all of them for a single parameter
+_ALL = 64  # segments, up to which it pays to expand all of them for a single parameter
 _DENSE = 4  # parameters a segment, from which on it pays to expand more
+_SAMPLES = 100  # parameters, from which on a cubic is taken to be sampled, and hardly once
+_SAMPLED = 256  # segments of a cubic, up to which it then pays
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
@@ -235,13 +237,15 @@ class PiecewiseHermite(ParametricCurve):
     def _are_worth_expansions(self, t: FloatArray) -> bool:
         # Whether or not the expansions are there already: in what order a curve is asked changes nothing.
         segments = len(self._parameters) - 1
-        return segments <= _ALL or t.size >= _DENSE * segments
+        most = _SAMPLED if self.degree == 3 and t.size >= _SAMPLES else _ALL
+        return segments <= most or t.size >= _DENSE * segments
 
     def _evaluate_inside(self, t: FloatArray, order: int) -> FloatArray | None:
         """Evaluate by expansions or through the control points, where that is possible."""
         if not t.size or order > self.degree:
             return None
-        if self._are_worth_expansions(t):
+        # Of quintics and above, control points are the faster way to values of a curve that is new.
+        if (order or self.degree == 3) and self._are_worth_expansions(t):
             pieces = self._taylor_pieces(order)
             return None if pieces is None else pieces.evaluate(t)
         if order or not self._is_inside(t):

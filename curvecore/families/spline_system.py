@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray
+from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
 from curvecore.tridiagonal import solve_dominant
 
 
@@ -108,6 +109,59 @@ def velocity_moves(points: FloatArray, spacing: FloatArray, ends: SplineEnds) ->
         bends = _bends(h, shares, ends, np.stack([ratios[1:2] - ratios[:1], ratios[-1:] - ratios[-2:-1]]))
         moves = _velocities(h, shares, bends, ends)
         return np.ldexp(moves, -2 * spline.exponent).reshape(n, n, dim)
+
+
+def refined_bends(
+    points: FloatArray, parameters: FloatArray, bends: FloatArray, ends: SplineEnds
+) -> FloatArray:
+    """Return second derivatives at the joints after one step of iterative refinement.
+
+    What they leave of the rows of the system is found in double-double arithmetic from the numbers given, so
+    that the roundings of lengths, slopes and elimination are gone [1]_.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, dim)
+    parameters : ndarray, shape (n,)
+    bends : ndarray, shape (n, dim)
+        As from `spline_derivatives`.
+    ends : SplineEnds
+
+    References
+    ----------
+    .. [1] N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed., SIAM 2002, chapter 12.
+    """
+    with np.errstate(all="ignore"):
+        exponent = int(np.frexp(np.diff(parameters).max())[1])
+        places = np.ldexp(parameters, -exponent)[:, None]
+        h = difference(places[1:], places[:-1])
+        slope = divide(difference(points[1:], points[:-1]), h)
+        scaled = np.ldexp(bends, 2 * exponent)
+        starts, finishes = _halves_of_rows(h, slope, scaled)
+        before = DoubleDouble(*(np.roll(each, 1, axis=0) for each in finishes))
+        rows = -add(starts, before).high / 6.0
+        last = np.zeros_like(rows)
+        if ends is SplineEnds.CLAMPED:
+            rows[0], last[-1] = -starts.high[0] / 6.0, -finishes.high[-1] / 6.0
+        thirds = divide(difference(scaled[1:], scaled[:-1]), h)
+        at, beside = ([0, -1], [1, -2]) if len(rows) > 1 else ([0, 0], [0, 0])
+        high, low = (each[at] - each[beside] for each in thirds)
+        change = _bends(h.high, _Shares(rows, last), ends, (high + low)[:, None] * [[[1.0]], [[-1.0]]])
+        refined = bends + np.ldexp(change, -2 * exponent)
+        return np.where(np.isfinite(refined), refined, bends)
+
+
+def _halves_of_rows(
+    h: DoubleDouble, slope: DoubleDouble, bends: FloatArray
+) -> tuple[DoubleDouble, DoubleDouble]:
+    """Return what segments add to the left sides of the rows of their ends, less the right ones."""
+    near, far = bends[:-1], bends[1:]
+    sixfold = multiply(slope, DoubleDouble(np.array(6.0), np.array(0.0)))
+    halves = []
+    for first, second, sign in ((near, far, -1.0), (far, near, 1.0)):
+        total = add(DoubleDouble(2.0 * first, 0.0 * first), DoubleDouble(second, 0.0 * second))
+        halves.append(add(multiply(h, total), DoubleDouble(sign * sixfold.high, sign * sixfold.low)))
+    return halves[0], halves[1]
 
 
 class _Shares(NamedTuple):

@@ -224,7 +224,7 @@ class Fitter:
                 break
             before = found
         assert best is not None
-        is_near = self._moves and tolerance < best.fit.deviation <= NEAR * tolerance
+        is_near = tolerance < best.fit.deviation <= NEAR * tolerance
         return self._pressed(best) if is_near else best
 
     def _start(self, before: Attempt | None) -> FloatArray:

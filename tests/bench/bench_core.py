@@ -96,7 +96,7 @@ def test_hermite_functions_and_curve(compare, request, rng, n):
     assert targets.at_least(request.node.name, compare(core, peer, 5 if n == 1000 else 31), 1)
 
 
-@pytest.mark.parametrize(("order", "limit"), [(1, 8), (2, 14), (3, 18)])
+@pytest.mark.parametrize(("order", "limit"), [(1, 8), (2, 16), (3, 20)])
 @pytest.mark.parametrize("rule", [chebyshev, uniform])
 def test_derivative_of_a_thousand_points(compare, rng, rule, order, limit):
     """Of 1000 points at 1000 parameters; the peer is the curve itself, which takes some 5 ms."""
@@ -176,7 +176,7 @@ def test_quintic_evaluation(compare, long_data, rng):
     peer = interpolate.BPoly(np.moveaxis(bezier_segments(curve), 1, 0), joints)
     t = np.sort(rng.random(PARAMETERS))
     ratio = compare(lambda: curve.evaluate(t), lambda: peer(t), 3)
-    assert targets.at_least("quintic, 100,000 joints: evaluation over BPoly's", ratio, 3)
+    assert targets.at_least("quintic, 100,000 joints: evaluation over BPoly's", ratio, 5)
 
 
 def test_cubic_at_the_same_places_of_every_segment(compare, long_data):
@@ -210,7 +210,7 @@ def test_cubic_at_ascending_parameters(compare, cubic, n, count):
     curve, peer, t = cubic(n, count)
     ratio = 1.0 / compare(lambda: curve.evaluate(t), lambda: peer(t), 2_000_000 // count)
     what = f"cubic, {n} joints, {count:,} ascending t, over SciPy's time"
-    assert targets.at_most(what, ratio, 0.7, "times")
+    assert targets.at_most(what, ratio, 0.6, "times")
 
 
 def test_cubic_with_ten_parameters_a_segment(compare, cubic):
@@ -221,13 +221,13 @@ def test_cubic_with_ten_parameters_a_segment(compare, cubic):
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])
-@pytest.mark.parametrize("count", [100, 1000, 10_000])
-def test_derivatives_of_a_cubic(compare, cubic, count, order):
+@pytest.mark.parametrize(("count", "limit"), [(100, 1), (1000, 1), (10_000, 0.5)])
+def test_derivatives_of_a_cubic(compare, cubic, count, limit, order):
     """At 100 values SciPy's call takes 5 us, of which NumPy allows ten calls of its own."""
     curve, peer, t = cubic(20, count)
     ratio = 1.0 / compare(lambda: curve.evaluate(t, order), lambda: peer(t, order), 2_000_000 // count)
     what = f"cubic, derivative {order} at {count:,} ascending t, over SciPy's time"
-    assert targets.at_most(what, ratio, 1, "times")
+    assert targets.at_most(what, ratio, limit, "times")
 
 
 @pytest.mark.parametrize(("count", "limit"), [(100, 1.4), (1000, 1)])
@@ -249,7 +249,7 @@ def loop():
 def test_self_intersections_of_a_cubic(compare, loop):
     curve, peer = loop
     ratio = 1.0 / compare(lambda: self_intersections(curve, 1e-9), peer.self_intersections, 51)
-    assert targets.at_most("self-intersections of a cubic, over bezier's time", ratio, 3, "times")
+    assert targets.at_most("self-intersections of a cubic, over bezier's time", ratio, 2.5, "times")
 
 
 @pytest.mark.parametrize("distance", [0.0, 0.1])

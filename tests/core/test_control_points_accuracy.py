@@ -119,19 +119,21 @@ def test_bernstein_functions_of_high_degree(exact, rng, n):
 
 
 @pytest.mark.parametrize(("n", "places"), [(200, (1e-9, 1e-3, 0.7, 1.9, 2.9999)), (1200, (1.3,))])
-def test_values_of_high_degree(rng, n, places):
+def test_values_of_high_degree(exact, rng, n, places):
     """Only the functions that count are summed there: a few hundred of any number."""
     curve = BezierCurve(rng.standard_normal((n, 1)), np.linspace(0.0, 3.0, n))
-    points = [Fraction(p) for p in curve.points[:, 0].tolist()]
+    points = [exact.rational(p) for p in curve.points[:, 0]]
+    # As whole numbers of a unit: products of fractions would each be reduced.
+    unit = lcm(*(int(p.q) for p in points))
+    points = [(p * unit).p for p in points]
     for t in places:
-        x = Fraction(t) / 3
-        above, below = x.numerator, x.denominator
-        rest = below - above
-        terms = [comb(n - 1, i) * above**i * rest ** (n - 1 - i) * points[i] for i in range(n)]
-        whole = below ** (n - 1)
-        off = abs(Fraction(float(curve.evaluate(t)[0])) - sum(terms) / whole)
+        x = exact.rational(t) / 3
+        above, rest = powers(x.p, n - 1), powers(x.q - x.p, n - 1)
+        whole = x.q ** (n - 1) * unit
+        terms = [comb(n - 1, i) * above[i] * rest[n - 1 - i] * points[i] for i in range(n)]
+        off = abs(exact.rational(curve.evaluate(t)[0]) * whole - sum(terms))
         # A running product of a hundred factors before those that count most.
-        assert off <= 50 * sum(map(abs, terms)) / whole / 2**53
+        assert off * 2**53 <= 50 * sum(map(abs, terms))
 
 
 @pytest.mark.parametrize("order", [4, 5, 7])

@@ -8,7 +8,7 @@ from flint import fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from curvecore import HermiteCurve, QuinticHermiteCurve
+from curvecore import CurveError, HermiteCurve, QuinticHermiteCurve
 from curvecore.bezier.vanishing_places import vanishing_places
 
 profile = settings(derandomize=True, deadline=None, max_examples=150)
@@ -82,6 +82,72 @@ def test_in_what_order_and_how_densely_they_are_asked_for_changes_nothing(rng, f
     dense = np.sort(np.concatenate([t, rng.uniform(joints[3], joints[5], 40_000)]))
     found = np.searchsorted(dense, t)
     assert (family(*data, joints).evaluate(dense, order)[found] == together).all()
+
+
+@pytest.mark.parametrize("order", range(4))
+@pytest.mark.parametrize("count", [1, 7, 250, 400, 3000, 20_000])
+def test_a_curve_that_was_evaluated_before_is_the_same(rng, order, count):
+    """What is there already is used without the usual checks: whatever is asked for, the answer stays."""
+    n = 30
+    joints = np.cumsum(rng.random(n) + 0.01)
+    data = rng.standard_normal((2, n, 3))
+    t = np.concatenate([rng.uniform(joints[0], joints[-1], count), joints])
+    beyond = np.concatenate([t, [joints[0] - 0.1, joints[-1] + 0.1]])
+    wide = np.stack([t, t], axis=1)
+    for asked in (
+        t,
+        np.sort(t),
+        t[::-2],
+        wide[:, 1],
+        beyond,
+        t[:0],
+        t.astype(np.float32),
+        wide,
+        list(t[:5]),
+        t[0],
+    ):
+        warm = HermiteCurve(*data, joints)
+        warm.evaluate(joints, order)
+        before = np.array(asked)
+        found = warm.evaluate(asked, order)
+        assert (found == HermiteCurve(*data, joints).evaluate(asked, order)).all()
+        assert found.shape == (*np.shape(asked), 3)
+        assert (np.array(asked) == before).all()
+        again = found.copy()
+        found[...] = 9.0
+        assert (warm.evaluate(asked, order) == again).all()
+    assert (warm.evaluate(float(t[0]), order) == warm.evaluate(t, order)[0]).all()
+
+
+@pytest.mark.parametrize("count", [1, 7, 400, 3000])
+def test_a_curve_that_was_evaluated_before_refuses_the_same(rng, count):
+    joints = np.arange(5.0)
+    curve = HermiteCurve(*rng.standard_normal((2, 5, 2)), joints)
+    t = np.linspace(0.0, 4.0, count)
+    for order in range(4):
+        curve.evaluate(t, order)
+    for wrong in (np.nan, np.inf, -np.inf):
+        for place in (0, count // 2, count - 1):
+            asked = t.copy()
+            asked[place] = wrong
+            with pytest.raises(CurveError, match=rf"t\[{place}\] is {wrong}; every value must be finite"):
+                curve.evaluate(asked, 1)
+        with pytest.raises(CurveError, match="every value must be finite"):
+            curve.evaluate(wrong, 1)
+    for order in (-1, 1.0, "1", None, np.array([1, 2])):
+        with pytest.raises(CurveError, match="order must be"):
+            curve.evaluate(t, order)
+
+
+def test_products_too_small_for_a_double_are_no_errors():
+    """They are looked for when NumPy has told of one; everything is an error in these tests."""
+    curve = HermiteCurve([[0.0], [1.0]], [[1e-20], [1.0]], [0.0, 1.0])
+    t = np.array([0.0, 1e-300, 1e-200, 0.5])
+    for asked in (t, np.linspace(0.0, 1e-300, 1000), np.append(np.linspace(0.0, 1e-300, 1000), 0.5)):
+        for order in range(4):
+            first, second = curve.evaluate(asked, order), curve.evaluate(asked, order)
+            assert np.isfinite(first).all()
+            assert (first == second).all()
 
 
 @pytest.mark.parametrize("family", FAMILIES.values())

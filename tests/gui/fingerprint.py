@@ -11,7 +11,7 @@ from types import BuiltinFunctionType, FunctionType, MethodType
 import msgspec
 from PySide6.QtCore import QRegularExpression
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QDockWidget, QLabel, QWidget
+from PySide6.QtWidgets import QAbstractButton, QDockWidget, QLabel, QTabWidget, QWidget
 
 _FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType)
 """What tests replace: a clock, a question to the person."""
@@ -195,6 +195,9 @@ class Fingerprint:
         for dock in window.findChildren(QDockWidget):
             self.told[f"dock {dock.objectName()}"] = bool(dock.property("hadRoom"))
         for widget in window.findChildren(QWidget, _OUR_NAMES):
+            if isinstance(widget, QTabWidget) and widget.currentIndex() > 0:
+                # Whoever shows it again sees the page that was seen last.
+                self.told[f"page of {widget.objectName()}"] = widget.currentIndex()
             # What is out of sight is told what to say before it is shown.
             if widget.isVisibleTo(window):
                 self.told[f"widget {widget.objectName()}"] = self._told_of(widget)

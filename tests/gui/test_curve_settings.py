@@ -253,6 +253,14 @@ def test_a_closed_curve_with_a_corner(quintic):
     quintic.session.commit(document, "Close")
     facts = quintic["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
     assert facts == "8 points · degree 5 · 8 pieces · closed · 1 corner · 0 ≤ t ≤ 1"
+    # Only the acceleration jumps there: no corner.
+    velocity = quintic.session.active_view.velocity_of(5)
+    corner = edits.make_corner(quintic.session.document, 0, 5, velocity, velocity)
+    jumping = edits.set_derivative(corner, 0, 5, 2, (80.0, 9.0), ahead=True)
+    quintic.session.commit(jumping, "Jolt")
+    facts = quintic["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
+    assert "closed · 1 corner · 1 point with two sides ·" in facts
+    quintic.session.commit(document, "Back")
     quintic.type("intervalEnd", "2")
     assert quintic.session.active_view.curve.domain == (0.0, 2.0)
     assert quintic.curve.points[3].velocity_after == (1.5, 2.0)

@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
+from app.plotting.crowds import covered
 from app.plotting.drawing import MARGIN, Stroke, polygon, thinned, visible_segments
 from curvecore.bezier.polylines import segment_distance
 
@@ -127,6 +128,25 @@ def test_strokes_of_a_crowd_that_are_apart_are_as_qt_paints_them():
     assert len(stroke._crowd)
     # Antialiasing counts in sixteenths in one of them.
     assert np.abs(off).max() <= 16
+
+
+def test_strokes_at_the_edge_of_what_they_fill_are_told_from_those_within():
+    """Steep strokes and level ones, with a gap of three pixels; then one that ends half-way."""
+    at = np.concatenate([np.arange(20.0, 60.0, 0.4), np.arange(63.0, 90.0, 0.4)])
+    steep = np.column_stack([at, np.full(len(at), -20.0), at + 30.0, np.full(len(at), 220.0)])
+    gap, last = int(np.argmax(np.diff(at))), len(at) - 1
+    edges = [0, 1, *range(gap - 1, gap + 3), last - 1, last]
+    assert np.flatnonzero(~covered(steep, WIDTH, HEIGHT)).tolist() == edges
+    assert np.flatnonzero(~covered(steep[:, [1, 0, 3, 2]], HEIGHT, WIDTH)).tolist() == edges
+    steep[20, 2:] = (at[20] + 15.0, 100.0)
+    beside_the_end = [18, 19, 21, 22]
+    assert np.flatnonzero(~covered(steep, WIDTH, HEIGHT)).tolist() == sorted([*edges, *beside_the_end])
+
+
+@pytest.mark.parametrize("count", range(6))
+def test_a_few_strokes_are_all_at_the_edge(count):
+    strokes = np.tile([20.0, -20.0, 20.0, 220.0], (count, 1))
+    assert covered(strokes, WIDTH, HEIGHT).tolist() == [False, False, count == 5, False, False][:count]
 
 
 def test_a_crowd_that_calms_down_is_joined_again():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from fingerprint import Fingerprint, differences
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QTabWidget
 
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
@@ -62,6 +62,16 @@ _WAYS = {
     "preferences": lambda editor: editor.trigger("preferences"),
     "keys": lambda editor: editor.trigger("showShortcuts"),
 }
+
+
+def test_another_page_of_a_panel_is_found(editor, kept_editor):
+    """A page that was left in front used to hide what the next lesson needs."""
+    editor.trigger("toggleLaboratory")
+    editor.settle()
+    pages = editor.window.findChild(QTabWidget, "laboratoryPanel")
+    pages.setCurrentIndex(1)
+    kept_editor._reset()
+    assert kept_editor.differences() == {"page of laboratoryPanel": 1}
 
 
 @pytest.mark.parametrize("way", list(_WAYS))

@@ -16,7 +16,7 @@ from app.tools.canvas.add import ADD
 from app.tools.canvas.select import SELECT
 
 APP = Path(__file__).resolve().parent.parent.parent / "app"
-SHOWN = {"action_switch", "command_palette"}
+SHOWN = {"action_switch"}
 """Modules with what shows an action: buttons, and the tick beside a name."""
 
 

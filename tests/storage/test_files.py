@@ -230,34 +230,33 @@ def test_a_missing_file_is_named(tmp_path):
         read(tmp_path / "gone")
 
 
+def is_refused(path, why):
+    """Neither read nor written; the reason is told."""
+    for use in (read, lambda place: write(place, b"")):
+        with pytest.raises(StorageError, match=why):
+            use(path)
+
+
 def test_a_folder_is_neither_read_nor_written(tmp_path):
-    for use in (read, lambda path: write(path, b"")):
-        with pytest.raises(StorageError, match="is a folder"):
-            use(tmp_path)
+    is_refused(tmp_path, "is a folder")
 
 
 @posix_only
 def test_a_pipe_is_refused_without_waiting(tmp_path):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    for use in (read, lambda path: write(path, b"")):
-        with pytest.raises(StorageError, match="is a pipe or a device"):
-            use(pipe)
+    is_refused(pipe, "is a pipe or a device")
 
 
 @posix_only
 def test_a_loop_of_links_is_refused(tmp_path):
     link = tmp_path / "loop"
     link.symlink_to(link)
-    for use in (read, lambda path: write(path, b"")):
-        with pytest.raises(StorageError, match="leads back to itself"):
-            use(link)
+    is_refused(link, "leads back to itself")
 
 
 def test_an_impossible_name_is_refused():
-    for use in (read, lambda path: write(path, b"")):
-        with pytest.raises(StorageError, match="null"):
-            use("a\0b")
+    is_refused("a\0b", "null")
 
 
 def test_an_unprintable_name_can_be_said(tmp_path):

@@ -16,7 +16,7 @@ from app.families import FAMILIES
 from app.view_model.convert import converted, outlook
 from app.view_model.curve_view import view_of
 from app.view_model.measure import is_kept
-from app.view_model.smoothness import with_corners
+from app.view_model.smoothness import jolts_of, with_corners
 from curvecore import CurveError, LagrangeCurve
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
@@ -168,6 +168,8 @@ def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners)
     new = (6 if closed else 4) - len(inner)
     points = "the points there have"
     assert made.note == f"The acceleration jumps at {new} joints: {points} derivatives before and after."
+    # These are no corners: the velocity goes on.
+    assert len(jolts_of(after)) == new + len(inner)
     back = converted(after, FAMILIES.named("hermite")).curve
     assert apart(before, view_of(back)) < 1e-13
     assert [point.corner for point in back.points] == [False] * 6

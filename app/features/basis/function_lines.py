@@ -12,8 +12,9 @@ from PySide6.QtGui import QPolygonF
 
 from curvecore.arrays import FloatArray
 
-from ...plotting.drawing import Segments, Stroke, polygon, thinned
+from ...plotting.drawing import Stroke, polygon, thinned
 from ...plotting.pixel_map import PixelMap
+from ...plotting.segments import Segments
 from ...view_model.basis_view import BasisView
 
 _MOST_EACH = 64

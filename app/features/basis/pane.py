@@ -61,7 +61,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._reach: tuple[float, float] | None = None
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
-        self._fit = self._fit_button()
+        self._fit, self._is_fitted = self._fit_button(), False
         self._findings = Label(name="basisFindings", label="What was found of the functions", wordWrap=True)
         self._findings.setContentsMargins(10, 0, 8, 2)
         self._findings.hide()
@@ -83,7 +83,7 @@ class BasisPane(FollowsTheme, CentralPane):
         button.setChecked(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setIconSize(SIGN)
-        button.clicked.connect(self._choose_kinds)
+        button.clicked.connect(lambda: self._panel.drawing.switch_kind(kind))
         return button
 
     def _fit_button(self) -> QToolButton:
@@ -193,20 +193,20 @@ class BasisPane(FollowsTheme, CentralPane):
 
     def fit(self, *, whole: bool) -> None:
         drawing = self._panel.drawing
-        self._fit.setChecked(False)
+        self._show_fitted(False)
         drawing.calm_values()
         drawing.fit_domain()
         self._fit.setVisible(self._reach is not None)
         if whole and self._reach is not None:
-            self._fit.setChecked(True)
+            self._show_fitted(True)
             drawing.fit_values()
 
-    def _choose_kinds(self) -> None:
-        self._panel.drawing.set_kinds(
-            frozenset(k for k, button in enumerate(self._kinds) if button.isChecked())
-        )
+    def _show_fitted(self, fitted: bool) -> None:
+        self._is_fitted = fitted
+        self._fit.setChecked(fitted)
 
     def _fit_or_calm(self, fitted: bool) -> None:
+        self._is_fitted = fitted
         if fitted:
             self._panel.drawing.fit_values()
         else:
@@ -222,7 +222,7 @@ class BasisPane(FollowsTheme, CentralPane):
             self._soon.start()
 
     def _write_reach(self) -> None:
-        self._fit.setVisible(self._reach is not None or self._fit.isChecked())
+        self._fit.setVisible(self._reach is not None or self._is_fitted)
         room = self._extent.sizeHint()
         self._write_extent()
         if self._extent.sizeHint() != room:

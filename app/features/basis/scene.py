@@ -95,9 +95,9 @@ class BasisScene(QObject):
         self.rail.scrub = t
         self.rail.update()
 
-    def set_kinds(self, kinds: frozenset[int]) -> None:
-        """Show these kinds of functions: 0 of positions, else those of the derivatives of that order."""
-        self.functions.kinds = kinds
+    def switch_kind(self, kind: int) -> None:
+        """Show a kind of functions, or hide it: 0 of positions, else those of derivatives of that order."""
+        self.functions.kinds ^= {kind}
         self.functions.update()
         self._report_extent()
 

@@ -17,6 +17,7 @@ from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
 from ...view_model.curve_view import CurveView, ParametricCurve
+from ...view_model.smoothness import jolts_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import FieldEdit, NumberEdit
@@ -196,8 +197,10 @@ def _kind_facts(curve: ParametricCurve) -> list[str]:
 def _shape_facts(view: CurveView) -> list[str]:
     """Return whether the curve is closed, and how many corners it has."""
     facts = ["closed"] if view.source.is_closed else []
-    corners = view.corners
-    return [*facts, count_of(len(corners), "corner")] if corners else facts
+    others = len(jolts_of(view))
+    corners = len(view.corners) - others
+    facts += [count_of(corners, "corner")] if corners else []
+    return [*facts, f"{count_of(others, 'point')} with two sides"] if others else facts
 
 
 def _interval_edit(name: str, label: str, what: str) -> NumberEdit:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
@@ -137,9 +138,15 @@ class ImportTableDialog(WorkDialog):
         self.hold(foot, wished=QSize(760, 560))
 
     def _connect(self) -> None:
-        self.separator_box.activated.connect(self._choose_layout)
-        self.comma_check.clicked.connect(self._choose_layout)
-        self.header_check.clicked.connect(self._choose_layout)
+        self.separator_box.activated.connect(
+            lambda row: self._choose_layout(replace(self._layout_now, separator=list(_SEPARATORS)[row]))
+        )
+        self.comma_check.clicked.connect(
+            lambda is_on: self._choose_layout(replace(self._layout_now, decimal_comma=is_on))
+        )
+        self.header_check.clicked.connect(
+            lambda is_on: self._choose_layout(replace(self._layout_now, header=is_on))
+        )
         self.preview.head.chosen.connect(self._prepare)
         self.family_box.activated.connect(self._prepare)
         self.missing_box.activated.connect(self._prepare)
@@ -154,12 +161,9 @@ class ImportTableDialog(WorkDialog):
 
     # What the person did
 
-    def _choose_layout(self) -> None:
-        separator = list(_SEPARATORS)[self.separator_box.currentIndex()]
-        comma = self.comma_check.isChecked() and separator != ","
-        has_header = self.header_check.isChecked()
-        units = self._layout_now.units and has_header
-        self._layout_now = TextLayout(separator, comma, has_header, self._layout_now.skipped, units)
+    def _choose_layout(self, layout: TextLayout) -> None:
+        comma = layout.decimal_comma and layout.separator != ","
+        self._layout_now = replace(layout, decimal_comma=comma, units=layout.units and layout.header)
         self._show_preview(self._source.preview(self._layout_now))
         self._prepare()
 

@@ -15,7 +15,7 @@ from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
-from ...view_model.least_squares import Fitted, fitted
+from ...view_model.least_squares import SCATTERED, Fitted, fitted
 from ..background import Errand
 from ..drag_machine import CANCELLED, THRESHOLD, EditingHost
 from ..marks import GestureMarks
@@ -142,6 +142,8 @@ def _told(made: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
     text = f"{points}; largest deviation {pixels} px ({number(made.deviation, 2)})."
     if family != model.family:
         text += f" It is {family.a_curve}: {model.family.a_curve} so near takes too long to find."
+    elif made.is_scattered:
+        text += f" {SCATTERED}"
     elif made.deviation > tolerance:
         text += (
             f" No {family.title} curve was found nearer; another family may come nearer with fewer points."
