@@ -70,7 +70,7 @@ class Canvas(ToolPlot):
 
     def _show_tool(self) -> None:
         tool = self.tools.tool
-        self.drawing.image.has_grips = tool.finds_image
+        self.drawing.image.set_grips(tool.finds_image)
         self.drawing.points.shows_new_handle = tool.shows_new_handle
         self.drawing.points.refresh()
         self._show_cursor(Hint())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtGui import QPainter, QPen
 
+from ..appearance.theme import Theme
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
@@ -23,6 +24,9 @@ class ControlPolygonLayer(Layer):
         super().__init__(plot)
         self._view: CurveView | None = None
         self._stroke = Stroke()
+        # The pen of the last frame, and what it was made for.
+        self._made_for: tuple[Theme, float] | None = None
+        self._made = QPen()
         self.set_visible(False)
 
     def render(self, view: CurveView) -> None:
@@ -38,5 +42,8 @@ class ControlPolygonLayer(Layer):
         if self._view is None or len(self._view.points) < 2:
             return
         self._stroke.show(self._view.points, shown)
-        painter.setPen(QPen(self.theme.handle, _WIDTH * self.scale))
+        if self._made_for != (self.theme, self.scale):
+            self._made_for = (self.theme, self.scale)
+            self._made = QPen(self.theme.handle, _WIDTH * self.scale)
+        painter.setPen(self._made)
         self._stroke.draw(painter)

@@ -43,6 +43,7 @@ class CurveLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self.error = 0.0
+        self._error_of: tuple[FloatArray | None, PixelMap | None] = (None, None)
         self._view: CurveView | None = None
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._ghost: FloatArray | None = None
@@ -91,7 +92,7 @@ class CurveLayer(Layer):
 
     def polyline(self, shown: PixelMap) -> Polyline | None:
         """Return the curve as it is drawn, None without one."""
-        if self._view is None or self._view.curve is None:
+        if self._view is None or not self._view.has_curve:
             return None
         return line_of(self._view, shown)
 
@@ -100,9 +101,12 @@ class CurveLayer(Layer):
         if self._ghost is not None and self.ghost_opacity > 0:
             self._paint_ghost(painter, shown, self._ghost)
         view, polyline = self._view, self.polyline(shown)
-        self.error = 0.0 if polyline is None else polyline.reached * max(shown.sx, shown.sy)
         if view is None or polyline is None:
+            self.error = 0.0
             return
+        if self._error_of[0] is not polyline.deviation or self._error_of[1] is not shown:
+            self._error_of = (polyline.deviation, shown)
+            self.error = polyline.reached * max(shown.sx, shown.sy)
         self._stroke.show(polyline.points, shown)
         if self._is_cased:
             painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))

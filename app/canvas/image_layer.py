@@ -34,7 +34,7 @@ class ImageLayer(Layer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self.has_grips = False
+        self._has_grips = False
         self._image: ReferenceImage | None = None
         self._pixels: QImage | None = None
         self._drawn: tuple[object, ...] = (None,) * 4
@@ -46,6 +46,7 @@ class ImageLayer(Layer):
         self.set_visible(False)
         # The grips lie over curves and points: the mouse is theirs while they show.
         self._grips = Layer(plot, self._paint_grips, z=20.0)
+        self._grips.set_visible(False)
 
     def render(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Draw this picture from the next paint on."""
@@ -58,6 +59,15 @@ class ImageLayer(Layer):
             self.set_visible(image is not None)
             self.update()
             self._grips.update()
+            self._show_grips()
+
+    def set_grips(self, shown: bool) -> None:
+        """Show the grips, or not: they are there for the tool that moves the picture."""
+        self._has_grips = shown
+        self._show_grips()
+
+    def _show_grips(self) -> None:
+        self._grips.set_visible(self._has_grips and self._image is not None)
 
     @property
     def box(self) -> PlaneBox | None:
@@ -147,7 +157,7 @@ class ImageLayer(Layer):
 
     def _paint_grips(self, painter: QPainter, shown: PixelMap) -> None:
         image = self._image
-        if image is None or not self.has_grips:
+        if image is None:
             return
         rect = _rect(image, shown).intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))
         painter.setPen(QPen(self.theme.accent, 1.5))

@@ -18,6 +18,8 @@ from ..tools.snapping import Snap
 from ..tools.transform_box import TransformBox
 from .label_place import Surroundings, free_corner
 
+_NOTHING = GestureMarks()
+
 _GRIP, _FAR = 3.5, 1e6
 _ARM = 9
 """Length of the arms of the cross where something is caught."""
@@ -47,16 +49,18 @@ class MarksLayer(Layer):
 
     def __init__(self, plot: PlotWidget, around: Callable[[Vector], Surroundings]) -> None:
         super().__init__(plot)
-        self.marks = GestureMarks()
+        self.marks = _NOTHING
         # Tells what words beside a pixel should not cover.
         self._around = around
         self.readout_rect = self.snap_label_rect = QRectF()
         self._halo = Halo()
+        self.set_visible(False)
 
     def render(self, marks: GestureMarks) -> None:
         """Draw `marks` from the next paint on."""
         if marks != self.marks:
             self.marks = marks
+            self.set_visible(marks != _NOTHING)
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

@@ -68,7 +68,7 @@ class OtherCurvesLayer(Layer):
         shown = [
             (place, views[place])
             for place in places
-            if (views[place].source.visible or self.shows_hidden) and views[place].curve is not None
+            if (views[place].source.visible or self.shows_hidden) and views[place].has_curve
         ]
         if shown == self._views:
             return

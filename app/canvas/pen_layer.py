@@ -24,11 +24,13 @@ class PenLayer(Layer):
         self._preview: CurveView | None = None
         self._lines: tuple[tuple[Vector, ...], ...] = ()
         self._stroke = Stroke()
+        self.set_visible(False)
 
     def render(self, preview: CurveView | None, lines: tuple[tuple[Vector, ...], ...]) -> None:
         """Draw this curve and these lines from the next paint on; None and () for nothing."""
         if preview is not self._preview or lines != self._lines:
             self._preview, self._lines = preview, lines
+            self.set_visible(preview is not None or bool(lines))
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

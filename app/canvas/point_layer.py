@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen
@@ -26,6 +27,7 @@ from ..view_model.handles import Handle, handles_of
 from .handle_marks import mark_sizes
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
+from .point_ink import PointInk
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
@@ -38,8 +40,11 @@ _DISCS_MS = 200
 _HALF_NUMBER = 6.0
 """Half of what the number of a point takes, in pixels; what is written beside it makes it longer."""
 
-_LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
-"""The lines to handles, by the order of their derivatives."""
+_MARGIN = 60.0
+"""Pixels beyond the area within which points are drawn."""
+
+_FEW_MOVED = 8
+"""Points that move, up to which each is located for itself."""
 
 _LARGE = 100.0
 """Size of a weight from which on decimals say nothing."""
@@ -51,10 +56,20 @@ _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
 
 
+class _Roles(msgspec.Struct, frozen=True):
+    """Visible points by how they are drawn: like any other, hovered, selected; and those with numbers."""
+
+    calm: IntArray
+    hovered: list[int]
+    selected: list[int]
+    numbered: list[int]
+
+
 class _NumberLabel(NamedTuple):
     text: str
     colour: QColor
     centre: QPointF
+    start: QPointF
 
 
 class PointLayer(Layer):
@@ -86,7 +101,9 @@ class PointLayer(Layer):
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
         self._soon.timeout.connect(self.refresh)
         self._corners = Layer(plot, self._paint_corners, z=11.0)
-        self._pixels_of: tuple[FloatArray | None, PixelMap | None] = (None, None)
+        self._ink_of: tuple[object, ...] = ()
+        self._roles_of: tuple[object, ...] = ()
+        self._pixels_of: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._pixels: FloatArray = np.empty((0, 2))
         self._visible: IntArray = np.empty(0, dtype=np.intp)
 
@@ -112,25 +129,50 @@ class PointLayer(Layer):
         if view is None or not len(view.points):
             return
         colours = point_colours(len(view.points), self.theme)
-        self._locate(view.points, shown)
+        self._locate(view, shown)
+        self._have_ink()
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
             self._paint_weights(painter, pixels, visible, colours)
         self._paint_handles(painter, shown)
         self._paint_points(painter, pixels, visible, colours)
-        self._paint_numbers(painter, pixels, visible)
+        self._paint_numbers(painter, pixels)
         if self.scrub is not None:
             self._paint_scrub_dot(painter, shown)
 
-    def _locate(self, points: FloatArray, shown: PixelMap) -> None:
+    def _have_ink(self) -> None:
+        made_of = (self.theme, self.scale, self.fonts, self.over_picture)
+        if made_of != self._ink_of:
+            self._ink_of = made_of
+            self._ink = PointInk(*made_of[:3], over_picture=self.over_picture)
+
+    def _locate(self, view: CurveView, shown: PixelMap) -> None:
         """Find the pixels of all points, and which of them are on screen."""
-        if self._pixels_of[0] is points and self._pixels_of[1] is shown:
+        before, shown_before = self._pixels_of
+        if before is view and shown_before is shown:
             return
-        self._pixels_of = (points, shown)
-        self._pixels = shown.points(points)
+        self._pixels_of = (view, shown)
+        if before is not None and shown_before is shown and self._shift(before, view, shown):
+            return
+        self._pixels = shown.points(view.points)
         visible = np.flatnonzero(_is_near(self._pixels, shown))
         if not np.array_equal(visible, self._visible):
             self._visible = visible
+
+    def _shift(self, before: CurveView, view: CurveView, shown: PixelMap) -> bool:
+        """Find the pixels of points that have moved since another view; return whether all else stays."""
+        if view.motion is None or before.motion is None or before.motion.moves is not view.motion.moves:
+            return False
+        rows = view.motion.moves.rows
+        if len(rows) > _FEW_MOVED:
+            return False
+        stays, self._pixels = True, self._pixels.copy()
+        for row in rows:
+            point, (x, y) = view.source.points[row], self._pixels[row].tolist()
+            place = shown.point(point.x, point.y)
+            stays = stays and _is_near_pixel(x, y, shown) == _is_near_pixel(*place, shown)
+            self._pixels[row] = place
+        return stays
 
     # Points
 
@@ -138,23 +180,30 @@ class PointLayer(Layer):
         self, painter: QPainter, pixels: FloatArray, visible: IntArray, colours: Sequence[QColor]
     ) -> None:
         discs = self._discs_of(pixels, visible)
-        calm, hovered, selected = self._told_apart(len(pixels), visible, crowded=discs.crowded)
+        roles = self._have_roles(len(pixels), visible, crowded=discs.crowded)
+        calm = roles.calm
         self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
-        if hovered:
-            painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
-        for index in hovered:
+        if roles.hovered:
+            painter.setPen(self._ink.rim)
+        for index in roles.hovered:
             painter.setBrush(colours[index])
             radius = (RADIUS + _GROWTH) * self.scale
-            painter.drawEllipse(QPointF(*pixels[index]), radius, radius)
-        for index in selected:
-            self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
+            painter.drawEllipse(QPointF(*pixels[index].tolist()), radius, radius)
+        for index in roles.selected:
+            self._paint_selected(painter, QPointF(*pixels[index].tolist()), colours[index])
         if discs.crowded:
             self._paint_note(painter, shown=painter.clipBoundingRect())
 
-    def _told_apart(
-        self, count: int, visible: IntArray, *, crowded: bool
-    ) -> tuple[IntArray, list[int], list[int]]:
-        """Return which visible points are drawn like any other, which as hovered, and which as selected."""
+    def _have_roles(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
+        """Return the roles of the visible points; under a drag they stay."""
+        # By identity: weights are other arrays when they change, and so are the points in sight.
+        made_of = (self.selection, self.hovered, count, crowded, id(visible), id(self.weights))
+        if made_of != self._roles_of:
+            self._roles_of, self._roles_for = made_of, (visible, self.weights)
+            self._roles = self._told_apart(count, visible, crowded=crowded)
+        return self._roles
+
+    def _told_apart(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
         selected = [index for index in self.selection if index < count]
         is_calm = np.ones(count, dtype=bool)
         is_calm[selected] = False
@@ -162,7 +211,8 @@ class PointLayer(Layer):
         hovered = calm[calm == self.hovered].tolist()
         if crowded:
             calm = with_neighbours([*selected, *hovered], calm)
-        return calm, hovered, visible[~is_calm[visible]].tolist()
+        numbered = self._numbered(count, visible)
+        return _Roles(calm, hovered, visible[~is_calm[visible]].tolist(), numbered)
 
     def _discs_of(self, pixels: FloatArray, visible: IntArray) -> Discs:
         """Return how discs are drawn; under a drag that hardly changes, and is not asked every frame."""
@@ -191,17 +241,18 @@ class PointLayer(Layer):
     def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor) -> None:
         radius = _SELECTED_RADIUS * self.scale
         painter.setBrush(colour)
-        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        painter.setPen(self._ink.rim)
         painter.drawEllipse(place, radius, radius)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(self.theme.accent, 2 * self.scale))
+        painter.setPen(self._ink.ring)
         painter.drawEllipse(place, radius + 3 * self.scale, radius + 3 * self.scale)
 
     def _paint_corners(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw a square in place of the disc where the curve may turn sharply."""
         view = self._view
         assert view is not None
-        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        self._have_ink()
+        painter.setPen(self._ink.rim)
         colours, half = point_colours(len(view.points), self.theme), _CORNER * self.scale
         for index in view.corners:
             x, y = shown.point(*view.points[index].tolist())
@@ -211,40 +262,38 @@ class PointLayer(Layer):
 
     # Numbers
 
-    def _paint_numbers(self, painter: QPainter, pixels: FloatArray, visible: IntArray) -> None:
+    def _paint_numbers(self, painter: QPainter, pixels: FloatArray) -> None:
         self.numbers = []
-        selected = self._numbered(pixels, visible)
-        if not selected:
+        numbered = self._roles.numbered
+        if not numbered:
             return
-        painter.setFont(self.fonts.times(0.95 * self.scale))
-        for label in self._labels(painter, pixels, selected):
+        painter.setFont(self._ink.font)
+        for label in self._labels(painter, pixels, numbered):
             self.numbers.append((label.centre, len(label.text)))
             if self.over_picture:
                 self._paint_plate(painter, label.centre, label.text)
-            box = QRectF(label.centre.x() - 60, label.centre.y() - 12, 120, 24)
             painter.setPen(label.colour)
-            painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), label.text)
+            painter.drawText(label.start, label.text)
 
     def _labels(
         self, painter: QPainter, pixels: FloatArray, indices: Sequence[int]
     ) -> Iterator[_NumberLabel]:
         """Yield the numbers of points and their weights; what would cover other weights is left out."""
-        with_weight = self._has_weight_text(len(pixels))
-        metrics, half = painter.fontMetrics(), _HALF_NUMBER * self.scale
-        taken = Taken()
+        with_weight = None if self.weights is None else self._has_weight_text(len(pixels))
+        half, taken = _HALF_NUMBER * self.scale, Taken()
         if self.weights is not None and len(self.weights) == len(pixels):
             # The largest first, after those that are asked for: what finds no room beside them says least.
             sizes, named = np.abs(self.weights), {*self.selection, self.hovered}
             indices = sorted(indices, key=lambda index: (index not in named, -sizes[index]))
         for index in indices:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
-            if with_weight[index] and self.weights is not None:
+            if with_weight is not None and self.weights is not None and with_weight[index]:
                 weight = float(self.weights[index])
                 text += f"  {short(weight) if abs(weight) >= _LARGE else with_decimals(weight, 2)}"
                 colour = self.theme.warning if weight < 0 else self.theme.ink
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
-            size = metrics.size(0, text)
+            size, to_start = self._ink.written(text, painter)
             beyond = max(size.width() / 2 - half, 0.0)
             centre: QPointF | None = number_place(pixels, index, away, beyond)
             if self.weights is not None and centre is not None:
@@ -252,15 +301,15 @@ class PointLayer(Layer):
                 aside = QPointF(size.width(), 0.0)
                 centre = taken.take((centre, further, centre - aside, centre + aside), QSizeF(size))
             if centre is not None:
-                yield _NumberLabel(text, colour, centre)
+                yield _NumberLabel(text, colour, centre, centre + to_start)
 
-    def _numbered(self, pixels: FloatArray, visible: IntArray) -> list[int]:
+    def _numbered(self, count: int, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
         numbered = visible
-        if len(pixels) > _LABELLED_UP_TO:
+        if count > _LABELLED_UP_TO:
             named = self.selection if len(self.selection) <= _LABELLED_UP_TO else ()
-            is_wanted = self._has_weight_text(len(pixels))
-            is_wanted[[index for index in (*named, self.hovered) if 0 <= index < len(pixels)]] = True
+            is_wanted = self._has_weight_text(count)
+            is_wanted[[index for index in (*named, self.hovered) if 0 <= index < count]] = True
             numbered = visible[is_wanted[visible]]
         result: list[int] = numbered.tolist()
         return result
@@ -294,13 +343,16 @@ class PointLayer(Layer):
             for tip, anchor in [(shown.point(*handle.position), shown.point(*handle.anchor))]
             if is_near(*tip) and is_near(*anchor)
         ]
-        colour = self.theme.handle
         if self.over_picture:
-            # In the grey of a faded letter grey handles cannot be seen.
-            colour = self.theme.curve
             self._paint_paper(painter, placed)
+        ink = self._ink
         for handle, tip, anchor in placed:
-            self._paint_handle(painter, handle, tip, anchor, colour)
+            painter.setPen(ink.lines[handle.kind - 1])
+            painter.drawLine(anchor, tip)
+            painter.setPen(ink.outline)
+            # Filled: set by the person. Hollow: estimated by a rule.
+            painter.setBrush(ink.filled if handle.explicit else ink.hollow)
+            _paint_mark(painter, handle, tip, self._mark_size(handle))
 
     def _paint_paper(self, painter: QPainter, placed: Sequence[tuple[Handle, QPointF, QPointF]]) -> None:
         """Lay paper under handles and their lines."""
@@ -310,18 +362,6 @@ class PointLayer(Layer):
             painter.drawLine(anchor, tip)
             painter.setPen(Qt.PenStyle.NoPen)
             _paint_mark(painter, handle, tip, self._mark_size(handle) + 2.5 * self.scale)
-
-    def _paint_handle(
-        self, painter: QPainter, handle: Handle, tip: QPointF, anchor: QPointF, colour: QColor
-    ) -> None:
-        line = QPen(colour, 1.2 * self.scale)
-        line.setStyle(_LINES[handle.kind - 1])
-        painter.setPen(line)
-        painter.drawLine(anchor, tip)
-        painter.setPen(QPen(colour, 1.5 * self.scale))
-        # Filled: set by the person. Hollow: estimated by a rule.
-        painter.setBrush(colour if handle.explicit else self.theme.paper)
-        _paint_mark(painter, handle, tip, self._mark_size(handle))
 
     def _mark_size(self, handle: Handle) -> float:
         return self._mark_sizes[handle]
@@ -377,9 +417,12 @@ def opacity_of(view: CurveView) -> float:
 
 def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:
     """Tell which points are close enough to the visible area to be drawn."""
-    margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]
-    return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
+    return (x > -_MARGIN) & (x < shown.width + _MARGIN) & (y > -_MARGIN) & (y < shown.height + _MARGIN)
+
+
+def _is_near_pixel(x: float, y: float, shown: PixelMap) -> bool:
+    return -_MARGIN < x < shown.width + _MARGIN and -_MARGIN < y < shown.height + _MARGIN
 
 
 def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) -> None:

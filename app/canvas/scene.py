@@ -94,7 +94,7 @@ class CanvasScene:
         self._show_weights()
         self.points.render(view)
         self.annotations.make_way()
-        self._plot.show_marks()
+        self._show_marks_now()
 
     def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
         """Show the other curves of the document behind the one that is edited; some are selected with it."""
@@ -102,7 +102,7 @@ class CanvasScene:
         others = [place for place in range(len(views)) if place != active]
         self.others.render(views, [place for place in others if place not in selected])
         self.selected.render(views, [place for place in others if place in selected])
-        self._plot.show_marks()
+        self._show_marks_now()
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Show which points are selected."""
@@ -175,6 +175,11 @@ class CanvasScene:
         return self._motion.dots if self._motion is not None else ()
 
     # Gestures
+
+    def _show_marks_now(self) -> None:
+        """Show the marks again, unless a gesture here does so at its end."""
+        if not self._plot.is_dragging:
+            self._plot.show_marks()
 
     def show_marks(self, marks: GestureMarks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""

@@ -19,6 +19,7 @@ from .model import Curve, Document, Point, Value, Vector, vectors_of
 
 Values = TypeVar("Values", bound=Value)
 
+_FLAGS = ("closed", "visible", "locked")
 _OF_RULE = ("alpha", "start", "end")
 _OF_IMAGE = ("x", "y", "width", "height", "opacity")
 
@@ -31,9 +32,7 @@ def plain(document: Document, before: Document | None = None) -> Document:
     known = {id(curve) for curve in before.curves} if before is not None else set()
     places = before.curves if before is not None else ()
     curves = tuple(
-        curve
-        if id(curve) in known
-        else _plain_curve(curve, places[place].points if place < len(places) else ())
+        curve if id(curve) in known else _plain_curve(curve, places[place] if place < len(places) else None)
         for place, curve in enumerate(document.curves)
     )
     image = document.image
@@ -44,13 +43,20 @@ def plain(document: Document, before: Document | None = None) -> Document:
     return replace(document, curves=curves, image=image)
 
 
-def _plain_curve(curve: Curve, before: tuple[Point, ...]) -> Curve:
-    curve = _with_plain(curve, (), ("closed", "visible", "locked"))
+def _plain_curve(curve: Curve, before: Curve | None) -> Curve:
+    points = _plain_points(curve.points, before.points if before is not None else ())
+    if before is not None and _beside_points(curve) == _beside_points(before):
+        return curve if points is curve.points else replace(curve, points=points)
+    curve = _with_plain(curve, (), _FLAGS)
     rule = _with_plain(curve.parametrization, _OF_RULE)
-    points = _plain_points(curve.points, before)
     if rule is curve.parametrization and points is curve.points:
         return curve
     return replace(curve, parametrization=rule, points=points)
+
+
+def _beside_points(curve: Curve) -> tuple[int, ...]:
+    """Return the identities of what else of a curve may not be plain."""
+    return id(curve.parametrization), id(curve.closed), id(curve.visible), id(curve.locked)
 
 
 def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple[Point, ...]:

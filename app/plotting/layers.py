@@ -89,13 +89,11 @@ class Layer:
             self._paint(painter, shown)
 
     def draw(self, painter: QPainter, shown: PixelMap) -> None:
-        """Paint where it is visible; the painter is as before when it is done."""
-        if not self.is_visible:
-            return
+        """Paint; the painter is as before when it is done: opaque and smooth."""
         painter.save()
         try:
-            painter.setOpacity(self._opacity)
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+            if self._opacity < 1.0:
+                painter.setOpacity(self._opacity)
             self.paint(painter, shown)
         except Exception as problem:
             # The layers above are painted all the same.
@@ -142,8 +140,12 @@ class LayerStack:
             self._ground = self._paint_ground(ratio, shown, origin)
         painter.drawPixmap(0, 0, self._ground)
         painter.translate(origin)
+        self._paint_layers(painter, shown, still=False)
+
+    def _paint_layers(self, painter: QPainter, shown: PixelMap, *, still: bool) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for layer in self._layers:
-            if not layer.is_still:
+            if layer.is_visible and layer.is_still is still:
                 layer.draw(painter, shown)
 
     def _paint_ground(self, ratio: float, shown: PixelMap, origin: QPointF) -> QPixmap:
@@ -154,7 +156,5 @@ class LayerStack:
         with QPainter(ground) as painter:
             painter.setClipRect(self._area())
             painter.translate(origin)
-            for layer in self._layers:
-                if layer.is_still:
-                    layer.draw(painter, shown)
+            self._paint_layers(painter, shown, still=True)
         return ground

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import msgspec
 import numpy as np
 
 from curvecore.arrays import FloatArray
 
 
-class PixelMap(msgspec.Struct, frozen=True):
+class PixelMap(msgspec.Struct, frozen=True, dict=True):
     """An axis-aligned map from the plane to the pixels of a plot area; y points up in the plane.
 
     Attributes
@@ -57,9 +59,14 @@ class PixelMap(msgspec.Struct, frozen=True):
 
     def points(self, points: FloatArray) -> FloatArray:
         """Return the pixels (k, 2) of points (k, 2) of the plane."""
-        pixels = np.empty(points.shape)
-        pixels[:, 0], pixels[:, 1] = self.x(points[:, 0]), self.y(points[:, 1])
+        corner, scales = self._corner_and_scales
+        pixels: FloatArray = (points - corner) * scales
         return pixels
+
+    @cached_property
+    def _corner_and_scales(self) -> tuple[FloatArray, FloatArray]:
+        # (y0 − y) · sy is (y − y0) · (−sy), to the last bit.
+        return np.array([self.x0, self.y0]), np.array([self.sx, -self.sy])
 
     def point(self, x: float, y: float) -> tuple[float, float]:
         """Return the pixel of one point."""
@@ -69,7 +76,7 @@ class PixelMap(msgspec.Struct, frozen=True):
         """Return the point of the plane at a pixel."""
         return (self.x0 + pixel_x / self.sx, self.y0 - pixel_y / self.sy)
 
-    @property
+    @cached_property
     def box(self) -> tuple[float, float, float, float]:
         """The visible part of the plane, (x_min, y_min, x_max, y_max)."""
         return (

@@ -20,6 +20,8 @@ from .painted_plot import PaintedPlot
 from .panning import Panning
 from .scrolling import Scrolling
 
+_LEFT = Qt.MouseButton.LeftButton.value
+
 _MODIFIERS = {
     Qt.Key.Key_Shift: ("shift", Qt.KeyboardModifier.ShiftModifier),
     Qt.Key.Key_Control: ("ctrl", Qt.KeyboardModifier.ControlModifier),
@@ -38,6 +40,8 @@ def _with_keys(pointer: Pointer, held: Qt.KeyboardModifier, **changes: bool) -> 
     """Return the pointer with the modifier keys that are held, but for `changes`."""
     # As whole numbers: Python's own flags are slow, and every move of the mouse comes by here.
     bits = held.value
+    if not (bits or changes):
+        return pointer
     flags = {name: bool(bits & flag.value) for name, flag in _MODIFIERS.values()}
     return replace(pointer, **{**flags, **changes})
 
@@ -120,9 +124,10 @@ class PlotWidget(PaintedPlot):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self._panning.move(event):
             self._pointer = self.pointer_at(event)
-            if event.buttons() & Qt.MouseButton.LeftButton:
+            held = event.buttons().value
+            if held & _LEFT:
                 self._moved(self._pointer)
-            elif not event.buttons():
+            elif not held:
                 if self._is_held:
                     # The release went elsewhere: to a list that a key has opened, for instance.
                     self._release()

@@ -58,7 +58,8 @@ class Stamps:
         ratio = painter.device().devicePixelRatioF()
         is_new = self._prepare(count, theme, radius, rim, ratio)
         if is_new or not (
-            np.array_equal(indices, self._indices) and places.tobytes() == self._places.tobytes()
+            (indices is self._indices or np.array_equal(indices, self._indices))
+            and places.tobytes() == self._places.tobytes()
         ):
             self._places, self._indices = places, indices
             self._fill(places, indices, count, ratio)

@@ -13,6 +13,9 @@ from ..tools.toolbox import Toolbox
 from .keys import ARROWS, cursor_of, factor_of, key_name
 from .plot_widget import PlotWidget
 
+_WORDS_MS = 33
+"""Milliseconds between two readouts of a gesture."""
+
 
 class ToolPlot(PlotWidget):
     """Plot whose mouse and keys are events of a tool.
@@ -52,8 +55,10 @@ class ToolPlot(PlotWidget):
         tools.background.jobs, tools.background.changed = self.jobs, self.show_marks
         # Later: whoever has ended it may be within a change of the document.
         self.gesture_ended.connect(tools.background.hand_over, Qt.ConnectionType.QueuedConnection)
-        self._words_due = QTimer(self, singleShot=True, interval=0)
-        self._words_due.timeout.connect(self._tell)
+        # Words that wait; at first they come at once, then as the timer runs out.
+        self._has_words = False
+        self._words_due = QTimer(self, singleShot=True)
+        self._words_due.timeout.connect(self.tell)
 
     # A subclass fills in these.
 
@@ -108,11 +113,12 @@ class ToolPlot(PlotWidget):
     def _moved(self, pointer: Pointer) -> None:
         self.tools.move(pointer)
         self.show_marks()
-        # The eye is on the curve: words come once that has been painted.
-        self._words_due.start()
+        # The eye is on the curve: words come once that has been painted, and no faster than they are read.
+        self._has_words = True
+        if not self._words_due.isActive():
+            self._words_due.start(0)
 
     def _released(self, pointer: Pointer) -> None:
-        self._words_due.stop()
         self.tools.release(pointer)
         self._end_gesture()
         x, y = pointer.pixel
@@ -151,6 +157,8 @@ class ToolPlot(PlotWidget):
         return Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
 
     def _end_gesture(self) -> None:
+        self._words_due.stop()
+        self._has_words = False
         self.show_marks()
         self.progress_changed.emit("")
         self.gesture_ended.emit()
@@ -164,8 +172,12 @@ class ToolPlot(PlotWidget):
         if self.jobs.is_long and not self.is_dragging:
             self.progress_changed.emit(f"{word}: {share:.0%} · Escape cancels")
 
-    def _tell(self) -> None:
-        """Say how far the gesture has come, and where the pointer is."""
+    def tell(self) -> None:
+        """Say how far the gesture has come, and where the pointer is, if it has moved since."""
+        if not self._has_words:
+            return
+        self._has_words = False
+        self._words_due.start(_WORDS_MS)
         self.progress_changed.emit(self.tools.progress())
         if self._pointer is not None:
             self.pointed_at.emit(self.place_of(self._pointer))

@@ -227,9 +227,11 @@ class InputDriver:
         self.settle()
 
     def settle(self) -> None:
-        """Let Qt deliver what is pending and paint."""
+        """Let Qt deliver what is pending and paint, and the status line say what a gesture has come to."""
         for _ in range(2):
             QGuiApplication.processEvents()
+        for plot in filter(None, (self.window.canvas, self.window.basis_panel)):
+            plot.tell()
 
     def wait_for_rest(self, *, up_to_ms: int = _SHORT_MS) -> None:
         """Wait until numbers, panels and the table have followed the hand: those of this pace or quicker."""

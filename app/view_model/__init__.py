@@ -7,7 +7,9 @@ A curve:
 
 - ``curve_view``: the view of a document's curve: core curve, polyline, derivatives, or why there is none.
   ``views_ahead``: the views of many, made beside the window.
+  ``core_curve``: the core's curve through points at knots.
 - ``point_arrays``, ``flattener``: the arrays and polylines that one view hands on to the next.
+  ``point_moves``: points that move together while all else rests, as under a drag.
 - ``jets``, ``handles``: derivatives set and estimated; the Bézier control points by which they are dragged.
 - ``basis_view``, ``cardinal_view``: basis and cardinal functions sampled for the basis panel.
 - ``basis_findings``: what is wrong with the functions and what is to be known, in sentences.

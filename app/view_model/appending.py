@@ -17,7 +17,8 @@ from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError, append_point, insert_points, set_closed, stretched
 from ..document.model import Curve, Document, Point, Vector, vectors_of
-from .curve_view import CurveView, parameters_of, view_of
+from .core_curve import parameters_of
+from .curve_view import CurveView, view_of
 from .plane import at_knots, polygon_length
 
 _MOST_LOCAL, _MOST_GLOBAL = 200, 24

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from functools import cached_property, partial
-from itertools import pairwise
+from functools import cached_property
 
 import msgspec
 import numpy as np
 
-from curvecore import CardinalBasis, Chain, CurveError, ParametricCurve, parametrization
-from curvecore.arrays import FloatArray, parameter_array
+from curvecore import CardinalBasis, CurveError, ParametricCurve
+from curvecore.arrays import FloatArray
 
-from ..document.model import Curve, ParametrizationKind, Vector
+from ..document.model import Curve, Vector
 from ..families.family import OverdueCallError
 from .cardinals import Cardinal, Cardinals
+from .core_curve import Core, checked_parameters, core_after, core_curve
 from .flattener import Box, Flattener, FlatteningKey, Polyline
-from .jets import Sides, corner_knots, sides_of
+from .jets import Sides
 from .plane import at_knots, size_of
-from .point_arrays import PointArrays, arrays_of
+from .point_arrays import PointArrays, arrays_of, rows_changed
+from .point_moves import Motion, PointMoves
 from .refusals import refusal_of
 
 __all__ = [
@@ -27,7 +28,6 @@ __all__ = [
     "ParametricCurve",
     "Polyline",
     "curve_through",
-    "parameters_of",
     "view_of",
 ]
 
@@ -37,6 +37,9 @@ TOO_FEW = "A curve needs at least two points."
 class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """One curve of the document with everything that a canvas or panel draws of it.
 
+    While points are dragged and all else rests, what is drawn follows them, and the core's curve is made only
+    when somebody asks for it.
+
     Attributes
     ----------
     source
@@ -45,37 +48,72 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         The points' positions, (n, 2).
     arrays
         All numbers in the points; the view made after this one takes from here what stays.
-    curve
-        The core's curve; the last good one where the present points and rules give none, None where there
-        never was one.
-    problem
-        Why the present points and rules give no curve, as a sentence; empty where they do.
-    is_overdue
-        Whether that is because functions of a file take too long.
-    sides
-        The jets before and after each knot, where the family has derivatives and `curve` is current.
+    motion
+        How its points came here from those of a view before, where nothing but that has changed.
     """
 
     source: Curve
     points: FloatArray
     arrays: PointArrays
-    curve: ParametricCurve | None
-    problem: str = ""
-    is_overdue: bool = False
-    sides: Sides | None = None
+    _made: Core | None = None
+    motion: Motion | None = None
     _flattener: Flattener = msgspec.field(default_factory=Flattener)
     _cardinals: Cardinals = msgspec.field(default_factory=Cardinals)
     _flattened: dict[FlatteningKey, Polyline] = msgspec.field(default_factory=dict)
 
+    @cached_property
+    def _core(self) -> Core:
+        if self._made is not None:
+            return self._made
+        assert self.motion is not None
+        return core_after(self.source, self.arrays, self.motion.moves.curve)
+
+    @property
+    def is_followed(self) -> bool:
+        """Whether points are being dragged, and nobody has asked yet for the core's curve, which there is."""
+        return self._made is None and "_core" not in self.__dict__
+
+    def settle(self) -> None:
+        """Make the core's curve: nothing is being dragged any more, and all that is shown is exact."""
+        self._core  # noqa: B018 - kept from now on
+
+    @property
+    def curve(self) -> ParametricCurve | None:
+        """The core's curve.
+
+        The last good one where the present points and rules give none, None where there never was one.
+        """
+        return self._core.curve
+
+    @property
+    def has_curve(self) -> bool:
+        """Whether there is a curve to draw, the present one or the last good one."""
+        return self.is_followed or self._core.curve is not None
+
+    @property
+    def problem(self) -> str:
+        """Why the present points and rules give no curve, as a sentence; empty where they do."""
+        return "" if self.is_followed else self._core.problem
+
+    @property
+    def is_overdue(self) -> bool:
+        """Whether there is none because functions of a file take too long."""
+        return not self.is_followed and self._core.is_overdue
+
+    @property
+    def sides(self) -> Sides | None:
+        """The jets before and after each knot, where the family has derivatives and `curve` is current."""
+        return self._core.sides
+
     @property
     def is_current(self) -> bool:
         """Whether `curve` belongs to the present points and rules."""
-        return self.curve is not None and not self.problem
+        return self.is_followed or (self._core.curve is not None and not self._core.problem)
 
     @cached_property
     def corners(self) -> list[int]:
         """The points at which the curve may turn sharply; the ends of an open curve have one side only."""
-        if not self.source.family.derivatives:
+        if not self.source.family.derivatives or (self.motion is not None and not self.source.is_closed):
             return []
         last = len(self.points) - 1
         found: list[int] = np.flatnonzero(self.arrays.corners).tolist()
@@ -84,6 +122,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @property
     def parameters(self) -> FloatArray:
         """The parameters of the knots of `curve`, empty without one."""
+        if self.motion is not None:
+            return self.motion.moves.curve.parameters
         return self.curve.parameters if self.curve is not None else np.empty(0)
 
     @cached_property
@@ -97,7 +137,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         if not self.source.points:
             return np.empty(0)
         try:
-            return _checked_parameters(self.source, self.at_knots, self.arrays)
+            return checked_parameters(self.source, self.at_knots, self.arrays)
         except CurveError:
             return np.empty(0)
 
@@ -109,6 +149,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @cached_property
     def basis_curve(self) -> ParametricCurve | None:
         """A curve with the basis functions of `curve`, one set for each knot: corners do not change them."""
+        if self.motion is not None:
+            return self.motion.moves.curve
         if self.curve is None or len(self.pieces) == 1:
             return self.curve
         nothing = np.zeros((len(self.parameters), self.curve.jets.shape[1], 2))
@@ -172,7 +214,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         key = (tolerance, box)
         if key not in self._flattened:
             self._flattened.clear()
-            self._flattened[key] = self._flattener.polyline(self.curve, key)
+            moved = None if self.motion is None else self.motion.polyline(key)
+            self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
         return self._flattened[key]
 
     def owner(self, knot: int) -> int:
@@ -211,42 +254,66 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
     same as without it, bit for bit.
     """
     arrays = arrays_of(curve.points, previous.arrays if previous is not None else None)
+    points = arrays.positions
     if len(curve.points) < 2:
-        return CurveView(curve, arrays.positions, arrays, None, TOO_FEW)
+        return CurveView(curve, points, arrays, Core(None, TOO_FEW))
+    motion = _motion_of(curve, arrays, previous)
+    if previous is not None and (motion is not None or _lends(previous)):
+        handed_on = (previous._flattener, previous._cardinals)
+    else:
+        handed_on = (Flattener(), Cardinals())
+    if motion is not None:
+        return CurveView(curve, points, arrays, None, motion, *handed_on)
     try:
-        return _good_view(curve, arrays, previous)
+        core = _core_of(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
         words = refusal_of(problem, curve)
         is_overdue = isinstance(problem, OverdueCallError)
         if is_overdue and last_good is not None:
             words += " The last curve that could be drawn is shown."
-        return CurveView(curve, arrays.positions, arrays, last_good, words, is_overdue)
+        return CurveView(curve, points, arrays, Core(last_good, words, is_overdue=is_overdue))
+    return CurveView(curve, points, arrays, core, None, *handed_on)
 
 
-def _good_view(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CurveView:
-    points = arrays.positions
-    knots = at_knots(points, closed=curve.is_closed)
+def _motion_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Motion | None:
+    """Return how the points came here, where all else is as in the view before; None where it is not."""
+    if previous is None or len(arrays.points) != len(previous.points):
+        return None
+    known = previous.motion.moves.to(curve, arrays) if previous.motion is not None else None
+    return known or _first_motion(curve, arrays, previous)
+
+
+def _first_motion(curve: Curve, arrays: PointArrays, previous: CurveView) -> Motion | None:
+    rows = rows_changed(arrays.points, previous.arrays.points)
+    if (
+        not rows
+        or not all(rule.is_linear for rule in curve.rules)
+        or _resting_parameters(curve, arrays, previous) is None
+        or previous.curve is None
+        or len(previous.pieces) > 1
+    ):
+        return None
+    try:
+        moves = PointMoves(previous.source, previous.arrays, previous.curve, previous.sides, rows)
+    except CurveError:
+        return None
+    return moves.to(curve, arrays) if moves.is_safe else None
+
+
+def _lends(previous: CurveView) -> bool:
+    """Whether what was computed of the functions of a view is of use: they are not other ones now."""
+    return previous.curve is None or previous.source.family.makes(previous.curve)
+
+
+def _core_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Core:
+    knots = at_knots(arrays.positions, closed=curve.is_closed)
     parameters = _resting_parameters(curve, arrays, previous)
     if parameters is None:
-        parameters = _checked_parameters(curve, knots, arrays)
-    if (
-        previous is not None
-        and previous.curve is not None
-        and not previous.source.family.makes(previous.curve)
-    ):
-        # Its functions were other ones: what was computed of them is of no use.
+        parameters = checked_parameters(curve, knots, arrays)
+    if previous is not None and not _lends(previous):
         previous = None
-    frozen = _same_parameters(curve, parameters, previous)
-    flattener = previous._flattener if previous is not None else Flattener()
-    cardinals = previous._cardinals if previous is not None else Cardinals()
-    core, sides = _core_curve(curve, knots, parameters, arrays, frozen)
-    return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
-
-
-def _checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) -> FloatArray:
-    # Refused as a whole: a piece between two corners would count from its own beginning.
-    return parameter_array(parameters_of(curve, knots, arrays.times), len(knots))
+    return core_curve(curve, knots, parameters, arrays, _same_parameters(curve, parameters, previous))
 
 
 def _resting_parameters(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> FloatArray | None:
@@ -277,57 +344,8 @@ def _same_parameters(
     return old if is_same else None
 
 
-def _core_curve(
-    curve: Curve,
-    points: FloatArray,
-    parameters: FloatArray,
-    arrays: PointArrays,
-    frozen: ParametricCurve | None = None,
-) -> tuple[ParametricCurve, Sides | None]:
-    """Return the core curve through points at its knots, and its jets where the family has derivatives.
-
-    `frozen` is a curve of the family with these parameters, and without corners.
-    """
-    make = partial(curve.family.make, settings=curve.settings_in_effect)
-    if not curve.family.derivatives:
-        jets = points[:, None]
-        return make(jets, parameters) if frozen is None else frozen.with_jets(jets), None
-    sides = sides_of(curve, points, parameters, arrays)
-    last = len(parameters) - 1
-    corners = [knot for knot in corner_knots(arrays, last + 1) if 0 < knot < last]
-    if frozen is not None and not corners:
-        return frozen.with_jets(_piece_jets(sides, 0, last)), sides
-    pieces = [
-        make(_piece_jets(sides, start, end), parameters[start : end + 1])
-        for start, end in pairwise([0, *corners, last])
-    ]
-    return pieces[0] if len(pieces) == 1 else Chain(pieces), sides
-
-
 def curve_through(view: CurveView, points: FloatArray, parameters: FloatArray) -> ParametricCurve:
     """Return the core curve through other points (k, 2), at parameters (k,), under the rules of a view."""
-    return _core_curve(view.source, points, parameters, view.arrays)[0]
-
-
-def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:
-    jets = np.array(sides.after[start : end + 1])
-    jets[-1] = sides.before[end]
-    return jets
-
-
-def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = None) -> FloatArray:
-    """Return the parameters that the rule of `curve` gives for the points at its knots, (k,).
-
-    `times` are the manual parameters of its points, where they are at hand.
-    """
-    rule = curve.parametrization
-    if rule.kind is ParametrizationKind.MANUAL:
-        if times is None:
-            times = np.array([np.nan if point.t is None else point.t for point in curve.points])
-        return np.append(times, rule.end) if curve.is_closed else times
-    given = {"count": len(points), "points": points, "alpha": rule.alpha}
-    rule_of_the_core = getattr(parametrization, rule.kind.value)
-    shares: FloatArray = rule_of_the_core(*(given[name] for name in rule.kind.takes))
-    mapped = rule.start + shares * (rule.end - rule.start)
-    mapped[-1] = rule.end
-    return mapped
+    made = core_curve(view.source, points, parameters, view.arrays).curve
+    assert made is not None
+    return made

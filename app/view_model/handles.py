@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from itertools import pairwise
+from typing import Protocol
 
 import msgspec
 
@@ -19,6 +20,13 @@ from ..document.edits import EditError, set_velocity
 from ..document.model import Curve, Document, Vector
 from .curve_view import CurveView
 from .jets import is_explicit
+from .point_moves import Motion
+
+
+class _Derivatives(Protocol):
+    """Tells a derivative at a point of a curve, None where it has none."""
+
+    def __call__(self, index: int, order: int, *, ahead: bool) -> Vector | None: ...
 
 
 class Handle(msgspec.Struct, frozen=True):
@@ -53,11 +61,49 @@ def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handl
     """
     if len(view.source.points) == 1:
         return _lone_handle(view)
+    if view.is_followed and view.motion is not None:
+        return _moved_handles(view, view.motion, index, free=free)
+    return _handles_at(view, index, view.source.points[index].position, view.derivative_of, free=free)
+
+
+def _handles_at(
+    view: CurveView, index: int, position: Vector, derivative_of: _Derivatives, *, free: bool
+) -> list[Handle]:
+    """Return the handles of a point, were it at this position, with these derivatives."""
     handles: list[Handle] = []
+    if not view.source.family.derivatives or not view.is_current:
+        return handles
+    point = view.source.points[index]
     for ahead in (True, False):
-        if free or view.spacing(index, ahead=ahead) is not None:
-            handles += _handles_on_one_side(view, index, ahead=ahead)
+        if not free and view.spacing(index, ahead=ahead) is None:
+            continue
+        anchor = position
+        for order in range(1, view.source.family.derivatives + 1):
+            tip = _control_point(view, index, position, order, order, derivative_of, ahead=ahead)
+            handles.append(Handle(order, ahead, tip, anchor, is_explicit(point, order, ahead=ahead)))
+            anchor = tip
     return handles
+
+
+def _moved_handles(view: CurveView, motion: Motion, index: int, *, free: bool) -> list[Handle]:
+    """Return the handles of a point while points are dragged: they follow by a share of the way."""
+    moves, (dx, dy) = motion.moves, motion.way
+    if (index, free) not in moves.handles:
+        at_rest, unit = moves.at_rest, moves.unit
+        moves.handles[index, free] = (
+            _handles_at(view, index, at_rest.position(index), at_rest.derivative, free=free),
+            _handles_at(view, index, unit.position(index), unit.derivative, free=free),
+        )
+    return [
+        Handle(
+            each.kind,
+            each.ahead,
+            (each.position[0] + share.position[0] * dx, each.position[1] + share.position[0] * dy),
+            (each.anchor[0] + share.anchor[0] * dx, each.anchor[1] + share.anchor[0] * dy),
+            each.explicit,
+        )
+        for each, share in zip(*moves.handles[index, free], strict=True)
+    ]
 
 
 def control_polygon(view: CurveView) -> list[Handle]:
@@ -77,23 +123,20 @@ def _lone_handle(view: CurveView) -> list[Handle]:
     return [Handle(1, True, tip, point.position, explicit=True)]
 
 
-def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
-    if view.velocity_of(index, ahead=ahead) is None:
-        return []
-    point, handles = view.source.points[index], list[Handle]()
-    anchor = point.position
-    for order in range(1, view.source.family.derivatives + 1):
-        tip = _control_point(view, index, order, order, ahead=ahead)
-        handles.append(Handle(order, ahead, tip, anchor, is_explicit(point, order, ahead=ahead)))
-        anchor = tip
-    return handles
-
-
-def _control_point(view: CurveView, index: int, place: int, highest: int, *, ahead: bool) -> Vector:
+def _control_point(
+    view: CurveView,
+    index: int,
+    position: Vector,
+    place: int,
+    highest: int,
+    derivative_of: _Derivatives,
+    *,
+    ahead: bool,
+) -> Vector:
     """Return where the control point `place` of a point lies, were derivatives above the `highest` zero."""
-    at, h = view.source.points[index].position, _signed_spacing(view, index, ahead=ahead)
+    at, h = position, _signed_spacing(view, index, ahead=ahead)
     for order in range(1, highest + 1):
-        derivative = view.derivative_of(index, order, ahead=ahead)
+        derivative = derivative_of(index, order, ahead=ahead)
         if derivative is not None:
             share = math.comb(place, order) * h**order / math.perm(_degree(view), order)
             at = _along(at, derivative, share)
@@ -107,7 +150,8 @@ def derivative_from_handle(
 
     Infinite where no number is large enough, on an interval of next to no length: no edit takes that.
     """
-    base = _control_point(view, index, order, order - 1, ahead=ahead)
+    place = view.source.points[index].position
+    base = _control_point(view, index, place, order, order - 1, view.derivative_of, ahead=ahead)
     h = _signed_spacing(view, index, ahead=ahead)
     x, y = (math.perm(_degree(view), order) * float(a - b) for a, b in zip(position, base, strict=True))
     # Not by a power of h: it may vanish where h does not.

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Sequence
+from itertools import compress
+from operator import is_, is_not
 from typing import Any
 
 import msgspec
@@ -47,13 +48,32 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     """Return the arrays of `points`; rows of points that `previous` has too are taken from there."""
     if previous is None or len(previous.points) != len(points):
         return PointArrays(points, *_columns(points))
-    differs = np.fromiter(map(operator.is_not, points, previous.points), dtype=bool, count=len(points))
-    rows = np.flatnonzero(differs)
+    rows = rows_changed(points, previous.points)
     old = (previous.positions, previous.times, previous.corners, previous.given)
-    if not len(rows):
+    if not rows:
         return PointArrays(points, *old)
-    fresh = _columns([points[row] for row in rows.tolist()])
-    return PointArrays(points, *(_with_rows(*columns, rows) for columns in zip(old, fresh, strict=True)))
+    if all(_has_only_moved(points[row], previous.points[row]) for row in rows):
+        # As under nearly every drag.
+        positions = previous.positions.copy()
+        for row in rows:
+            positions[row] = points[row].x, points[row].y
+        positions.setflags(write=False)
+        return PointArrays(points, positions, *old[1:])
+    fresh, places = _columns([points[row] for row in rows]), np.array(rows)
+    return PointArrays(points, *(_with_rows(*columns, places) for columns in zip(old, fresh, strict=True)))
+
+
+def rows_changed(points: Sequence[Point], before: Sequence[Point]) -> list[int]:
+    """Return which of as many points as before are other values."""
+    return list(compress(range(len(points)), map(is_not, points, before)))
+
+
+def _has_only_moved(point: Point, before: Point) -> bool:
+    return (
+        point.t is before.t
+        and point.corner is before.corner
+        and all(map(is_, vectors_of(point), vectors_of(before)))
+    )
 
 
 def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray, FloatArray]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QWidget
+from shiboken6 import isValid
 
 from ..appearance.theme import mix
 from ..appearance.themed import FollowsTheme
@@ -21,8 +23,7 @@ class OverlayFrame(FollowsTheme, QFrame):
     def __init__(self, name: str, below: QWidget, beside: QWidget | None = None) -> None:
         super().__init__(below)
         self.setObjectName(name)
-        for watched in filter(None, (below, beside)):
-            watched.installEventFilter(self)
+        self._watched = [each for each in (below, beside) if each is not None]
 
     @property
     def below(self) -> QWidget:
@@ -34,6 +35,19 @@ class OverlayFrame(FollowsTheme, QFrame):
     def place(self) -> None:
         """Take size and place on the parent."""
         raise NotImplementedError
+
+    def showEvent(self, event: QShowEvent) -> None:
+        # Nobody listens for a frame that is hidden: every move of the mouse would come by.
+        for each in self._watched:
+            each.installEventFilter(self)
+        self.place()
+        super().showEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        for each in self._watched:
+            if isValid(each):
+                each.removeEventFilter(self)
+        super().hideEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in _MOVES and not self.isHidden():

@@ -49,6 +49,8 @@ class Rendering(QObject):
     def _render_document(self) -> None:
         session = self._session
         view = self._rendered = session.active_view
+        if not session.is_previewing:
+            view.settle()
         self._canvas.drawing.render_view(view)
         self._canvas.drawing.render_others(session.views, session.active_index, session.selected.curves)
         self._commands.follow(view)

@@ -42,11 +42,11 @@ class DiskWatch(Guarded, QObject):
         self._soon.timeout.connect(self._trigger)
         self._regularly = QTimer(self)
         self._regularly.timeout.connect(self.triggered)
-        if isinstance(parent, QWidget):
-            parent.installEventFilter(self)
 
     def watch(self, path: Path | None) -> None:
         """Watch the file at `path` instead of the one before; None: nothing."""
+        if isinstance(window := self.parent(), QWidget) and (path is None) != (self._path is None):
+            (window.removeEventFilter if path is None else window.installEventFilter)(self)
         self._path = path
         if self._watcher is not None:
             for known in (*self._watcher.files(), *self._watcher.directories()):

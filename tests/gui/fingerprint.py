@@ -36,7 +36,12 @@ PASSING = {
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(
         "PlotLayer._strokes_of",
+        "CurveLayer._error_of",
         "PointLayer._discs_now",
+        "PointLayer._ink_of",
+        "PointLayer._roles",
+        "PointLayer._roles_for",
+        "PointLayer._roles_of",
         "PointLayer.numbers",
     ),
     *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),

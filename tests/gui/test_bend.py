@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -133,20 +132,20 @@ def test_the_change_is_the_one_of_least_norm():
     assert delta == pytest.approx(expected, abs=1e-14)
 
 
-def control_points(view):
+def control_points(curve):
     """All Bézier control points, each once, in one row; those on the curve are every third or fifth."""
-    pieces = bezier_segments(view.curve)
+    pieces = bezier_segments(curve)
     return np.vstack([pieces[0, :1], *(piece[1:] for piece in pieces)])
 
 
 def answers(view, knots, orders):
     """How the control points answer to the data at `knots`: a column for each datum."""
-    rest, columns = control_points(view), []
+    rest, columns = control_points(view.curve), []
     for knot in knots:
         for order in orders:
             jets = view.curve.jets.copy()
             jets[knot, order] += (1.0, 0.0)
-            moved = msgspec.structs.replace(view, curve=view.curve.with_jets(jets))
+            moved = view.curve.with_jets(jets)
             columns.append((control_points(moved) - rest)[:, 0])
     return np.array(columns).T
 
@@ -177,7 +176,7 @@ def test_control_points_on_both_sides_of_the_joints_change_least(family, using, 
     normal = 2 * (price[:, None] * answer).T @ (price[:, None] * answer)
     system = np.block([[normal, weights[:, None]], [weights[None], np.zeros((1, 1))]])
     best = np.linalg.solve(system, np.vstack([np.zeros((len(weights), 2)), pull]))[:-1]
-    assert control_points(after) - control_points(view) == pytest.approx(answer @ best, abs=1e-12)
+    assert control_points(after.curve) - control_points(view.curve) == pytest.approx(answer @ best, abs=1e-12)
 
 
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
@@ -14,6 +15,7 @@ from app.document.model import Curve, Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.flattener import Flattener
+from app.view_model.handles import handles_of
 from curvecore import LagrangeCurve
 from curvecore.bezier.flatten import flatten_pieces
 from curvecore.bezier.polylines import segment_distance
@@ -123,6 +125,80 @@ def test_a_lagrange_curve_at_frozen_parameters_keeps_its_samples():
         frozen.add(id(view._flattener._frozen))
     assert isinstance(view._flattener, Flattener)
     assert len(frozen) == 1
+
+
+def dragged(family, way, kind=ParametrizationKind.UNIFORM):
+    """A curve whose third point is dragged, as its view follows it, and its view made from nothing."""
+    document = Document((make_curve(SQUARE, family=family),))
+    document = edits.set_parametrization(document, 0, kind, [])
+    first = view_of(document.curves[0])
+    view = view_of(edits.move_points(document, 0, {2}, (0.1, 0.0)).curves[0], first)
+    view = view_of(edits.move_points(document, 0, {2}, way).curves[0], view)
+    return view, view_of(view.source)
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
+def test_a_dragged_point_makes_no_curve_until_somebody_asks(family):
+    view, fresh = dragged(family, (0.5, -0.25))
+    assert view.is_followed
+    drawn = view.flattened(1e-3, (-10.0, -10.0, 10.0, 10.0))
+    assert view.is_current
+    assert view.has_curve
+    assert not view.problem
+    assert not view.corners
+    assert np.array_equal(view.parameters, fresh.parameters)
+    assert view.basis_curve.functions_key == fresh.basis_curve.functions_key
+    assert view.is_followed
+    assert np.abs(drawn.points - fresh.curve.evaluate(drawn.parameters)).max() < 1e-13
+    assert np.array_equal(view.curve.jets, fresh.curve.jets)
+    assert not view.is_followed
+
+
+@pytest.mark.parametrize("index", range(5))
+@pytest.mark.parametrize(
+    "family", [family for family in FAMILIES if family.derivatives], ids=lambda family: family.name
+)
+def test_handles_follow_a_dragged_point_and_are_exact_when_it_rests(family, index):
+    view, fresh = dragged(family, (0.5, -0.25))
+    expected = handles_of(fresh, index)
+    followed = handles_of(view, index)
+    assert view.is_followed
+    assert [(each.kind, each.ahead, each.explicit) for each in followed] == [
+        (each.kind, each.ahead, each.explicit) for each in expected
+    ]
+    for one, other in zip(followed, expected, strict=True):
+        assert (one.position, one.anchor) == (
+            pytest.approx(other.position, abs=1e-13),
+            pytest.approx(other.anchor, abs=1e-13),
+        )
+    view.settle()
+    assert handles_of(view, index) == expected
+
+
+def test_parameters_that_answer_to_points_are_not_followed():
+    assert not dragged(HERMITE, (0.5, 0.0), ParametrizationKind.CHORD_LENGTH)[0].is_followed
+
+
+def test_what_is_drawn_after_a_drag_is_exact(editor):
+    """Released, undone, or given up halfway with Escape: the handles are those of the curve."""
+    editor.choose_family(HERMITE)
+    editor.select([2])
+    layer, session = editor.window.canvas.drawing.points, editor.session
+
+    def assert_exact():
+        assert not session.active_view.is_followed
+        assert list(layer.handles) == handles_of(view_of(session.active_curve), 2)
+
+    editor.drag_point(2, to=(2.5, 1.5))
+    assert_exact()
+    editor.trigger("undo")
+    assert_exact()
+    place = editor.point(2)
+    editor.press(place)
+    editor.move((place[0] + 0.5, place[1] + 0.25))
+    editor.escape()
+    assert_exact()
+    editor.release(place)
 
 
 def test_a_curve_too_wild_to_be_followed_is_flattened_once_a_step():

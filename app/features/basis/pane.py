@@ -54,6 +54,8 @@ class BasisPane(FollowsTheme, CentralPane):
         mirror(self._estimates, estimates)
         self._shows_cardinals, self._linearised = False, ""
         self._kinds = [self._kind_button(kind) for kind in range(len(_NAMES))]
+        # The functions that the header is about, and whether with the estimates.
+        self._told_of: tuple[BasisView | None, bool] = (None, False)
         # The formulas of the kinds, the note on the drawing, and the name of the functions.
         self._said: tuple[tuple[str, ...], str, str] = ((), "", self._title.text())
         self._reach: tuple[float, float] | None = None
@@ -113,20 +115,25 @@ class BasisPane(FollowsTheme, CentralPane):
 
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`, and the legend that goes with its family."""
-        self._panel.drawing.render_view(view)
-        basis = self._panel.drawing.basis
+        drawing = self._panel.drawing
+        drawing.render_view(view)
+        basis = drawing.basis
+        if view.motion is not None and self._told_of == (basis, drawing.with_estimates):
+            # Points have moved, and the functions rest.
+            return
+        self._told_of = (basis, drawing.with_estimates)
         has_estimates = view.source.family.derivatives > 0
-        shows_cardinals = self._panel.drawing.with_estimates and has_estimates
+        shows_cardinals = drawing.with_estimates and has_estimates
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
-        drawing = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
+        note = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
         # Laying the header out costs more than drawing the curve: only when it says something else.
-        said = (formulas, drawing, view.source.family.curve_class.functions)
+        said = (formulas, note, view.source.family.curve_class.functions)
         if said != self._said:
             self._said, self._shows_cardinals, self._linearised = said, shows_cardinals, view.linearised
             self._estimates.setVisible(has_estimates)
             for kind, button in enumerate(self._kinds):
                 button.setVisible(kind < len(formulas) and len(formulas) > 1)
-            self._drawing.setText(drawing)
+            self._drawing.setText(note)
             self._write_header()
 
     def show_findings(self, findings: Sequence[str], remark: str) -> None:

@@ -144,4 +144,4 @@ class BasisPanel(ToolPlot):
         if down != was_down and self.is_dragging and self._pointer is not None:
             self._pointer = replace(self._pointer, ripple=down)
             self._move_again()
-            self._tell()
+            self.tell()

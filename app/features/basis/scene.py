@@ -177,6 +177,9 @@ def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
         return False
     if cardinals or isinstance(basis, CardinalView):
         return cardinals and isinstance(basis, CardinalView) and basis.cardinal is view.cardinal
-    same_family = basis.curve.functions_key == view.pieces[0].functions_key
+    functions = view.basis_curve
+    if basis.curve is functions:
+        return True
+    same_family = functions is not None and basis.curve.functions_key == functions.functions_key
     closes = (basis.owners[-1] == 0) is view.source.is_closed
     return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)

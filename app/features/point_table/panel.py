@@ -76,6 +76,7 @@ class PointTable(FollowsTheme, QWidget):
         self._message = Label(name="pointTableMessage", wordWrap=True, is_html=True)
         self._message.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
         self._message.hide()
+        self._said = ""
         self._legend = Label("<i>Italic</i>: estimated", name="pointTableLegend", is_html=True)
         self._reset_button = tool_button(
             "resetToEstimated",
@@ -204,8 +205,10 @@ class PointTable(FollowsTheme, QWidget):
         self._reset.setEnabled(can_reset)
 
     def _tell(self, text: str) -> None:
-        self._message.setText(text)
-        self._message.setVisible(bool(text))
+        if text != self._said:
+            self._said = text
+            self._message.setText(text)
+            self._message.setVisible(bool(text))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
