@@ -33,7 +33,13 @@ PASSING = {
     *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
     *("Cardinals._key", "Cardinal.growth", "FunctionLines._shown"),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
-    *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
+    *(
+        "BasisView.supports",
+        "FunctionLines._envelopes",
+        "FunctionLines._polygons",
+        "GridLayer._shown",
+        "MotionLayer._written",
+    ),
     *(
         "PlotLayer._strokes_of",
         "PointLayer._discs_now",
