@@ -35,6 +35,9 @@ PASSING = {
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *(
         "BasisView.supports",
+        "FunctionLines._stretches",
+        "CrestNames._pictures",
+        "CrestNames._made_of",
         "FunctionLines._envelopes",
         "FunctionLines._polygons",
         "GridLayer._shown",
