@@ -47,6 +47,7 @@ PASSING = {
         "PlotLayer._strokes_of",
         "PointLayer._discs_now",
         "PointLayer.numbers",
+        "PointLayer._mark_sizes",
     ),
     *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
