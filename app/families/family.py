@@ -45,12 +45,23 @@ class Family:
         Whether its curves were found to miss the points that the class says they run through.
     """
 
-    __slots__ = ("_curve_class", "_misses_points", "_name")
+    __slots__ = ("_curve_class", "_misses_points", "_name", "curve_class", "settings")
+
+    curve_class: type[ParametricCurve]
+    """The class of its curves; of a missing family the base of all classes, with its defaults."""
+    settings: FamilySettings
+    """The choices about its functions beside the parameters."""
 
     def __init__(
         self, name: str, curve_class: type[ParametricCurve] | None, *, misses_points: bool = False
     ) -> None:
-        self._name, self._curve_class, self._misses_points = name, curve_class, misses_points
+        self._name = name
+        self._take(curve_class, misses_points=misses_points)
+
+    def _take(self, curve_class: type[ParametricCurve] | None, *, misses_points: bool) -> None:
+        self._curve_class, self._misses_points = curve_class, misses_points
+        self.curve_class = curve_class or ParametricCurve
+        self.settings = FamilySettings(self.curve_class.settings, are_known=curve_class is not None)
 
     @classmethod
     def of(cls, curve_class: type[ParametricCurve], *, misses_points: bool = False) -> Self:
@@ -59,7 +70,7 @@ class Family:
 
     def become(self, other: Family) -> None:
         """Take over what another one of this name is; documents that name this one have that from now on."""
-        self._curve_class, self._misses_points = other._curve_class, other._misses_points
+        self._take(other._curve_class, misses_points=other._misses_points)
 
     def makes(self, curve: ParametricCurve) -> bool:
         """Whether a curve is one of this family, as it is now; of a chain, its pieces."""
@@ -74,11 +85,6 @@ class Family:
     def is_missing(self) -> bool:
         """Whether nobody brought this family: a document names it all the same."""
         return self._curve_class is None
-
-    @property
-    def curve_class(self) -> type[ParametricCurve]:
-        """The class of its curves; of a missing family the base of all classes, with its defaults."""
-        return self._curve_class or ParametricCurve
 
     @property
     def is_built_in(self) -> bool:
@@ -156,11 +162,6 @@ class Family:
     def interpolates(self) -> bool:
         """Whether its curves run through their points: the class says so, and nothing else was found."""
         return self.curve_class.interpolates and not self._misses_points
-
-    @property
-    def settings(self) -> FamilySettings:
-        """The choices about its functions beside the parameters."""
-        return FamilySettings(self.curve_class.settings, are_known=not self.is_missing)
 
     @property
     def takes_shapes(self) -> bool:
