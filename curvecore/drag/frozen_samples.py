@@ -34,7 +34,7 @@ _MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
 
 
 class FrozenFlattening:
-    """Samples of one curve that serve for others over the same interval.
+    """Samples of one curve that serve for others over the same interval, or another one if it has one piece.
 
     Parameters
     ----------
@@ -94,25 +94,40 @@ class FrozenFlattening:
         """
         if not self._is_alike(curve):
             return None
+        parameters = self._parameters_for(curve)
+        if parameters is None:
+            return None
         with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
-            points = self._samples(curve)
+            is_mapped = parameters is not self._parameters
+            points = np.clip(curve.evaluate(parameters), -LIMIT, LIMIT) if is_mapped else self._samples(curve)
             bound = self._calm_deviation(points)
             if bound <= self._tolerance and len(points) <= _FEW:
-                return Pieces(self._parameters, points, np.full(len(points) - 1, bound))
+                return Pieces(parameters, points, np.full(len(points) - 1, bound))
             deviation = self._deviation(points)
             if not np.isfinite(points).all() or np.any((deviation > self._tolerance) & (deviation < np.inf)):
                 return None
-            pieces = Pieces(self._parameters, points, deviation)
+            pieces = Pieces(parameters, points, deviation)
             return pieces if points.shape[0] <= _FEW else merged_pieces(pieces, self._tolerance)
 
     def _is_alike(self, curve: ParametricCurve) -> bool:
-        """Whether the samples are close enough together for this curve, and hold its breaks."""
+        """Whether the samples are close enough together for this curve."""
         old = self._curve
-        if curve.functions_key != old.functions_key or not np.array_equal(curve.breaks, old.breaks):
+        if curve.functions_key != old.functions_key:
             return False
         if curve.degree is None or old.degree is None:
             return len(curve.points) == len(old.points) and curve.degree is old.degree
         return curve.degree <= old.degree
+
+    def _parameters_for(self, curve: ParametricCurve) -> FloatArray | None:
+        """Return the parameters of the samples on the interval of a curve; None if breaks lie between."""
+        if np.array_equal(curve.breaks, self._curve.breaks):
+            return self._parameters
+        if not len(curve.breaks) == len(self._curve.breaks) == 2:
+            return None
+        (start, end), (new_start, new_end) = self._curve.domain, curve.domain
+        share = (self._parameters - start) / (end - start)
+        mapped: FloatArray = new_start * (1.0 - share) + new_end * share
+        return mapped if (np.diff(mapped) > 0.0).all() else None
 
     def _samples(self, curve: ParametricCurve) -> FloatArray:
         """Return the curve at all samples, (m, 2)."""

@@ -54,9 +54,25 @@ def test_samples_that_do_not_serve_any_more_are_not_used():
     assert frozen.follow(straight) is not None
 
 
-def test_another_interval_or_a_higher_degree_is_not_followed():
+@pytest.mark.parametrize("interval", [(0.0, 2.0), (-3.0, -2.9), (1e6, 1e6 + 1.0)])
+def test_another_interval_is_followed(interval):
+    start, end = interval
     frozen = FrozenFlattening(wave(5), TOLERANCE, BOX)
-    assert frozen.follow(LagrangeCurve(wave(5).points, 2 * chebyshev(5))) is None
+    even = LagrangeCurve(wave(5).points, start + (end - start) * np.linspace(0.0, 1.0, 5))
+    for curve in (LagrangeCurve(wave(5).points, start + (end - start) * chebyshev(5)), even):
+        pieces = frozen.follow(curve)
+        assert (pieces.parameters[0], pieces.parameters[-1]) == curve.domain
+        assert np.array_equal(pieces.points, np.asarray(curve.evaluate(pieces.parameters)))
+        assert worst_distance(curve, pieces, BOX) <= TOLERANCE
+
+
+def test_samples_that_another_interval_cannot_tell_apart_are_not_followed():
+    curve = LagrangeCurve(wave(5).points, 1e12 + np.arange(5) * 2.0**-10)
+    assert FrozenFlattening(wave(5), TOLERANCE, BOX).follow(curve) is None
+
+
+def test_a_higher_degree_is_not_followed():
+    frozen = FrozenFlattening(wave(5), TOLERANCE, BOX)
     assert frozen.follow(wave(6)) is None
     assert frozen.follow(wave(4)) is not None
 
