@@ -1,4 +1,4 @@
-"""Sizes of the marks of handles: as large as can be told apart."""
+"""Handles of a point: their lines and marks, as large as can be told apart."""
 
 from __future__ import annotations
 
@@ -6,8 +6,14 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter
+
+from ..plotting.drawing import is_near
+from ..plotting.pens import diamond, triangle
 from ..plotting.pixel_map import PixelMap
 from ..view_model.handles import Handle
+from .point_ink import PointInk
 
 _SIZES = (4.0, 5.5, 5.5)
 """Half the sizes of marks in pixels, by the order of their derivatives."""
@@ -32,3 +38,46 @@ def mark_sizes(handles: Sequence[Handle], shown: PixelMap, scale: float) -> dict
         each: min(_SIZES[each.kind - 1] * scale, max(_SHARE * room, _LEAST * scale))
         for each, room in rooms.items()
     }
+
+
+def paint_handles(painter: QPainter, shown: PixelMap, handles: Sequence[Handle], ink: PointInk) -> None:
+    """Draw the handles of one point."""
+    sizes = mark_sizes(handles, shown, ink.scale)
+    placed = [
+        (handle, QPointF(*tip), QPointF(*anchor))
+        for handle in handles
+        for tip, anchor in [(shown.point(*handle.position), shown.point(*handle.anchor))]
+        if is_near(*tip) and is_near(*anchor)
+    ]
+    if ink.over_picture:
+        _paint_paper(painter, placed, sizes, ink)
+    for handle, tip, anchor in placed:
+        painter.setPen(ink.lines[handle.kind - 1])
+        painter.drawLine(anchor, tip)
+        painter.setPen(ink.outline)
+        # Filled: set by the person. Hollow: estimated by a rule.
+        painter.setBrush(ink.filled if handle.explicit else ink.hollow)
+        _paint_mark(painter, handle, tip, sizes[handle])
+
+
+def _paint_paper(
+    painter: QPainter,
+    placed: Sequence[tuple[Handle, QPointF, QPointF]],
+    sizes: dict[Handle, float],
+    ink: PointInk,
+) -> None:
+    """Lay paper under handles and their lines."""
+    painter.setBrush(ink.hollow)
+    for handle, tip, anchor in placed:
+        painter.setPen(ink.beneath)
+        painter.drawLine(anchor, tip)
+        painter.setPen(Qt.PenStyle.NoPen)
+        _paint_mark(painter, handle, tip, sizes[handle] + 2.5 * ink.scale)
+
+
+def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) -> None:
+    """Draw a square for a velocity, a diamond for an acceleration, a triangle for a jerk."""
+    if handle.kind == 1:
+        painter.drawRect(QRectF(tip.x() - size, tip.y() - size, 2 * size, 2 * size))
+    else:
+        painter.drawPolygon((diamond if handle.kind == 2 else triangle)(tip, size))

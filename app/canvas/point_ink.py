@@ -16,11 +16,13 @@ class PointInk:
     """What points are drawn with under one theme, in one scale: it stays from frame to frame."""
 
     def __init__(self, theme: Theme, scale: float, fonts: Sizes, *, over_picture: bool) -> None:
+        self.scale, self.over_picture = scale, over_picture
         # In the grey of a faded letter grey handles cannot be seen.
         ink = theme.curve if over_picture else theme.handle
         self.rim, self.ring = QPen(theme.paper, 1.5 * scale), QPen(theme.accent, 2 * scale)
         self.lines = [QPen(ink, 1.2 * scale, style) for style in _LINES]
         self.outline, self.filled, self.hollow = QPen(ink, 1.5 * scale), QBrush(ink), QBrush(theme.paper)
+        self.beneath = QPen(theme.paper, 4 * scale)
         self.font = fonts.times(0.95 * scale)
         self._written: dict[tuple[str, float], tuple[QSize, QPointF]] = {}
 

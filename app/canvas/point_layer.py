@@ -16,7 +16,6 @@ from ..appearance.colours import point_colours
 from ..document.words import with_decimals
 from ..plotting.drawing import is_near
 from ..plotting.layers import Layer
-from ..plotting.pens import diamond, triangle
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
@@ -24,7 +23,7 @@ from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import Handle, handles_of
-from .handle_marks import mark_sizes
+from .handle_marks import paint_handles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 from .point_ink import PointInk
@@ -82,7 +81,6 @@ class PointLayer(Layer):
         self.selection: frozenset[int] = frozenset()
         # Those on screen, of the selected point.
         self.handles: Sequence[Handle] = ()
-        self._mark_sizes: dict[Handle, float] = {}
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
         self.shows_new_handle = False
@@ -134,7 +132,7 @@ class PointLayer(Layer):
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
             self._paint_weights(painter, pixels, visible, colours)
-        self._paint_handles(painter, shown)
+        paint_handles(painter, shown, self.handles, self._ink)
         self._paint_points(painter, pixels, visible, colours)
         self._paint_numbers(painter, pixels)
         if self.scrub is not None:
@@ -333,39 +331,6 @@ class PointLayer(Layer):
             least = max(least, float(np.partition(sizes, -_LABELLED_UP_TO)[-_LABELLED_UP_TO]))
         return sizes >= least
 
-    # Handles
-
-    def _paint_handles(self, painter: QPainter, shown: PixelMap) -> None:
-        self._mark_sizes = mark_sizes(self.handles, shown, self.scale)
-        placed = [
-            (handle, QPointF(*tip), QPointF(*anchor))
-            for handle in self.handles
-            for tip, anchor in [(shown.point(*handle.position), shown.point(*handle.anchor))]
-            if is_near(*tip) and is_near(*anchor)
-        ]
-        if self.over_picture:
-            self._paint_paper(painter, placed)
-        ink = self._ink
-        for handle, tip, anchor in placed:
-            painter.setPen(ink.lines[handle.kind - 1])
-            painter.drawLine(anchor, tip)
-            painter.setPen(ink.outline)
-            # Filled: set by the person. Hollow: estimated by a rule.
-            painter.setBrush(ink.filled if handle.explicit else ink.hollow)
-            _paint_mark(painter, handle, tip, self._mark_size(handle))
-
-    def _paint_paper(self, painter: QPainter, placed: Sequence[tuple[Handle, QPointF, QPointF]]) -> None:
-        """Lay paper under handles and their lines."""
-        painter.setBrush(self.theme.paper)
-        for handle, tip, anchor in placed:
-            painter.setPen(QPen(self.theme.paper, 4 * self.scale))
-            painter.drawLine(anchor, tip)
-            painter.setPen(Qt.PenStyle.NoPen)
-            _paint_mark(painter, handle, tip, self._mark_size(handle) + 2.5 * self.scale)
-
-    def _mark_size(self, handle: Handle) -> float:
-        return self._mark_sizes[handle]
-
     # Weights
 
     def _paint_weights(
@@ -423,11 +388,3 @@ def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:
 
 def _is_near_pixel(x: float, y: float, shown: PixelMap) -> bool:
     return -_MARGIN < x < shown.width + _MARGIN and -_MARGIN < y < shown.height + _MARGIN
-
-
-def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) -> None:
-    """Draw a square for a velocity, a diamond for an acceleration, a triangle for a jerk."""
-    if handle.kind == 1:
-        painter.drawRect(QRectF(tip.x() - size, tip.y() - size, 2 * size, 2 * size))
-    else:
-        painter.drawPolygon((diamond if handle.kind == 2 else triangle)(tip, size))

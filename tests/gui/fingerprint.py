@@ -52,7 +52,6 @@ PASSING = {
         "PointLayer._roles_for",
         "PointLayer._roles_of",
         "PointLayer.numbers",
-        "PointLayer._mark_sizes",
     ),
     *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
