@@ -17,6 +17,9 @@ from .settings import NO_SETTINGS, FamilySettings
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 
+_SHORT = 12
+"""Letters up to which a label is short."""
+
 
 def may_be_name(name: object) -> bool:
     """Whether a family, of this program or another one's, or a setting may have this name."""
@@ -114,9 +117,11 @@ class Family:
 
     @property
     def short(self) -> str:
-        """A word where room is short: the class's own, or the first of the label."""
-        own = self.curve_class.short_title
-        return f"{own[:1].upper()}{own[1:]}" or self.label.partition(" ")[0]
+        """A word where room is short: the class's own, else the label, of a long one its first word."""
+        own, label = self.curve_class.short_title, self.label
+        if own:
+            return f"{own[:1].upper()}{own[1:]}"
+        return label if len(label) <= _SHORT else label.partition(" ")[0]
 
     @property
     def a_curve(self) -> str:
