@@ -78,6 +78,11 @@ class Data(NamedTuple):
     times: FloatArray
 
 
+def is_of_points_alone(view: CurveView) -> bool:
+    """Whether the points of a curve are what is fitted: of many, or where it may swing between them."""
+    return not view.source.family.curve_class.is_local or len(view.parameters) >= _FEW
+
+
 def data_of(view: CurveView) -> Data:
     """Return what a curve shows: its points and, where these are few and the curve calm, places between.
 
@@ -92,7 +97,7 @@ def data_of(view: CurveView) -> Data:
         raise EditError(view.problem)
     assert view.curve is not None
     t = view.parameters
-    if view.source.family.curve_class.is_local and len(t) < _FEW:
+    if not is_of_points_alone(view):
         share = np.arange(ceil(_MANY / len(t))) / ceil(_MANY / len(t))
         t = np.append((t[:-1, None] + share * np.diff(t)[:, None]).reshape(-1), t[-1])
         return Data(view.curve.evaluate(t), t)

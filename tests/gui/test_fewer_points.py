@@ -146,6 +146,40 @@ def test_escape_ends_a_fit_as_cancel_does(long_fit, qtbot, place):
     assert "fewer_points" not in editor.window.canvas.drawing.annotations.trace_layer.groups
 
 
+@pytest.mark.parametrize("place", ["tolerance", "canvas"])
+def test_escape_puts_a_result_away(editor, qtbot, place):
+    form = opened(editor)
+    wait(editor, qtbot)
+    before = editor.session.document
+    widget = editor.window.canvas if place == "canvas" else form.tolerance
+    widget.setFocus()
+    QTest.keyClick(widget, Qt.Key.Key_Escape)
+    editor.settle()
+    assert not form.isVisible()
+    assert editor.session.document is before
+    assert "fewer_points" not in editor.window.canvas.drawing.annotations.trace_layer.groups
+
+
+def test_a_number_that_suits_the_curve_is_there(editor, qtbot):
+    form = opened(editor)
+    wait(editor, qtbot)
+    choose(form.goal, 1)
+    assert form.count.value() == max(len(editor.curve.points) // 2, 2)
+    wait(editor, qtbot)
+    assert form.apply_button.isEnabled()
+
+
+@pytest.mark.parametrize("name", ["lagrange", "hermite"])
+def test_a_deviation_at_the_points_alone_is_said_to_be(editor, qtbot, name):
+    wave = [(k, np.sin(k).item()) for k in range(12)]
+    curve = make_curve(wave, family=FAMILIES.named(name))
+    editor.session.change("Wave", lambda _: Document((curve,)))
+    form = opened(editor)
+    wait(editor, qtbot)
+    is_said = form.result.text().endswith("Measured at the points, not between them.")
+    assert is_said is (name == "lagrange")
+
+
 def test_data_that_scatter_farther_are_said_to(long_fit, qtbot):
     form = panel(long_fit)
     qtbot.waitUntil(form.apply_button.isEnabled, timeout=20_000)

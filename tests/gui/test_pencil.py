@@ -248,3 +248,11 @@ def test_another_tool_does_not_lose_the_line_and_another_document_does(slow):
     slow.new()
     wait(slow)
     assert not slow.session.active_curve.points
+
+
+@pytest.mark.parametrize("name", ["lagrange", "hermite"])
+def test_closing_is_promised_where_the_family_can_close(editor, name):
+    editor.choose_family(FAMILIES.named(name))
+    draw(editor, PLACES["loop"], release=False)
+    assert ("closed" in editor.status) is (name == "hermite")
+    editor.escape()

@@ -25,7 +25,7 @@ from ...tasks.debounced_task import DebouncedTask
 from ...tasks.progress import Report
 from ...tools.pencil_detail import PencilDetail
 from ...view_model.curve_view import CurveView, view_of
-from ...view_model.least_squares import Fitted, fitted_to_curve
+from ...view_model.least_squares import Fitted, fitted_to_curve, is_of_points_alone
 from ...view_model.line_styles import CURE_STYLE, LineStyle
 from ...view_model.plane import size_of
 from ...workbench.context import WindowContext
@@ -113,7 +113,8 @@ class FitCommands(QObject):
         view = self._session.active_view
         self._dock.bring_up()
         assert self._panel is not None
-        self._panel.begin(view.source.family, float(f"{_SHARE * size_of(view.points):.1g}"))
+        tolerance = float(f"{_SHARE * size_of(view.points):.1g}")
+        self._panel.begin(view.source.family, tolerance, len(view.points) // 2)
         self._is_seen = True
         self._ask()
         make_room_once(self._context.window, self._dock, _HEIGHT)
@@ -124,11 +125,11 @@ class FitCommands(QObject):
             self._ask()
 
     def escape(self) -> bool:
-        """Cancel a fit that is being computed; return whether there was one."""
-        is_busy = self._is_busy
-        if is_busy:
+        """Put the curve of fewer points away, computed or not; return whether there was one."""
+        was_seen = self._is_seen
+        if was_seen:
             self._cancel()
-        return is_busy
+        return was_seen
 
     def close(self) -> None:
         """End what is being computed."""
@@ -194,6 +195,8 @@ class FitCommands(QObject):
         is_short = wish.tolerance is not None and found.deviation > wish.tolerance
         if is_short and not found.is_scattered:
             text += f" No {wish.family.title} curve was found nearer."
+        if is_of_points_alone(view) and not found.is_scattered:
+            text += " Measured at the points, not between them."
         return text
 
     def _apply(self) -> None:

@@ -16,6 +16,7 @@ from ...widgets.controls import ThinProgress, check_box, choice_box, push_button
 from ...widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
 
 _DIGITS = 6
+_COUNTS = (2, 500)
 
 
 class Goal(NamedEnum):
@@ -64,15 +65,13 @@ class FitPanel(Guarded, QScrollArea):
         self.tolerance = RangedDoubleSpinBox("fitTolerance", "Largest distance", tip, (1e-6, 1e9))
         self.tolerance.setDecimals(_DIGITS)
         self.tolerance.setStepType(RangedDoubleSpinBox.StepType.AdaptiveDecimalStepType)
-        self.count = RangedSpinBox("fitCount", "Points", "How many points the curve gets", (2, 500))
+        self.count = RangedSpinBox("fitCount", "Points", "How many points the curve gets", _COUNTS)
         words = "Leave every place its t, as of a motion; else only the shape counts"
         self.keeps_times = check_box("fitTimes", "Keep the times", words)
         self.result = Label(name="fitResult", wordWrap=True)
         self.progress = ThinProgress("fitProgress", "How far the fit has come")
         self.apply_button = push_button("applyFit", "Replace the Curve", "One step, and undo takes it back")
-        self.cancel_button = push_button(
-            "cancelFit", "Cancel", "Leave the curve as it is; Escape does so while it is fitted"
-        )
+        self.cancel_button = push_button("cancelFit", "Cancel", "Leave the curve as it is, as Escape does")
         self._lay_out()
         self._connect()
 
@@ -128,18 +127,18 @@ class FitPanel(Guarded, QScrollArea):
             self.keeps_times.isChecked(),
         )
 
-    def begin(self, family: Family, tolerance: float) -> None:
-        """Begin with the family of a curve, and a tolerance that suits its size."""
+    def begin(self, family: Family, tolerance: float, count: int) -> None:
+        """Begin with the family of a curve, and a tolerance and a number of points that suit its size."""
         self._is_rendering = True
         if family in self._families:
             self.family.setCurrentIndex(self._families.index(family))
         self.tolerance.setValue(tolerance)
+        self.count.setValue(min(max(count, _COUNTS[0]), _COUNTS[1]))
         self._is_rendering = False
         self._show_goal()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        # While it works; else Escape is the window's.
-        if event.key() == Qt.Key.Key_Escape and self.progress.isVisible():
+        if event.key() == Qt.Key.Key_Escape:
             self.cancelled.emit()
             return
         super().keyPressEvent(event)

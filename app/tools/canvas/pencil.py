@@ -82,7 +82,9 @@ class Drawing(Gesture):
         if not self.line:
             return ""
         detail = context.settings.pencil.label.lower()
-        return f"Drawing, {detail} · back to the beginning: closed · Escape cancels"
+        can_close = context.host.active_view.source.family.curve_class.can_close
+        closed = "back to the beginning: closed · " if can_close else ""
+        return f"Drawing, {detail} · {closed}Escape cancels"
 
 
 def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
