@@ -315,14 +315,15 @@ class Session(QObject):
         # Another document's curves are nobody's last good shape.
         self._views.take()
 
-    def _restore(self, state: State, views: Sequence[CurveView] = ()) -> None:
+    def _restore(self, state: State, views: Sequence[CurveView] | None = None) -> None:
         self.history.end_run()
         self._home = None
         self.interrupted.emit()
         if state.active != self.active_index:
             self.selected.enter(state.active)
         self._committed = state.document
-        if views:
+        if views is not None:
+            # Late: those who heard of the gesture's end may have asked for views of the document before.
             self._views.take(views)
         self._show(state.document)
 

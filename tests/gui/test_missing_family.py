@@ -14,6 +14,7 @@ from app.cli import main
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, Family
 from app.storage.format import decode, encode
+from app.storage.resources import resource
 
 NAME = "my_gaussian"
 MISSING = "The family “my_gaussian” is not installed"
@@ -114,3 +115,15 @@ def test_the_command_line_says_it_and_does_what_it_can(path, tmp_path, capsys):
     assert main(["render", str(path), "-o", str(tmp_path / "a.svg")]) == 0
     assert MISSING in capsys.readouterr().err
     assert (tmp_path / "a.svg").read_text().count("<path") == 1
+
+
+def test_a_missing_family_is_not_drawn_as_the_document_before(editor, tmp_path):
+    example = resource("examples", "letter_s.curve.json")
+    path = tmp_path / "missing.curve.json"
+    path.write_text(example.read_text("utf-8").replace('"hermite"', '"nowhere"'), "utf-8")
+    editor.session.open(example)
+    editor.settle()
+    editor.session.open(path)
+    editor.settle()
+    assert editor.curve.family.is_missing
+    assert editor.session.active_view.curve is None
