@@ -114,6 +114,11 @@ class PointLayer(Layer):
         self._corners.set_visible(bool(view.corners))
         self.refresh()
 
+    def set_shown(self, shown: bool) -> None:
+        """Show points and corners, or withhold them."""
+        super().set_shown(shown)
+        self._corners.set_shown(shown)
+
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""
         self.handles = ()

@@ -50,7 +50,9 @@ class CanvasScene:
     Attributes
     ----------
     view, views
-        The curve that is edited, None before the first; all curves of the document.
+        The active curve, None before the first; all curves of the document.
+    is_editing
+        Whether the active curve is edited: otherwise it is drawn and hit as the others are.
     image
         The picture to trace.
     grid, units
@@ -69,6 +71,7 @@ class CanvasScene:
         self._plot = plot
         self.view: CurveView | None = None
         self.views: Sequence[CurveView] = ()
+        self.is_editing = True
         self._scrub: float | None = None
         self.image = ImageLayer(plot)
         self.grid = GridLayer(plot)
@@ -96,12 +99,16 @@ class CanvasScene:
         self.annotations.make_way()
         self._show_marks_now()
 
-    def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
-        """Show the other curves of the document behind the one that is edited; some are selected with it."""
-        self.views = views
-        others = [place for place in range(len(views)) if place != active]
-        self.others.render(views, [place for place in others if place not in selected])
-        self.selected.render(views, [place for place in others if place in selected])
+    def render_others(self, views: Sequence[CurveView], edited: int | None, chosen: frozenset[int]) -> None:
+        """Show the other curves of the document behind the one that is edited, if one is; some are chosen."""
+        self.views, self.is_editing = views, edited is not None
+        for layer in (self.curve, self.points, self.polygon):
+            layer.set_shown(self.is_editing)
+        # Points are shown of what is edited, and of what is worked on together with it.
+        self.selected.set_rings(self.is_editing)
+        others = [place for place in range(len(views)) if place != edited]
+        self.others.render(views, [place for place in others if place not in chosen])
+        self.selected.render(views, [place for place in others if place in chosen])
         self._show_marks_now()
 
     def set_selection(self, selection: frozenset[int]) -> None:
@@ -193,8 +200,10 @@ class CanvasScene:
             return self.image.hit(pixel, shown)
         if self.view is None:
             return None
-        polyline = self.curve.polyline(shown)
-        hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
+        hit = None
+        if self.is_editing:
+            polyline = self.curve.polyline(shown)
+            hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
         if hit is None and tool.finds_other_curves:
             return self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
         return hit

@@ -29,11 +29,19 @@ _MOST_RINGS = 400
 class SelectedCurvesLayer(OtherCurvesLayer):
     """Layer of selected curves, painted like the others from a picture that is kept while they stay.
 
-    Hidden ones are faint, as the active curve is: they are moved with the others.
+    Hidden ones are faint, as the active curve is: they are moved with the others. While no curve is edited
+    no points are shown, and these have no rings.
     """
 
     shows_hidden = True
     join = Qt.PenJoinStyle.RoundJoin
+    _has_rings = True
+
+    def set_rings(self, has_rings: bool) -> None:
+        """Draw rings around the points, or no points at all."""
+        if has_rings != self._has_rings:
+            self._has_rings, self._picture = has_rings, None
+            self.update()
 
     def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
         """Paint halos, lines and rings into the picture."""
@@ -50,8 +58,9 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             line = (self._colour(view), _WIDTH) if view.source.visible else (self.theme.handle, FAINT_WIDTH)
             painter.setPen(self._line(*line))
             stroke.draw(painter)
-            painter.setOpacity(opacity_of(view))
-            self._paint_rings(painter, shown, view)
+            if self._has_rings:
+                painter.setOpacity(opacity_of(view))
+                self._paint_rings(painter, shown, view)
 
     def _paint_rings(self, painter: QPainter, shown: PixelMap, view: CurveView) -> None:
         pixels, margin = shown.points(view.points), 2 * _RADIUS * self.scale

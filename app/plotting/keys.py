@@ -53,6 +53,6 @@ def factor_of(event: QKeyEvent) -> float:
 
 def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:
     """Return the shape of the pointer."""
-    if cursor is Cursor.ROTATE:
-        return QCursor(icon("rotate", theme).pixmap(20, 20))
-    return QCursor(Qt.CursorShape[cursor.value])
+    if cursor.value in Qt.CursorShape.__members__:
+        return QCursor(Qt.CursorShape[cursor.value])
+    return QCursor(icon(cursor.value, theme).pixmap(20, 20))

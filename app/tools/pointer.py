@@ -76,6 +76,8 @@ class Pointer(msgspec.Struct, frozen=True):
         Pixels per unit of the plane, for what is measured on the screen.
     ripple
         Whether E is held: on the t-rail, the ticks ahead go along.
+    is_double
+        Whether a press is the second one of a double click.
     """
 
     position: Vector
@@ -86,6 +88,7 @@ class Pointer(msgspec.Struct, frozen=True):
     alt: bool = False
     scale: float = 1.0
     ripple: bool = False
+    is_double: bool = False
 
     def way_from(self, place: Vector) -> Vector:
         """Return the way from a place of the plane."""
@@ -97,7 +100,7 @@ ORIGIN = Pointer((0.0, 0.0), (0.0, 0.0))
 
 
 class Cursor(Enum):
-    """Shape of the pointer, by its name in Qt: that of a tool, or of what a press would do."""
+    """Shape of the pointer, of a tool or of what a press would do: its name in Qt, or that of an icon."""
 
     ARROW = "ArrowCursor"
     CROSS = "CrossCursor"
@@ -107,7 +110,8 @@ class Cursor(Enum):
     HIGHER = "SizeVerCursor"
     RISING = "SizeBDiagCursor"
     FALLING = "SizeFDiagCursor"
-    ROTATE = ""
+    ROTATE = "rotate"
+    BEND = "bend"
 
 
 class Hint(msgspec.Struct, frozen=True):

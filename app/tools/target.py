@@ -1,4 +1,4 @@
-"""Target of the transforms: the selected points, or else all of several selected curves."""
+"""Target of the transforms: the selected points, or else the curves that are chosen as wholes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .transform_box import Grip, ScaleBox, TransformBox, box_of
 
 
 class TransformTarget:
-    """The selected points of the active curve; with none and several curves selected, those curves.
+    """The selected points of the active curve; with none, the curves that are chosen as wholes.
 
     It says what is meant, and makes the drags that transform it.
     """
@@ -41,19 +41,24 @@ class TransformTarget:
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
-        views, selection, selected = host.views, host.selected.points, host.selected.curves
+        views, selection, chosen = host.views, host.selected.points, host.selected.chosen
         known = self._known
-        if known is None or known[0] is not views or known[1:] != (selection, selected):
-            self._known = (views, selection, selected)
+        if known is None or known[0] is not views or known[1:] != (selection, chosen):
+            self._known = (views, selection, chosen)
             group = points_of(host.active_index, selection) if selection else self.curves
             self._found = (group, box_of(views, group) if group is not None else None)
         return self._found
 
     @property
     def curves(self) -> PointGroup | None:
-        """The selected curves where there are several, whatever points are selected."""
+        """The curves that are chosen as wholes, whatever points are selected; None for none."""
         host = self._host
-        return whole_curves(host.document, host.selected.curves) if len(host.selected.curves) > 1 else None
+        return whole_curves(host.document, host.selected.chosen) if host.selected.chosen else None
+
+    def with_curve(self, curve: int) -> PointGroup:
+        """Return what a drag of a curve moves: all that are chosen if it is one of them, or else it alone."""
+        chosen = self._host.selected.chosen
+        return whole_curves(self._host.document, chosen if curve in chosen else (curve,))
 
     @property
     def for_keys(self) -> PointGroup:
@@ -65,6 +70,8 @@ class TransformTarget:
     @property
     def refusal_of_keys(self) -> str:
         """Why keys cannot transform anything: it is locked, or there is nothing."""
+        if self.group is None and not self._host.selected.is_editing:
+            return "No curve is chosen; click one, or press Ctrl+A for all."
         group, source = self.for_keys, self._host.active_view.source
         if not any(indices for _, indices in group.parts):
             return f"“{source.name}” has no points yet; press P to add some."
@@ -123,12 +130,8 @@ class TransformTarget:
         snapper = self._snappers.for_grip(grip, group)
         return ScaleBox(self._host.document, group, box, grip, pointer.position, snapper)
 
-    def moving_curves(self, pointer: Pointer) -> MovePoints | None:
-        """Return the drag of the selected curves by one of them, None where only one is selected."""
-        group = self.curves
-        if group is None:
-            return None
+    def moving(self, group: PointGroup, pointer: Pointer) -> MovePoints:
+        """Return the drag of a group from the pointer on; what snaps is its point that is nearest."""
         grip = self._nearest(group, pointer)
-        return MovePoints(
-            self._host.document, group, pointer.position, self._snappers.for_group(group, grip[1]), grip
-        )
+        snapper = self._snappers.for_group(group, grip[1])
+        return MovePoints(self._host.document, group, pointer.position, snapper, grip)

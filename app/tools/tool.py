@@ -204,6 +204,17 @@ class Tool:
         context.drags.nudge(drag, ("points", group))
         return True
 
+    def walk(self, context: ToolContext, step: int) -> bool:
+        """Select the next (1) or previous (−1) point; return whether there is one."""
+        host = context.host
+        points, count = host.selected.points, len(host.active_view.source.points)
+        here = max(points) if points and step > 0 else min(points, default=count)
+        index = here + step if points or step < 0 else 0
+        if not 0 <= index < count:
+            return False
+        host.selected.set_points([index])
+        return True
+
     def cancel(self, context: ToolContext) -> None:
         """Take the gesture in flight back."""
         if self.gesture is not None:

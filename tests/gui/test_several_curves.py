@@ -90,7 +90,7 @@ def test_keys_walk_the_curves_from_the_canvas(three):
 def test_a_click_on_another_curve_edits_it(three):
     at = three.session.views[2].curve.evaluate(0.45)
     three.hover(tuple(at))
-    assert three.window.status_line.hint.startswith("Click to edit “C”, drag to bend it or move a point")
+    assert three.window.status_line.hint.startswith("Drag to move “C” · click to edit it")
     three.click(tuple(at))
     assert three.curve.name == "C"
     assert three.session.undo_stack.undoText() == "Begin"

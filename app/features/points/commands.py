@@ -36,8 +36,12 @@ class PointCommands:
     @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
-        """Select all points."""
-        self._session.selected.set_points(range(len(self._session.active_curve.points)))
+        """Select all points; while no curve is edited, choose all curves."""
+        session, selected = self._session, self._session.selected
+        if selected.is_editing:
+            selected.set_points(range(len(session.active_curve.points)))
+        else:
+            selected.choose(range(len(session.document.curves)))
 
     @action(
         "deleteSelection",
@@ -53,7 +57,7 @@ class PointCommands:
         """Delete the selected points."""
         session, selected = self._session, self._session.selection
         if not selected:
-            if len(session.selected.curves) > 1:
+            if session.selected.chosen:
                 self._context.actions["deleteCurve"].trigger()
             return
         what = f"point {next(iter(selected))}" if len(selected) == 1 else f"{len(selected)} points"

@@ -73,7 +73,22 @@ class ViewCommands:
         elif session.selection:
             session.selected.set_points([])
         else:
-            session.selected.set_curves((session.active_index,))
+            self._step_out()
+
+    def _step_out(self) -> None:
+        """Choose the curve that is edited alone, then leave it as a whole that is chosen, then choose none."""
+        session, selected = self._session, self._session.selected
+        if not selected.is_editing:
+            selected.choose(())
+            return
+        if selected.chosen:
+            selected.set_curves((session.active_index,))
+            return
+        selected.choose((session.active_index,))
+        name = session.active_curve.name
+        session.say(
+            f"“{name}” is no longer edited: clicks and the rubber band choose whole curves; Enter edits."
+        )
 
     @action_for_each(
         TOOLS,
