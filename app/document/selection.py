@@ -1,4 +1,4 @@
-"""Chosen curves and selected points: all at a moment, where they are after a change, which came back with it."""
+"""Chosen curves and selected points: at a moment, after a change, and those that came back with it."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ class CurvePicker:
         if host.selected.is_editing:
             return None
         return Hint(
-            "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits a curve"
+            "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits one"
         )
 
 

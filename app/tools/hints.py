@@ -13,7 +13,7 @@ from .transform_box import Grip, ScaleBox
 
 _ENTER = "Enter, double click: finish the curve"
 _ON_EMPTY = (
-    "Drag to select points, Shift adds · Escape: whole curves · P adds points · Wheel zooms · Space pans"
+    "Drag to select points, Shift adds · Escape: whole curves · P adds points · Wheel zooms, Space pans"
 )
 LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 

@@ -76,7 +76,7 @@ class ViewCommands:
             self._step_out()
 
     def _step_out(self) -> None:
-        """Choose the curve that is edited alone, then leave it as a whole that is chosen, then choose none."""
+        """Choose the curve that is edited alone, then as a whole that is edited no longer, then none."""
         session, selected = self._session, self._session.selected
         if not selected.is_editing:
             selected.choose(())
@@ -86,9 +86,7 @@ class ViewCommands:
             return
         selected.choose((session.active_index,))
         name = session.active_curve.name
-        session.say(
-            f"“{name}” is no longer edited: clicks and the rubber band choose whole curves; Enter edits."
-        )
+        session.say(f"“{name}” is chosen, and edited no longer; clicks choose whole curves, Enter edits one.")
 
     @action_for_each(
         TOOLS,

@@ -209,7 +209,7 @@ def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
 ADD = ToolRecord(
     name="add",
     make=AddTool,
-    hint="Click to add points; Enter or a double click finishes the curve; V or Escape goes back to selecting.",
+    hint="Click to add points; Enter or a double click ends the curve; V or Escape goes back to selecting.",
     beginning="Click on the canvas to add points; two of them make a curve.",
     doing="adding points",
     gestures=(
