@@ -13,6 +13,7 @@ from ..document.selection import (
     returned_curves,
     returned_points,
 )
+from ..document.shapes import whole_shapes
 
 if TYPE_CHECKING:
     from .session import Session
@@ -112,9 +113,11 @@ class Selection:
     def choose(self, indices: Collection[int]) -> None:
         """Choose curves as wholes, those that exist, or none at all; no curve is edited any more.
 
-        The active one is one of them, as `set_curves` has it.
+        Curves of one shape are chosen together. The active one is one of them, as `set_curves` has it.
         """
-        self._take(indices, is_editing=False)
+        document = self._session.document
+        places = [index for index in indices if 0 <= index < len(document.curves)]
+        self._take(whole_shapes(document, places), is_editing=False)
 
     def show_choice(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""

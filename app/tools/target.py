@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.several_curves import PointGroup, points_of, whole_curves
+from ..document.shapes import whole_shapes
 from ..view_model.curve_view import CurveView
 from .drag_machine import EditingHost
 from .drags import MovePoints
@@ -56,9 +57,9 @@ class TransformTarget:
         return whole_curves(host.document, host.selected.chosen) if host.selected.chosen else None
 
     def with_curve(self, curve: int) -> PointGroup:
-        """Return what a drag of a curve moves: all that are chosen if it is one of them, or else it alone."""
-        chosen = self._host.selected.chosen
-        return whole_curves(self._host.document, chosen if curve in chosen else (curve,))
+        """Return what a drag of a curve moves: all chosen ones if it is one of them, or else its shape."""
+        document, chosen = self._host.document, self._host.selected.chosen
+        return whole_curves(document, chosen if curve in chosen else whole_shapes(document, (curve,)))
 
     @property
     def for_keys(self) -> PointGroup:

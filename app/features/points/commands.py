@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import action, also
 from ...actions.needs import SELECTED_POINTS, Need
 from ...actions.sections import (
+    CURVE_NUMBER,
     CURVE_VELOCITIES,
     EDIT_DELETE,
     EDIT_SELECT,
@@ -42,6 +43,23 @@ class PointCommands:
             selected.set_points(range(len(session.active_curve.points)))
         else:
             selected.choose(range(len(session.document.curves)))
+
+    @action(
+        "editCurve",
+        "Edit Curve",
+        CURVE_NUMBER,
+        icon="spline-pointer",
+        checked=lambda now: now.session.selected.is_editing,
+        keywords="points nodes whole curves leave objects",
+    )
+    @also(CANVAS_MENU(13))
+    def _edit_or_leave(self) -> None:
+        """Show the points of the curve and change them (Enter), or choose whole curves (Escape)."""
+        selected, active = self._session.selected, self._session.active_index
+        if selected.is_editing:
+            selected.choose((active,))
+        else:
+            selected.activate(active)
 
     @action(
         "deleteSelection",
