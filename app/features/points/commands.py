@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import action, also
 from ...actions.needs import SELECTED_POINTS, Need
 from ...actions.sections import (
-    CURVE_NUMBER,
+    CURVE_POINTS,
     CURVE_VELOCITIES,
     EDIT_DELETE,
     EDIT_SELECT,
@@ -47,7 +47,7 @@ class PointCommands:
     @action(
         "editCurve",
         "Edit Curve",
-        CURVE_NUMBER,
+        CURVE_POINTS,
         icon="spline-pointer",
         checked=lambda now: now.session.selected.is_editing,
         keywords="points nodes whole curves leave objects",
