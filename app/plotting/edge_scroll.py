@@ -1,4 +1,4 @@
-"""Scrolling at the edge: while something is dragged there the view moves on, also under a mouse that rests."""
+"""Scrolling at the edge: under a drag there the view moves on, also while the mouse rests."""
 
 from __future__ import annotations
 
@@ -57,6 +57,7 @@ class EdgeScroll(QObject):
     def stop(self) -> None:
         """Scroll no longer: the drag has ended."""
         self._timer.stop()
+        self._at_press = self._way = (0.0, 0.0)
 
     def _overshoot(self, pixel: Vector) -> Vector:
         """Return how far a pixel lies in the zone at the edges or beyond: to the right and down positive."""

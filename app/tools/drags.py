@@ -88,14 +88,11 @@ class NudgePoints(Drag, frozen=True):
     Attributes
     ----------
     step
-        How far.
-    is_decimal
-        Whether it is a step of the grid, added in decimal numbers.
+        How far; it is added in decimal numbers.
     """
 
     group: PointGroup
     step: Vector
-    is_decimal: bool
 
     @property
     def name(self) -> str:
@@ -113,9 +110,8 @@ class NudgePoints(Drag, frozen=True):
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
-        edit = step_points if self.is_decimal else edits.move_points
         return self.group.changed(
-            self.document, lambda each, curve, indices: edit(each, curve, indices, self.step)
+            self.document, lambda each, curve, indices: step_points(each, curve, indices, self.step)
         )
 
 

@@ -9,7 +9,6 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
-from ..document.transforms import decimal_product
 from ..view_model.curve_view import CurveView
 from ..view_model.records import Records
 from .background import Background
@@ -17,7 +16,7 @@ from .drag_machine import DragMachine, EditingHost
 from .drags import NudgePoints
 from .marks import GestureMarks, Note
 from .pencil_detail import PencilDetail
-from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
 from .snappers import Snappers
 from .snapping import SnapKind, Snapping, with_snap
 from .target import TransformTarget
@@ -189,8 +188,8 @@ class Tool:
         """Whether a key is for the tool that would be a shortcut otherwise."""
         return False
 
-    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
-        """Move the selected points, or curves, by a step of the grid or, not snapping, a pixel.
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+        """Move the selected points, or curves, by a step of the grid or, not snapping, of a round number.
 
         Return whether the arrow key meant something.
         """
@@ -198,9 +197,8 @@ class Tool:
         if group is None:
             return True
         snaps = snapping.on and SnapKind.GRID in snapping.kinds
-        step = decimal_product(context.grid() if snaps else pixel, factor)
-        way = (direction[0] * step, direction[1] * step)
-        drag = NudgePoints(context.host.document, group, way, snaps)
+        step = stride.length(context.grid() if snaps else None)
+        drag = NudgePoints(context.host.document, group, (direction[0] * step, direction[1] * step))
         context.drags.nudge(drag, ("points", group))
         return True
 

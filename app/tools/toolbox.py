@@ -11,7 +11,7 @@ from ..document.model import Vector
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
-from .pointer import Hint, Hit, Pointer
+from .pointer import Hint, Hit, Pointer, Stride
 from .snappers import Snappers
 from .target import TransformTarget
 from .tool import Tool, ToolContext, ToolRecord, ToolSettings
@@ -168,9 +168,9 @@ class Toolbox:
         self._give_way()
         return taken
 
-    def nudge(self, direction: Vector, pixel: float, factor: float = 1.0) -> bool:
+    def nudge(self, direction: Vector, stride: Stride) -> bool:
         """Move what the tool moves by an arrow key; return whether the key meant something."""
-        return not self.is_pressed and self.tool.nudge(self.context, direction, pixel, factor)
+        return not self.is_pressed and self.tool.nudge(self.context, direction, stride)
 
     def walk(self, step: int) -> bool:
         """Go to the next thing (1) or the one before (−1); return whether there is one."""
