@@ -6,11 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtGui import QPainter
+
+from curvecore.arrays import FloatArray
 
 from ..appearance.theme import mix
 from ..plotting.drawing import Stroke
 from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
+from ..plotting.stamps import RingStamps
 from ..view_model.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH, line_of
 from .other_curves_layer import OtherCurvesLayer
@@ -21,7 +25,7 @@ _HALO_SHARE = 0.28
 _HALOS_UP_TO = 12
 """Curves from which on there are rings alone: wide lines would take half of the time of a drag of thirty."""
 
-_RADIUS = 3.5
+_RADIUS, _RIM = 3.5, 1.5
 _MOST_RINGS = 400
 """Points in sight of one curve above which only as many are ringed: more would be a band."""
 
@@ -34,6 +38,10 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     shows_hidden = True
     join = Qt.PenJoinStyle.RoundJoin
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._rings = RingStamps(_ring)
 
     def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
         """Paint halos, lines and rings into the picture."""
@@ -50,17 +58,24 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             line = (self._colour(view), _WIDTH) if view.source.visible else (self.theme.handle, FAINT_WIDTH)
             painter.setPen(self._line(*line))
             stroke.draw(painter)
-            painter.setOpacity(opacity_of(view))
-            self._paint_rings(painter, shown, view)
+        self._paint_rings(painter, shown, views)
 
-    def _paint_rings(self, painter: QPainter, shown: PixelMap, view: CurveView) -> None:
+    def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Ring the points of all curves over all lines: in one call for those of one opacity."""
+        for opacity in {opacity_of(view) for view in views}:
+            near = [self._near(view, shown) for view in views if opacity_of(view) == opacity]
+            painter.setOpacity(opacity)
+            self._rings.draw_rings(
+                painter, np.concatenate(near), self.theme, _RADIUS * self.scale, _RIM * self.scale
+            )
+
+    def _near(self, view: CurveView, shown: PixelMap) -> FloatArray:
+        """Return the pixels of the points in sight, (k, 2); of very many some."""
         pixels, margin = shown.points(view.points), 2 * _RADIUS * self.scale
-        is_near = np.all(
-            (pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin)), axis=1
-        )
-        near = pixels[is_near]
-        near = near[:: max(len(near) // _MOST_RINGS, 1)]
-        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
-        painter.setBrush(self.theme.paper)
-        for x, y in near.tolist():
-            painter.drawEllipse(QPointF(x, y), _RADIUS * self.scale, _RADIUS * self.scale)
+        is_near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
+        near: FloatArray = pixels[is_near]
+        return near[:: max(len(near) // _MOST_RINGS, 1)]
+
+
+def _ring(painter: QPainter, radius: float) -> None:
+    painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
