@@ -16,11 +16,12 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
 from ..view_model.curve_view import CurveView
-from .curve_layer import FAINT_WIDTH, line_of
+from .curve_layer import FAINT_WIDTH
+from .looks import Shape, is_plain, line_of
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
-_WIDTH, _HALO = 2.0, 7.0
+_WIDTH, _HALO, _OVER_PRINT = 2.0, 7.0, 1.0
 _HALO_SHARE = 0.28
 _HALOS_UP_TO = 12
 """Curves from which on there are rings alone: wide lines would take half of the time of a drag of thirty."""
@@ -31,10 +32,12 @@ _MOST_RINGS = 400
 
 
 class SelectedCurvesLayer(OtherCurvesLayer):
-    """Layer of selected curves, painted like the others from a picture that is kept while they stay.
+    """Layer that marks selected curves, painted like the others from a picture that is kept while they stay.
 
     Hidden ones are faint, as the active curve is: they are moved with the others.
     """
+
+    z = -0.7
 
     shows_hidden = True
     join = Qt.PenJoinStyle.RoundJoin
@@ -43,19 +46,24 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         super().__init__(plot)
         self._rings = RingStamps(_ring)
 
-    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
-        """Paint halos, lines and rings into the picture."""
+    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+        """Paint halos, lines and rings into the picture; over a shape that prints otherwise, a thin line."""
+        views = [view for shape in shapes for view in shape]
         # No opacity: where the pieces of a line meet, their caps would be seen.
         halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
         stroke = Stroke()
         for view in views:
             painter.setOpacity(opacity_of(view))
             stroke.show(line_of(view, shown).points, shown)
-            if len(self._views) <= _HALOS_UP_TO:
+            is_line = self._is_thin or is_plain(view.source.style)
+            if is_line and len(self._views) <= _HALOS_UP_TO:
                 painter.setPen(self._line(halo, _HALO))
                 stroke.draw(painter)
             painter.setOpacity(1.0)
-            line = (self._colour(view), _WIDTH) if view.source.visible else (self.theme.handle, FAINT_WIDTH)
+            if not view.source.visible:
+                line = (self.theme.handle, FAINT_WIDTH)
+            else:
+                line = (self._colour(view), _WIDTH) if is_line else (self.theme.accent, _OVER_PRINT)
             painter.setPen(self._line(*line))
             stroke.draw(painter)
         self._paint_rings(painter, shown, views)
