@@ -14,6 +14,8 @@ class Missed(msgspec.Struct, frozen=True):
         What it is, as the file calls it: "<text>".
     name
         What its program or its author calls it; empty without.
+    number
+        The how manieth element of the file it is, from 1.
     why
         What stands in the way, as the end of a sentence.
     instead
@@ -22,11 +24,16 @@ class Missed(msgspec.Struct, frozen=True):
 
     element: str
     name: str
+    number: int
     why: str
     instead: str
 
     @property
     def sentence(self) -> str:
         """All of it in a line."""
-        called = f" “{self.name}”" if self.name else ""
-        return f"{self.element}{called}: {self.why}; {self.instead}."
+        return f"{self.element} {self.called}: {self.why}; {self.instead}."
+
+    @property
+    def called(self) -> str:
+        """What to find it by: its name, or its place."""
+        return f"“{self.name}”" if self.name else f"(element {self.number})"

@@ -1,6 +1,6 @@
 """The properties that SVG elements declare: attributes, the rules of <style>, and ``style`` attributes.
 
-tinycss2 reads the rules and cssselect2 finds whom they are for. Nothing is fetched: an @import is passed over.
+tinycss2 reads the rules and cssselect2 finds their elements. Nothing is fetched: an @import is passed over.
 
 Reference: Scalable Vector Graphics 2, section 6; CSS Cascading and Inheritance 4, section 6.
 """
@@ -75,9 +75,9 @@ class Cascade:
         self.missed: list[Missed] = []
         self._matcher = cssselect2.Matcher()
         self._has_rules = False
-        for element in root.iter():
+        for number, element in enumerate(root.iter(), start=1):
             if tag_of(element) == "style" and element.text:
-                self._add_sheet(element.text)
+                self._add_sheet(element.text, number)
         # Only selectors need to know where an element stands.
         self._wrapped: dict[ET.Element, Any] = {}
         if self._has_rules:
@@ -85,7 +85,7 @@ class Cascade:
             self._wrapped = {each.etree_element: each for each in wrapped}
 
     def of(self, element: ET.Element) -> dict[str, str]:
-        """Return the values of the known properties that an element declares, in small letters but for names."""
+        """Return the values of the known properties that an element declares."""
         found = {name: value.strip() for name, value in element.attrib.items() if name in _KNOWN}
         found.pop("transform", None)
         inline = element.get("style", "")
@@ -103,29 +103,29 @@ class Cascade:
         matches = self._matcher.match(wrapped)
         return [each for _, _, pseudo, payload in matches if pseudo is None for each in payload]
 
-    def _add_sheet(self, text: str) -> None:
+    def _add_sheet(self, text: str, number: int) -> None:
         for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):
             if rule.type == "at-rule":
                 if rule.lower_at_keyword not in _HARMLESS:
-                    self._miss(f"@{rule.at_keyword}", "such rules are not followed")
+                    self._miss(f"@{rule.at_keyword}", number, "such rules are not followed")
             elif rule.type == "qualified-rule":
-                self._add_rule(rule)
+                self._add_rule(rule, number)
 
-    def _add_rule(self, rule: Any) -> None:
+    def _add_rule(self, rule: tinycss2.ast.QualifiedRule, number: int) -> None:
         declared = list(_named(tinycss2.parse_blocks_contents(rule.content)))
         if not declared:
             return
         try:
             selectors = cssselect2.compile_selector_list(rule.prelude)
         except cssselect2.SelectorError:
-            self._miss(tinycss2.serialize(rule.prelude).strip()[:60], "this selector is not known")
+            self._miss(tinycss2.serialize(rule.prelude).strip()[:60], number, "this selector is not known")
             return
         for selector in selectors:
             self._matcher.add_selector(selector, declared)
         self._has_rules = True
 
-    def _miss(self, name: str, why: str) -> None:
-        self.missed.append(Missed("<style>", name, why, "left out"))
+    def _miss(self, name: str, number: int, why: str) -> None:
+        self.missed.append(Missed("<style>", name, number, why, "left out"))
 
 
 def _declarations(text: str) -> list[_Declared]:

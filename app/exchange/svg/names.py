@@ -25,6 +25,11 @@ def name_of(element: ET.Element) -> str:
     return " ".join((label or title or own).split())[:_LONGEST]
 
 
+def shown_name(element: ET.Element) -> str:
+    """Return a name to find an element by: its own, or the words in it; empty without."""
+    return name_of(element) or " ".join("".join(element.itertext()).split())[:40]
+
+
 def _unescaped(match: re.Match[str]) -> str:
     letter = chr(int(match[1], 16))
     return letter if letter.isprintable() else match[0]

@@ -74,9 +74,10 @@ class Properties:
         return self.is_displayed and self.values["visibility"].lower() not in ("hidden", "collapse")
 
     @property
-    def may_stroke(self) -> bool:
-        """Whether there is a stroke of some width."""
-        return self.values["stroke"].lower() != "none"
+    def shows_points(self) -> bool:
+        """Whether a line of no length is seen, by its caps."""
+        has_caps = self.values["stroke-linecap"].lower() in ("round", "square")
+        return self.is_visible and has_caps and self.values["stroke"].lower() != "none"
 
 
 class StyleReader:

@@ -7,7 +7,7 @@ read, and no DTD or entity inside it. What does not come in as it is drawn is to
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import msgspec
@@ -15,21 +15,32 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import Document
+from ...document.style import PLAIN_STYLE
 from ..cubics_in import Imported, ImportedPath, Look, imported
+from ..drawing.drawing import extent_of
 from ..errors import ExchangeError
 from ..missed import Missed
-from .basic_shapes import LENGTHS, polyline, shape_of_lengths
 from .cascade import Cascade
-from .clips import Clips
-from .groups import GroupNames, settled
-from .lengths import length
-from .matrices import box_of, combined, fitted_box, is_uneven, largest_scale, mean_scale, moved, transform_of
+from .clips import clip_box
+from .groups import Drawn, Group, settled
+from .lengths import Viewport
+from .matrices import (
+    Box,
+    box_of,
+    combined,
+    fitted_box,
+    is_uneven,
+    largest_scale,
+    mean_scale,
+    moved,
+    transform_of,
+)
 from .names import name_of, shown_name
 from .our_own import OurOwn
-from .paint import Paints
-from .path_data import Subpath, read_path_data
+from .paint import Paints, share_of
+from .path_data import Subpath
 from .properties import Flaw, StyleReader
+from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
 from .state import State, Window
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
@@ -37,11 +48,13 @@ from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
 MAX_PATHS = 2_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
-_SHAPES = {"path", "polyline", "polygon", *LENGTHS}
+_SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
+_INSENSITIVE = f"{_SODIPODI}insensitive"
+_GROUP_MODE = "{http://www.inkscape.org/namespaces/inkscape}groupmode"
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
 _NO_CURVES = {
-    "text": Flaw("text is no curve", "left out; as paths it would come in"),
-    "flowRoot": Flaw("text is no curve", "left out; as paths it would come in"),
+    "text": Flaw("text is no curve", "left out, but as paths it would come in"),
+    "flowRoot": Flaw("text is no curve", "left out, but as paths it would come in"),
     "image": Flaw("a picture is no curve", "left out"),
     "foreignObject": Flaw("it is of another kind than SVG", "left out"),
     "script": Flaw("programs are not run", "left out"),
@@ -53,6 +66,7 @@ _EFFECTS = {
     "filter": Flaw("a filter changes it", "it comes in without"),
     "mix-blend-mode": Flaw("it is blended with what lies below", "it covers that"),
 }
+_NO_EFFECT = ("none", "normal")
 _CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
 _CUT_OFF = Flaw("the view box around it cuts some of it off", "it comes in whole")
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
@@ -86,8 +100,9 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
     paths = reader.all_paths()
-    found = imported(paths, tuple(reader.missed))
-    document = msgspec.structs.replace(found.document, unit=reader.sheet.unit, page=reader.sheet.page)
+    found = imported(paths, missed=tuple(reader.missed))
+    sheet = reader.sheet
+    document = msgspec.structs.replace(found.document, unit=sheet.unit, page=sheet.page)
     return replace(found, document=document)
 
 
@@ -107,29 +122,25 @@ class _Reader:
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
         self._by_id = {element.get("id", ""): element for element in root.iter()}
         self._ours = OurOwn(root)
-        self.sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
+        sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
+        self.sheet = sheet if self._ours.has_page else replace(sheet, page=None)
         self._cascade = Cascade(root)
-        self.missed: list[Missed] = list(self._cascade.missed)
+        self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
         self._styles = StyleReader(Paints(self._by_id, self._cascade.of))
-        self._clips = Clips(root, self._by_id)
-        self._names = GroupNames()
         self._visited = self._found = 0
-        self._unpainted: list[tuple[int, ET.Element]] = []
-        """Shapes of which nothing is seen, by the number of the first path that comes after them."""
+        self._shapes: list[ET.Element] = []
 
     def all_paths(self) -> list[ImportedPath]:
-        """Return the paths of the file."""
+        """Return the paths of the file; of those that nobody painted only where there are no others."""
         state = State(self.sheet.matrix, self.sheet.viewport)
-        paths = list(self._paths(self._root, state, depth=0))
-        seen = [path for path in paths if path.look.style.is_painted]
-        # A file of nothing else is one of lines that nobody painted yet.
-        if not seen:
-            paths = [replace(path, look=replace(path.look, style=self._ours.ink)) for path in paths]
-        for _, element in self._unpainted:
-            self._miss(element, Flaw(_UNPAINTED, "left out" if seen else "it comes in as a line"))
-        return settled(seen or paths)
+        drawn = list(self._drawn(self._root, state, depth=0))
+        seen = [each for each in drawn if _is_seen(each)]
+        instead = "left out" if seen else "it comes in as a line"
+        for number in dict.fromkeys(each.element for each in drawn if not _is_seen(each)):
+            self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
+        return settled(seen or [_with_line(each) for each in drawn])
 
-    def _paths(self, element: ET.Element, state: State, depth: int) -> Iterator[ImportedPath]:
+    def _drawn(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
         """Yield the paths of an element and those in it."""
         self._visited += 1
         if self._visited > MAX_ELEMENTS:
@@ -137,13 +148,210 @@ class _Reader:
         tag = tag_of(element)
         if element.get("requiredExtensions") or self._ours.is_no_curve(element):
             return
-        state = self._entered(element, state)
+        declared = self._cascade.of(element)
+        state = self._entered(element, declared, state)
         if tag in _NO_CURVES:
             if state.properties.is_visible:
                 self._miss(element, _NO_CURVES[tag])
-        elif tag in _SHAPES:
-            yield from self._shape(element, tag, state)
+            return
+        first = len(self._shapes)
+        if tag in SHAPES:
+            yield from self._shape(element, tag, declared, state)
         elif tag == "use":
             yield from self._used(element, state, depth)
         elif tag in _CONTAINERS:
             yield from self._contained(element, tag, state, depth)
+        count = len(self._shapes) - first
+        if count and state.properties.is_visible:
+            self._miss_effects(element, declared, state, is_many=count > 1)
+
+    def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
+        matrix, windows = state.matrix, state.windows
+        # A rule outweighs the attribute.
+        transform = declared.get("transform", "none")
+        transform = element.get("transform", "") if transform == "none" else transform
+        if transform.strip():
+            try:
+                matrix = combined(matrix, transform_of(transform))
+            except ExchangeError as problem:
+                raise self._broken(element, str(problem)) from None
+            if not np.isfinite(matrix).all():
+                raise self._broken(element, "its transform is beyond all numbers.")
+        if (box := self._clip_box(declared, state)) is not None:
+            windows = (*windows, Window(box, matrix, _CLIPPED))
+        return replace(
+            state,
+            matrix=matrix,
+            windows=windows,
+            properties=state.properties.entered(declared),
+            is_locked=state.is_locked or element.get(_INSENSITIVE) == "true",
+        )
+
+    def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
+        if tag == "g" or (depth > 0 and name_of(element)):
+            is_layer = element.get(_GROUP_MODE) == "layer"
+            group = Group(self._visited, name_of(element), is_layer)
+            state = replace(state, groups=(*state.groups, group))
+        if tag == "svg" and depth > 0:
+            x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
+            state = self._in_view_box(element, element, state, (x, y))
+        for child in element:
+            if tag_of(child) not in _ONLY_WHEN_USED and _speaks_to_us(child):
+                yield from self._drawn(child, state, depth + 1)
+                if tag == "switch":
+                    break
+
+    def _in_view_box(
+        self, element: ET.Element, sized: ET.Element, state: State, corner: tuple[float, float]
+    ) -> State:
+        """Return the state in a view box, whose size another element may say."""
+        width, height = (
+            self._length(sized, name, state) or self._length(element, name, state) or whole
+            for name, whole in (("width", state.viewport.width), ("height", state.viewport.height))
+        )
+        box = box_of(element.get("viewBox", ""))
+        if width is None or height is None or width <= 0 or height <= 0:
+            return replace(state, matrix=combined(state.matrix, _moving(*corner)))
+        place: Box = (*corner, width, height)
+        windows = (*state.windows, Window(place, state.matrix, _CUT_OFF))
+        if box is None:
+            matrix = combined(state.matrix, _moving(*corner))
+            return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
+        fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
+        matrix = combined(state.matrix, fit)
+        return replace(state, matrix=matrix, viewport=Viewport(*box[2:]), windows=windows)
+
+    def _used(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
+        reference = reference_of(element)
+        target = self._by_id.get(reference.removeprefix("#"))
+        if not reference.startswith("#") or target is None:
+            self._miss(element, Flaw("what it uses is not in the file", "left out"))
+            return
+        if reference in state.inside or depth > MAX_DEPTH:
+            raise self._broken(element, f"it uses itself by way of “{reference[:40]}”.")
+        x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
+        state = replace(state, inside=(*state.inside, reference))
+        if tag_of(target) in ("symbol", "svg"):
+            state = self._in_view_box(target, element, state, (x, y))
+            entered = self._entered(target, self._cascade.of(target), state)
+            yield from self._contained(target, "symbol", entered, depth + 1)
+        else:
+            state = replace(state, matrix=combined(state.matrix, _moving(x, y)))
+            yield from self._drawn(target, state, depth + 1)
+
+    def _shape(
+        self, element: ET.Element, tag: str, declared: Mapping[str, str], state: State
+    ) -> Iterator[Drawn]:
+        stretch = largest_scale(state.matrix)
+        tolerance = self._tolerance / stretch if self._tolerance is not None and stretch > 0 else None
+        try:
+            with np.errstate(all="ignore"):
+                subpaths = subpaths_of(element, state.viewport, tolerance)
+        except UnknownLengthError:
+            self._miss(element, _NO_LENGTHS)
+            return
+        except ExchangeError as problem:
+            raise self._broken(element, str(problem)) from None
+        drawn = [each for each in subpaths if _has_length(each)]
+        # A point without a round or square cap is not seen.
+        if len(drawn) < len(subpaths) and state.properties.shows_points:
+            self._miss(element, _ONE_POINT)
+        if not drawn:
+            return
+        self._shapes.append(element)
+        name = name_of(element) or f"{tag.capitalize()} {self._number[element]}"
+        look = self._look(element, declared, state)
+        look = replace(look, shape=name) if len(drawn) > 1 else look
+        for index, subpath in enumerate(drawn, start=1):
+            self._found += 1
+            if self._found > MAX_PATHS:
+                raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
+            path = ImportedPath(
+                name if len(drawn) == 1 else f"{name} ({index})",
+                look,
+                moved(subpath.controls, state.matrix),
+                subpath.closed,
+                subpath.deviation * stretch,
+            )
+            yield Drawn(path, len(self._shapes), state.groups)
+            self._miss_beyond(element, path, state)
+
+    def _look(self, element: ET.Element, declared: Mapping[str, str], state: State) -> Look:
+        keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
+        scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
+        style, flaws = self._styles.style(state.properties, state.viewport, scale)
+        if style.has_stroke and not keeps_width and is_uneven(state.matrix):
+            flaws = (*flaws, _UNEVEN)
+        if state.properties.is_visible:
+            for flaw in flaws:
+                self._miss(element, flaw)
+        visible = state.properties.is_visible
+        return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
+
+    def _clip_box(self, declared: Mapping[str, str], state: State) -> Box | None:
+        return clip_box(declared.get("clip-path", ""), self._by_id, state.viewport)
+
+    def _length(self, element: ET.Element, name: str, state: State) -> float | None:
+        try:
+            return length_of(element, name, state.viewport)
+        except ExchangeError as problem:
+            raise self._broken(element, str(problem)) from None
+
+    # What is missed
+
+    def _miss_effects(
+        self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
+    ) -> None:
+        """Tell what an element that holds shapes does to them beside their styles."""
+        found = [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
+        if declared.get("clip-path", "none") != "none" and self._clip_box(declared, state) is None:
+            found.append(_CLIPPED)
+        if is_many and share_of(declared.get("opacity", "1")) < 1:
+            found.append(_TRANSPARENT)
+        for flaw in found:
+            self._miss(element, flaw)
+
+    def _miss_beyond(self, element: ET.Element, path: ImportedPath, state: State) -> None:
+        """Tell of a path that reaches beyond what is shown of it."""
+        for window in state.windows:
+            if path.look.visible and not window.holds(extent_of(path.pieces)):
+                self._miss(element, window.flaw)
+
+    def _miss(self, element: ET.Element, flaw: Flaw) -> None:
+        number = self._number[element]
+        missed = Missed(f"<{tag_of(element)}>", shown_name(element), number, flaw.why, flaw.instead)
+        # Once, however often an element is used.
+        self.missed[missed] = None
+
+    def _broken(self, element: ET.Element, why: str) -> ExchangeError:
+        if why.startswith("Element "):
+            return ExchangeError(why)
+        return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
+
+
+def _has_length(subpath: Subpath) -> bool:
+    """Whether a subpath is more than a point."""
+    controls = subpath.controls
+    return bool((controls != subpath.start).any())
+
+
+def _speaks_to_us(element: ET.Element) -> bool:
+    """Whether an element of a `switch` is for everybody, or for those who read English."""
+    language = element.get("systemLanguage", "en")
+    return not element.get("requiredExtensions") and any(
+        each.strip().startswith("en") for each in language.split(",")
+    )
+
+
+def _moving(x: float, y: float) -> FloatArray:
+    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
+
+
+def _is_seen(drawn: Drawn) -> bool:
+    style = drawn.path.look.style
+    return style.has_stroke or style.has_fill
+
+
+def _with_line(drawn: Drawn) -> Drawn:
+    """Return a shape without any paint as a line."""
+    return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))

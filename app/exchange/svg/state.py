@@ -8,36 +8,31 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from .groups import Group
 from .lengths import Viewport
 from .matrices import Box, moved
-from .properties import Properties
+from .properties import Flaw, Properties
 
 _ROUNDING = 1e-9
 
 
-@dataclass(frozen=True)
-class Group:
-    """A group around shapes.
+@dataclass(frozen=True, eq=False)
+class Window:
+    """A box beyond which nothing is shown.
 
     Attributes
     ----------
-    name
-        Of its own among its siblings.
-    is_named, is_layer
-        Whether the file names it, and whether it is a layer.
+    box
+        In the units of some element.
+    matrix
+        From those to the document's plane.
+    flaw
+        What is said of a shape that reaches beyond.
     """
-
-    name: str
-    is_named: bool = True
-    is_layer: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Window:
-    """A view box within a file, beyond which nothing is shown."""
 
     box: Box
     matrix: FloatArray
+    flaw: Flaw
 
     def holds(self, points: FloatArray) -> bool:
         """Whether points (n, 2) of the document lie in it; only boxes with upright edges know that."""
@@ -63,7 +58,7 @@ class State:
     groups
         Those around it, the outermost first.
     windows
-        The view boxes around it, but for that of the file.
+        The boxes that it is shown in, but for that of the file.
     is_locked
         Whether Inkscape keeps it from being touched.
     """
