@@ -109,7 +109,10 @@ class CurveListModel(Guarded, QAbstractListModel):
         }
 
     def _build(self) -> None:
-        self._put(list(_entries(tree_of(self._curves), self._open)))
+        tree = tree_of(self._curves)
+        # What is no more is folded when something of its name is there again: in another document, for one.
+        self._open &= {_key(node) for top in tree for node in top.walk()}
+        self._put(list(_entries(tree, self._open)))
 
     def _put(self, entries: list[Entry]) -> None:
         rows = [self._row(entry.node) for entry in entries]
