@@ -25,6 +25,8 @@ class PastViews(QObject):
         self._before: list[Box] = []
         self._after: list[Box] = []
         self._seen, self._size = camera.pixel_map.box, self._size_now()
+        # Whether a view of before is being shown, which is no move.
+        self._is_going = False
         self._moving = QTimer(self, singleShot=True, interval=_REST_MS)
         camera.changed.connect(self._note)
 
@@ -35,7 +37,7 @@ class PastViews(QObject):
     def _note(self) -> None:
         """Remember what was seen before this move, unless the window has only got another size."""
         box, size = self._camera.pixel_map.box, self._size_now()
-        if size == self._size and box != self._seen:
+        if size == self._size and box != self._seen and not self._is_going:
             if not self._moving.isActive():
                 self._before = [*self._before[-_MOST:], self._seen]
                 self._after.clear()
@@ -66,9 +68,8 @@ class PastViews(QObject):
             return False
         box = source.pop()
         other.append(self._seen)
-        # Known from now on, so that going there is no move.
-        self._seen = box
         x_min, y_min, x_max, y_max = box
+        self._is_going = True
         self._camera.show_box((x_min, x_max), (y_min, y_max))
-        self._seen = self._camera.pixel_map.box
+        self._is_going = False
         return True

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ... import exchange
 from ...document.expression import ExpressionError
 from ...document.words import number
-from ...exchange.units import MILLIMETRES, known_unit
 from ...widgets.field_edit import read_number
 
 PIXELS_WITHOUT_UNIT = 100.0
@@ -17,16 +17,21 @@ _PLAIN = (0.01, 1e6)
 
 def pixels_at_full_size(unit: str, dots_per_inch: float) -> float:
     """Return how many pixels a length of 1 takes at 100 %: as many as on paper, if its unit is one."""
-    known = known_unit(unit)
+    known = _known_unit(unit)
     if not known:
         return PIXELS_WITHOUT_UNIT
-    return MILLIMETRES[known] / _MILLIMETRES_PER_INCH * dots_per_inch
+    return exchange.units.MILLIMETRES[known] / _MILLIMETRES_PER_INCH * dots_per_inch
+
+
+def _known_unit(name: str) -> str:
+    """Return the unit of length that a name means; empty where it is none, or there is no name."""
+    return exchange.units.known_unit(name) if name else ""
 
 
 def words_about_full_size(unit: str, dots_per_inch: float) -> str:
     """Return what 100 % means here, as a sentence."""
     pixels = number(pixels_at_full_size(unit, dots_per_inch), 3)
-    if known := known_unit(unit):
+    if known := _known_unit(unit):
         return f"100 % is true size on this screen: 1 {known} is {pixels} pixels."
     return f"Without a unit of length 100 % shows a length of 1 as {pixels} pixels."
 

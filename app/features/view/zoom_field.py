@@ -17,6 +17,7 @@ from .zoom import per_cent_text, read_zoom
 _SOON_MS = 33
 """Milliseconds after which a zoom is written: a wheel is quicker than an eye."""
 
+_PADDING = 4
 _WIDEST = "88888888 %"
 
 
@@ -48,6 +49,9 @@ class ZoomField(QWidget):
         self._choices.setArrowType(Qt.ArrowType.UpArrow)
         self._choices.clicked.connect(self._open_menu)
         self._menu = named(QMenu(self._choices), "zoomMenu")
+        # No taller than the words beside it: the status line would grow.
+        for part in (self.edit, self._choices):
+            part.setMaximumHeight(self.fontMetrics().height() + _PADDING)
         row_of(self.edit, self._choices, margins=0, spacing=0, parent=self)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._write)
