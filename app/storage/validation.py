@@ -18,6 +18,7 @@ from ..document.model import (
     ReferenceImage,
     Vector,
 )
+from ..document.ties import holds
 from .format_error import RANGE, FormatError, quoted
 
 
@@ -27,7 +28,8 @@ def validate(document: Document) -> None:
     A document has at least one curve. Every number is finite, its magnitude at most `MAX_MAGNITUDE`.
     A parametrization has start < end and alpha in [0, 1]. The parameters that the points carry increase
     strictly in the order of the points, also where a rule is in force and they are only remembered; under
-    the manual parametrization every point carries one. A curve may have one point or none. An image has a
+    the manual parametrization every point carries one. Tied velocities are both there, and parallel.
+    A curve may have one point or none. An image has a
     path to a file of this computer, a positive size and an opacity in [0, 1].
     """
     if not document.curves:
@@ -81,6 +83,11 @@ def _validate_curve(curve: Curve, place: str) -> None:
         raise FormatError(
             f'{place}.colour must be written as "#rrggbb" in lower case, not {quoted(curve.colour)}'
         )
+    for index, point in enumerate(curve.points) if any(map(attrgetter("tied"), curve.points)) else ():
+        if point.tied and not (type(point.tied) is bool and holds(point)):
+            raise FormatError(
+                f"{place}.points[{index}].tied needs a corner, velocity and velocity_after in one direction"
+            )
     if not _all_within(curve.points):
         for index, point in enumerate(curve.points):
             for key, value in _numbers(point):
