@@ -2,13 +2,15 @@
 
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.
-- ``plain``: NumPy's numbers turned into Python's before a document holds them.
+- ``style``: stroke and fill of a curve.  ``shapes``: neighbouring curves that are drawn as one.
+- ``value``: their base.  ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``several_curves``: of several curves at once, and curves from elsewhere.
-- ``straight_edits``: segments made straight.
+- ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
+- ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
 - ``image_edits``: of the picture to trace.
 - ``expression``: numbers as people type them.
