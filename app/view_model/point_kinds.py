@@ -17,7 +17,15 @@ from ..document.model import Curve, Vector
 from ..families import Family, titles_with_derivatives
 from .curve_view import CurveView
 from .point_arrays import PointArrays
-from .smoothness import NO_CORNERS, ONE_SIDED, made_estimated, made_smooth, made_symmetric, with_corners
+from .smoothness import (
+    NO_CORNERS,
+    ONE_SIDED,
+    inner_points,
+    made_estimated,
+    made_smooth,
+    made_symmetric,
+    with_corners,
+)
 
 Outline = tuple[Vector, ...]
 
@@ -42,7 +50,7 @@ class PointKind(msgspec.Struct, frozen=True, kw_only=True):
     step
         What the step of the history says before "point 3".
     one
-        How a point of the kind is named after "point 3, ".
+        How a point of the kind is named after "point 3, "; empty where nothing needs to be said.
     made
         Returns the curve of a view with points of this kind, its shape kept as far as can be; raises
         `EditError` where it cannot be.
@@ -71,11 +79,11 @@ class PointKind(msgspec.Struct, frozen=True, kw_only=True):
     ends: str = ""
 
 
-_SIDE = 0.9
+_SIDE = 0.96
 """Half the side of a square that looks as large as a disc of radius 1."""
 
 _SQUARE = ((-_SIDE, -_SIDE), (_SIDE, -_SIDE), (_SIDE, _SIDE), (-_SIDE, _SIDE))
-_REACH = 1.3
+_REACH = 1.4
 _DIAMOND = ((0.0, -_REACH), (_REACH, 0.0), (0.0, _REACH), (-_REACH, 0.0))
 
 CORNER = PointKind(
@@ -128,7 +136,7 @@ ESTIMATED = PointKind(
     tip="Let the rules estimate the tangents of the selected points",
     keywords="auto smooth automatic reset",
     step="Estimate",
-    one="estimated",
+    one="",
     made=made_estimated,
     are_of=lambda points: np.ones(len(points.points), dtype=bool),
 )
@@ -156,6 +164,11 @@ def kinds_of(view: CurveView) -> IntArray:
 def kind_at(view: CurveView, index: int) -> PointKind:
     """Return the kind that a point of a curve is of."""
     return POINT_KINDS[kinds_of(view)[index]]
+
+
+def is_breakable(view: CurveView, index: int) -> bool:
+    """Whether a handle of a point moves another one along: it has curve on both sides, and is no corner."""
+    return kind_at(view, index) is not CORNER and bool(inner_points(view.source, [index]))
 
 
 def toggled(view: CurveView, index: int) -> PointKind:
