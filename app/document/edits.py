@@ -17,6 +17,7 @@ from .derivatives import DERIVATIVES, VECTORS, EstimateRule
 
 # Who edits needs these with the edits.
 from .kept_handles import stretched as stretched  # noqa: PLC0414
+from .kept_handles import stretched_beside as stretched_beside  # noqa: PLC0414
 from .kept_handles import with_handles_kept
 from .limits import EditError as EditError  # noqa: PLC0414
 from .limits import checked as checked  # noqa: PLC0414

@@ -60,7 +60,8 @@ def _for_new_spacing(before: Curve, after: Curve, together: Collection[int]) -> 
         for index in growth.points:
             behind, ahead = growth.beside(after.points[index], index)
             factors[index] = far * behind, far * ahead
-    return replace(after, points=tuple(map(_for_spacing, after.points, factors)))
+    pairs = zip(after.points, factors, strict=True)
+    return replace(after, points=tuple(stretched_beside(point, *each) for point, each in pairs))
 
 
 def _moved(before: Curve, after: Curve, together: Collection[int]) -> frozenset[int]:
@@ -118,9 +119,9 @@ def _spacings(curve: Curve, exponent: float) -> list[float]:
     return [math.dist(a.position, b.position) ** exponent for a, b in pairwise(points)]
 
 
-def _for_spacing(point: Point, factors: tuple[float, float]) -> Point:
+def stretched_beside(point: Point, behind: float, ahead: float) -> Point:
     """Rescale derivatives for spacings that grow by these factors, those after a corner by the second."""
-    behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in factors)
+    behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in (behind, ahead))
     if behind == ahead:
         return stretched(point, behind)
     after = stretched(point, ahead)
