@@ -44,7 +44,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self._rings = RingStamps(_ring)
+        self._rings = RingStamps(lambda painter, radius, _form: _ring(painter, radius))
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint halos, lines and rings into the picture; over a shape that prints otherwise, a thin line."""
