@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from .curve_edits import locked_sentence, refuse_locked, remove_curve
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
-from .transforms import Linear, transform_points
+from .transforms import Affine, transform_points
 from .words import points
 
 PointsEdit = Callable[[Document, int, Collection[int]], Document]
@@ -94,7 +94,7 @@ def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     return group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
 
 
-def mapped(document: Document, group: PointGroup, by: Linear) -> Document:
+def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
     return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
 
