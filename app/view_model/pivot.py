@@ -109,6 +109,4 @@ def _similarity(here: FloatArray, there: FloatArray) -> FloatArray:
 
 
 def _linear(here: FloatArray, there: FloatArray) -> FloatArray:
-    solution, *_rest = np.linalg.lstsq(here, there, rcond=None)
-    matrix: FloatArray = solution.T
-    return matrix
+    return np.asarray(np.linalg.lstsq(here, there, rcond=None)[0], dtype=np.float64).T
