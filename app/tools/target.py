@@ -65,6 +65,12 @@ class TransformTarget:
         )
 
     @property
+    def words(self) -> str:
+        """The words for that: "3 curves", "2 points", "all 5 points"."""
+        group = self.for_keys
+        return f"{'all ' if self.group is None and group.only_point is None else ''}{group.words}"
+
+    @property
     def refusal_of_keys(self) -> str:
         """Why keys cannot transform anything: it is locked, or there is nothing."""
         group, source = self.for_keys, self._host.active_view.source
@@ -106,7 +112,9 @@ class TransformTarget:
 
     def _pivot(self) -> Pivot | None:
         chosen = self._host.selected.pivot
-        return chosen.at(anchored(self._host.views, self.for_keys)) if chosen is not None else None
+        if chosen is None:
+            return None
+        return chosen.at(anchored(self._host.views, self.for_keys, live=self._host.is_previewing))
 
     def set_pivot(self, place: Vector | None) -> None:
         """Choose a pivot for what keys transform, None for its middle."""

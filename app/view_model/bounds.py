@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 import numpy as np
@@ -42,6 +43,23 @@ class Bounds(msgspec.Struct, frozen=True):
         """Return the box around both."""
         low = (min(self.low[0], other.low[0]), min(self.low[1], other.low[1]))
         return Bounds(low, (max(self.high[0], other.high[0]), max(self.high[1], other.high[1])))
+
+
+NINE: Final = tuple((across, up) for up in (1, 0, -1) for across in (-1, 0, 1))
+"""The nine places of a box, as they are read: from the upper left one to the lower right one."""
+
+_ACROSS, _UP = ("left", "middle", "right"), ("bottom", "middle", "top")
+
+
+def name_of_place(across: int, up: int) -> str:
+    """Return the words for one of the nine places: "top left", "right", "middle"."""
+    names = [_UP[up + 1]] * bool(up) + [_ACROSS[across + 1]] * bool(across)
+    return " ".join(names) or "middle"
+
+
+def nine_places(bounds: Bounds) -> dict[str, Vector]:
+    """Return the nine places of a box by their names."""
+    return {name_of_place(*at): bounds.place(*at) for at in NINE}
 
 
 def bounds_of(views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool = False) -> Bounds | None:

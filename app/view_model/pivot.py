@@ -17,7 +17,9 @@ from curvecore.arrays import FloatArray
 from ..document.model import Vector
 from ..document.several_curves import PointGroup
 from ..document.transforms import IDENTITY, Affine
+from .bounds import Bounds, bounds_of
 from .curve_view import CurveView
+from .stretch import between
 
 _SLACK = 1e-9
 """Share of the size of a group within which points count as mapped."""
@@ -30,12 +32,13 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
     ----------
     group
         Which points.
-    points
-        Where they were, (k, 2).
+    points, bounds
+        Where they were, (k, 2), and the bounds of the group; None of no points.
     """
 
     group: PointGroup
     points: FloatArray
+    bounds: Bounds | None
 
     def since(self, now: Anchor) -> Affine | None:
         """Return the map that a transform has done since; None where other points are meant by now.
@@ -47,13 +50,23 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
             return IDENTITY
         if self.group != now.group or before.shape != after.shape:
             return None
-        return _map_between(before, after)
+        return self._as_boxes(_map_between(before, after), now)
+
+    def _as_boxes(self, by: Affine, now: Anchor) -> Affine:
+        """Return a map along the axes as that of the bounds: where a curve is stretched they are exact."""
+        before, after, is_turned = self.bounds, now.bounds, max(abs(by.xy), abs(by.yx)) > _SLACK
+        if is_turned or before is None or after is None:
+            return by
+        flips = (1.0 + by.xx < 0.0, 1.0 + by.yy < 0.0)
+        x, y = (-1 if is_flipped else 1 for is_flipped in flips)
+        return between(before, (after.place(-x, -y), after.place(x, y)))
 
 
-def anchored(views: Sequence[CurveView], group: PointGroup) -> Anchor:
-    """Return a group as it is now."""
+def anchored(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> Anchor:
+    """Return a group as it is now; `live` while it is dragged, with its bounds as they are drawn."""
     parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts]
-    return Anchor(group, np.concatenate(parts) if parts else np.empty((0, 2)))
+    points = np.concatenate(parts) if parts else np.empty((0, 2))
+    return Anchor(group, points, bounds_of(views, group, as_drawn=live))
 
 
 class Pivot(msgspec.Struct, frozen=True, eq=False):
