@@ -44,7 +44,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self._rings = RingStamps(lambda painter, radius, _form: _ring(painter, radius))
+        self._rings = RingStamps(_ring)
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint halos, lines and rings into the picture; over a shape that prints otherwise, a thin line."""
@@ -85,5 +85,5 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         return near[:: max(len(near) // _MOST_RINGS, 1)]
 
 
-def _ring(painter: QPainter, radius: float) -> None:
+def _ring(painter: QPainter, radius: float, _form: int) -> None:
     painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
