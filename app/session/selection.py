@@ -14,6 +14,7 @@ from ..document.selection import (
     returned_points,
 )
 from ..document.shapes import whole_shapes
+from ..view_model.pivot import Pivot
 
 if TYPE_CHECKING:
     from .session import Session
@@ -39,6 +40,8 @@ class Selection:
         The point under the pointer, or -1.
     scrub
         The t of the scrub line, or None.
+    pivot
+        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
     """
 
     def __init__(self, session: Session) -> None:
@@ -50,6 +53,7 @@ class Selection:
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
+        self.pivot: Pivot | None = None
         # The place that was asked for: the scrub line stands there as far as the curve goes.
         self._scrub_asked: float | None = None
 
@@ -64,6 +68,11 @@ class Selection:
         if not self.is_editing:
             return self._chosen
         return self.curves if len(self.curves) > 1 else frozenset()
+
+    @property
+    def whole(self) -> frozenset[int]:
+        """The selected curves, with all others of their shapes."""
+        return whole_shapes(self._session.document, self.curves)
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select the points at `indices` of the active curve, those that exist; it is edited with any."""
@@ -103,6 +112,12 @@ class Selection:
     def keep_scrub(self) -> None:
         """Put the scrub line where it was asked for, as far as the present curve goes."""
         self.set_scrub(self._scrub_asked)
+
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place, or about the middle (None)."""
+        before, self.pivot = self.pivot, pivot
+        if (before and before.place) != (pivot and pivot.place):
+            self._session.pivot_changed.emit()
 
     # Curves
 

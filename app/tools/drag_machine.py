@@ -12,6 +12,7 @@ from ..document.edits import EditError
 from ..document.model import Document, Vector
 from ..document.selection import Choice
 from ..view_model.curve_view import CurveView
+from ..view_model.pivot import Pivot
 from .drag import Drag
 from .pointer import ORIGIN, Pointer
 
@@ -29,6 +30,7 @@ class SelectionHost(Protocol):
     curves: frozenset[int]
     is_editing: bool
     scrub: float | None
+    pivot: Pivot | None
 
     @property
     def chosen(self) -> frozenset[int]:
@@ -59,6 +61,9 @@ class SelectionHost(Protocol):
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line."""
 
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place."""
+
     def activate(self, index: int) -> None:
         """Edit another curve."""
 
@@ -75,6 +80,10 @@ class EditingHost(Protocol):
     @property
     def document(self) -> Document:
         """The current document."""
+
+    @property
+    def is_previewing(self) -> bool:
+        """Whether a gesture in flight shows another document."""
 
     @property
     def views(self) -> list[CurveView]:

@@ -282,12 +282,12 @@ def test_a_row_dropped_where_it_was_changes_nothing(three):
 
 
 def test_keys_move_a_curve_in_the_order(three):
-    three.key(Qt.Key.Key_Up, ALT)
+    three.key(Qt.Key.Key_BracketRight, CTRL)
     assert names(three) == "ACB"
-    three.key(Qt.Key.Key_Up, ALT)
+    three.key(Qt.Key.Key_BracketRight, CTRL)
     assert names(three) == "ACB"
-    three.key(Qt.Key.Key_Down, ALT)
-    three.key(Qt.Key.Key_Down, ALT)
+    three.key(Qt.Key.Key_BracketLeft, CTRL)
+    three.key(Qt.Key.Key_BracketLeft, CTRL)
     assert names(three) == "BAC"
     assert three.curve.name == "B"
 

@@ -315,7 +315,7 @@ def test_a_drag_inside_the_box_of_points_moves_them(three):
 def test_a_drag_inside_the_box_of_curves_moves_them(whole):
     whole.session.selected.choose({1, 2})
     before = whole.session.document
-    whole.drag((1.5, 5), (1.9, 5.2))
+    whole.drag((0.5, 5.2), (0.9, 5.4))
     for row, expected in ((0, (0, 0)), (1, (0.4, 0.2)), (2, (0.4, 0.2))):
         assert moved_by(whole, before, row) == pytest.approx(expected, abs=2 * whole.pixel)
     assert whole.session.undo_stack.undoText() == "Move 2 curves"
@@ -339,7 +339,7 @@ def test_a_click_inside_the_box_lets_go(three):
     assert (state(three), three.session.selection) == ((True, "", "B"), frozenset())
     three.session.selected.choose({1, 2})
     three.settle()
-    three.click((1.5, 5))
+    three.click((0.5, 5.2))
     assert state(three)[:2] == (False, "")
 
 
