@@ -10,6 +10,7 @@
 - ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``several_curves``: of several curves at once, and curves from elsewhere.
 - ``straight_edits``: segments made straight.
+- ``style_edits``: how curves look, and what several have in common.
 - ``selection``: selected curves and points followed through a change.
 - ``image_edits``: of the picture to trace.
 - ``expression``: numbers as people type them.
