@@ -10,8 +10,8 @@ from typing import Final
 
 from msgspec.structs import replace
 
+from .curve_edits import with_each
 from .model import Document
-from .several_curves import with_each
 from .shapes import whole_shapes
 from .style import Style
 

@@ -16,7 +16,7 @@ from ..document.expression import ExpressionError
 from ..document.style import INK, NO_PAINT
 from .boxes import column_of, row_of
 from .colour_popup import ColourPopup
-from .field_edit import FieldEdit
+from .field_edit import NumberEdit
 from .percent_field import MIXED
 from .tool_buttons import tool_button
 
@@ -60,8 +60,6 @@ class PaintField(FollowsTheme, QWidget):
         A colour is looked at in the popup.
     cancelled
         It is looked at no more, and was not chosen.
-    refused
-        Why a text that was typed is no paint.
 
     Attributes
     ----------
@@ -73,7 +71,6 @@ class PaintField(FollowsTheme, QWidget):
     chosen_for_other = Signal(str)
     previewed = Signal(str)
     cancelled = Signal()
-    refused = Signal(str)
 
     def __init__(self, name: str, label: str, other: str) -> None:
         super().__init__()
@@ -87,8 +84,8 @@ class PaintField(FollowsTheme, QWidget):
         self._button = tool_button(f"{name}Button", f"{label}, choose a colour", tip, icon_size=_PICTURE)
         self._button.clicked.connect(self.open_popup)
         tip = f"{label}: #rrggbb, a name, “ink” or “none” (Enter to set)"
-        self.edit = FieldEdit(f"{name}Hex", label, tip)
-        self.edit.committed.connect(self._read)
+        self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)
+        self.edit.entered.connect(self.chosen)
         self._row = row_of(spacing=2)
         top = row_of(self._button, (self.edit, 1), margins=0, spacing=6)
         column_of(top, self._row, margins=0, spacing=4, parent=self)
@@ -146,15 +143,6 @@ class PaintField(FollowsTheme, QWidget):
             button.setIcon(QIcon(paint_picture(paint, theme)))
 
     # What the person did
-
-    def _read(self, text: str) -> None:
-        try:
-            paint = read_paint(text)
-        except ExpressionError as reason:
-            self.edit.keep()
-            self.refused.emit(str(reason))
-        else:
-            self.chosen.emit(paint)
 
     def open_popup(self) -> ColourPopup:
         """Open the choice of colours below the button."""

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action, also
 from ...actions.sections import CURVE_COLOUR, EDIT_STYLE
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
+from ...appearance.theme import Theme
 from ...document.model import Document
 from ...document.several_curves import named
 from ...document.shapes import whole_shapes
@@ -74,6 +75,10 @@ class StyleCommands:
 
     def render(self, view: CurveView) -> None:
         """Show how the selected curves look."""
+        self._render()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Say how the canvas shows the styles on the paper of `theme`."""
         self._render()
 
     def _render(self, *_: object) -> None:

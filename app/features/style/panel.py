@@ -49,8 +49,8 @@ class StylePanel(FieldForm):
         The fields of shares, by the field of a style that they show.
     """
 
-    wanted = Signal(dict)
-    looked_at = Signal(dict)
+    wanted = Signal(object)
+    looked_at = Signal(object)
     given_up = Signal()
     shown = Signal()
 
@@ -142,7 +142,6 @@ class StylePanel(FieldForm):
         paint.chosen_for_other.connect(lambda value: self.wanted.emit({other: value}))
         paint.previewed.connect(lambda value: self.looked_at.emit({name: value}))
         paint.cancelled.connect(self.given_up)
-        paint.refused.connect(self.refuse)
 
     def _read_width(self, text: str) -> float | None:
         if text.strip().casefold() in ("", AUTO):
