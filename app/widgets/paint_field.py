@@ -85,7 +85,7 @@ class PaintField(FollowsTheme, QWidget):
         self._button.clicked.connect(self.open_popup)
         tip = f"{label}: #rrggbb, a name, “ink” or “none” (Enter to set)"
         self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)
-        self.edit.entered.connect(self.chosen)
+        self.edit.entered.connect(lambda paint: self.chosen.emit(paint))  # noqa: PLW0108 - of other types
         self._row = row_of(spacing=2)
         top = row_of(self._button, (self.edit, 1), margins=0, spacing=6)
         column_of(top, self._row, margins=0, spacing=4, parent=self)
