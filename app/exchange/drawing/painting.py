@@ -42,6 +42,10 @@ _MOST_DASHES = 100_000
 """In a line: Qt makes a line of each, also where nothing is seen of them."""
 
 
+_LEAST_DASH = 1e-3
+"""In place of a dash of no length, of which Qt draws no cap."""
+
+
 class Painting:
     """Paints a drawing whose frame is the painter's whole device, from (0, 0) on.
 
@@ -154,7 +158,8 @@ class Painting:
         pen.setJoinStyle(_JOINS[style.join])
         pen.setMiterLimit(style.miter_limit)
         if style.dash and length <= _MOST_DASHES * sum(style.dash) * width:
-            pen.setDashPattern(list(style.dash if len(style.dash) % 2 == 0 else style.dash * 2))
+            pattern = style.dash if len(style.dash) % 2 == 0 else style.dash * 2
+            pen.setDashPattern([max(each, _LEAST_DASH) for each in pattern])
             pen.setDashOffset(style.dash_offset)
         return pen
 
