@@ -128,6 +128,8 @@ MOTION_MORE = ANALYSIS.section("Motion")
 
 VIEW = Menu("View")
 VIEW_ZOOM = VIEW.section()
+VIEW_ZOOM_TO = VIEW.section("Zoom To", is_separated=False)
+VIEW_PAST = VIEW.section("Zoom To")
 VIEW_DRAWING = VIEW.section()
 VIEW_SHOWN = VIEW.section(is_separated=False)
 VIEW_PANELS = VIEW.section("Panels", is_separated=False)

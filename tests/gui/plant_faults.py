@@ -153,7 +153,6 @@ PLACES = (
     Place(Layer, "draw", lambda editor: editor.window.canvas.grab()),
     Place(Layer, "draw", paint_behind_a_dialog),
     Place(PaintedPlot, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
-    Place(pg.AxisItem, "paint", lambda editor: editor.window.canvas.grab()),
     Place(
         pg.ViewBox, "resizeEvent", lambda editor: editor.window.resize(editor.window.size() + QSize(40, 40))
     ),
