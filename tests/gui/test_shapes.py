@@ -435,3 +435,20 @@ def test_within_the_shape_that_is_edited_a_rubber_band_begins(ring):
     ring.drag((2.0, -0.5), (3.5, 0.5))
     assert ring.session.selection == {0}
     assert ring.curve.name == "Outer"
+
+
+@pytest.mark.parametrize("how", ["pen", "pencil", "paste"])
+def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, how):
+    ring.session.selected.activate(0)
+    if how == "pen":
+        ring.trigger("addTool")
+        ring.click((4.2, 2.0))
+    elif how == "pencil":
+        ring.trigger("pencilTool")
+        ring.drag((4.2, -2.0), (4.3, 2.0))
+        ring.wait_for_work()
+    else:
+        ring.paste_text("0 5\n1 6\n2 5")
+        ring.key(Qt.Key.Key_V, CTRL | SHIFT)
+    assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
+    assert names(ring)[2] == "Curve 1"
