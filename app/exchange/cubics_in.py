@@ -4,10 +4,15 @@ A Hermite curve has one velocity at a smooth point, while a path has two handles
 there. The lengths of the segments in t make up for it: the next segment is as long, in t, as makes its
 first handle fit the velocity that the one before ends with. Where the handles do not lie on a line, the
 point becomes a corner with two velocities.
+
+Programs write few digits: handles that a person has drawn on one line miss it by a rounding. Where that is
+all, the shorter one is turned to the other, and both are tied, as are handles of different lengths that lie
+on one line to the last bit.
 """
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -29,11 +34,24 @@ from ..document.model import (
     Vector,
 )
 from ..document.style import Style
+from ..document.ties import tied
 from ..families import HERMITE
 from .errors import ExchangeError
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""
+
+_MOST_TURNED = math.radians(1.0)
+_TURNED = 5e-4
+"""Angle, and share of the path's size, by which a handle may be turned to be tied to the other.
+
+Coordinates of two decimals in an icon of 24 units turn one that is a unit long by 0.6°, and move its tip by
+4e-4. A corner of 1° is not seen, and the curve moves by 4/9 of that at most: a fifth of a pixel where it fills
+a thousand.
+"""
+
+_ALIKE = 0.01
+"""Share by which handles differ in length that are meant to be equally long."""
 
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
@@ -212,7 +230,7 @@ def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     if not (np.diff(t) > 0).all():
         raise ExchangeError(f"“{path.name}” has pieces of too different lengths.")
     h = np.diff(t)[:, None]
-    points = _points(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
+    points = _points(pieces, leaving / h, arriving / h, t, joints, path.closed)
     rule = Parametrization(ParametrizationKind.MANUAL)
     curve = Curve(path.name, HERMITE, rule, points, closed=path.closed, style=Style(stroke=path.colour))
     return curve, _INFLUENCE * joints.moved
@@ -238,6 +256,8 @@ class _Joints:
     ----------
     smooth
         For each piece, whether the joint at its end is smooth.
+    tied
+        Whether the velocities there are tied: not of smooth joints whose handles are equally long.
     steps
         For each piece its length in t.
     moved
@@ -271,6 +291,26 @@ class _Joints:
             self.moved = max(self.moved, float(apart[here]))
             if not last:
                 self.steps[following] = step
+        self.tied = self._tied(arriving, after, tolerance / SMOOTH)
+        if not closed:
+            self.tied[-1] = False
+
+    def _tied(self, arriving: FloatArray, leaving: FloatArray, size: float) -> list[bool]:
+        """Return which joints have handles on one line, of different lengths or beside a straight piece."""
+        a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
+        with np.errstate(all="ignore"):
+            cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / (a * b)
+        goes_on = (np.einsum("kd,kd->k", arriving, leaving) > 0) & (cross <= _MOST_TURNED)
+        way = np.minimum(a, b) / 3 * cross
+        # Behind and ahead of each joint.
+        straight = np.abs(arriving - np.roll(leaving, 1, axis=0)).max(axis=1) <= SMOOTH * size
+        beside_line = straight | np.roll(straight, -1)
+        are_alike = (np.abs(a - b) <= _ALIKE * np.maximum(a, b)) & ~beside_line
+        is_smooth = np.array(self.smooth)
+        found = np.where(is_smooth, goes_on & ~are_alike, goes_on & (way <= _TURNED * size))
+        self.moved = max(self.moved, float(way[found & ~is_smooth].max(initial=0.0)))
+        ties: list[bool] = found.tolist()
+        return ties
 
     @staticmethod
     def _apart(arriving: FloatArray, leaving: FloatArray) -> FloatArray:
@@ -302,16 +342,19 @@ def _points(
     leaving: FloatArray,
     arriving: FloatArray,
     t: FloatArray,
-    smooth: list[bool],
+    joints: _Joints,
     closed: bool,
 ) -> tuple[Point, ...]:
-    start, end = _pairs(leaving), _pairs(arriving)
+    start, end, steps = _pairs(leaving), _pairs(arriving), joints.steps.tolist()
     positions, at = _pairs(pieces[:, 0]), t.tolist()
     points = []
     for i, (x, y) in enumerate(positions):
         if i == 0 and not closed:
             points.append(Point(x, y, at[0], start[0]))
-        elif smooth[i - 1]:
+        elif joints.tied[i - 1]:
+            after = end[i - 1] if joints.smooth[i - 1] else start[i]
+            points.append(tied(Point(x, y, at[i]), end[i - 1], after, (steps[i - 1], steps[i])))
+        elif joints.smooth[i - 1]:
             points.append(Point(x, y, at[i], end[i - 1]))
         else:
             points.append(Point(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
