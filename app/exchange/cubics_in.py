@@ -46,8 +46,8 @@ _TURNED = 5e-4
 """Angle, and share of the path's size, by which a handle may be turned to be tied to the other.
 
 Coordinates of two decimals in an icon of 24 units turn one that is a unit long by 0.6°, and move its tip by
-4e-4. A corner of 1° is not seen, and the curve moves by 4/9 of that at most: a fifth of a pixel where it fills
-a thousand.
+4e-4. A corner of 1° is not seen, and the curve moves by 4/9 of that at most: a fifth of a pixel where it
+fills a thousand.
 """
 
 _ALIKE = 0.01
