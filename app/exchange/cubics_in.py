@@ -1,18 +1,10 @@
 """Cubic Bézier pieces in: a path from another program becomes a cubic Hermite curve, exactly.
 
-A Hermite curve has one velocity at a smooth point, while a path has two handles of different lengths
-there. The lengths of the segments in t make up for it: the next segment is as long, in t, as makes its
-first handle fit the velocity that the one before ends with. Where the handles do not lie on a line, the
-point becomes a corner with two velocities.
-
-Programs write few digits: handles that a person has drawn on one line miss it by a rounding. Where that is
-all, the shorter one is turned to the other, and both are tied, as are handles of different lengths that lie
-on one line to the last bit.
+What becomes of the joints of its pieces is in `joints_in`.
 """
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -33,25 +25,12 @@ from ..document.model import (
     Point,
     Vector,
 )
-from ..document.style import Style
-from ..document.ties import tied
+from ..document.shapes import tidy_shapes
+from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
 from .errors import ExchangeError
-
-SMOOTH = 1e-9
-"""By how much of the path's size a control point may move to make a joint smooth."""
-
-_MOST_TURNED = math.radians(1.0)
-_TURNED = 5e-4
-"""Angle, and share of the path's size, by which a handle may be turned to be tied to the other.
-
-Coordinates of two decimals in an icon of 24 units turn one that is a unit long by 0.6°, and move its tip by
-4e-4. A corner of 1° is not seen, and the curve moves by 4/9 of that at most: a fifth of a pixel where it
-fills a thousand.
-"""
-
-_ALIKE = 0.01
-"""Share by which handles differ in length that are meant to be equally long."""
+from .joints_in import SMOOTH, Joints, points_of
+from .missed import Missed
 
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
@@ -60,7 +39,6 @@ _OUTER = 3
 _MOST_NAMES = 24
 """Of groups, when they are listed: the three outermost of each curve, and so many in all."""
 
-_FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
 
 # A control point moves the curve by at most the largest value of its Bernstein polynomial.
 _INFLUENCE = 4.0 / 9.0
@@ -78,25 +56,29 @@ class Imported:
         Largest distance of its curves from what the file describes, but for rounding.
     remarks
         One sentence for everything that was left out.
-    groups
-        For every curve the names of the groups that it lies in, from the outermost on; empty where a file
-        knows none.
+    missed
+        The elements of a drawing that come in otherwise than they are drawn.
     """
 
     document: Document
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
-    groups: tuple[tuple[str, ...], ...] = ()
+    missed: tuple[Missed, ...] = ()
 
     @property
-    def _chains(self) -> tuple[tuple[str, ...], ...]:
-        return self.groups or ((),) * len(self.document.curves)
+    def sentences(self) -> tuple[str, ...]:
+        """All that is to be said of what did not come in as it is."""
+        return (*(each.sentence for each in self.missed), *self.remarks)
+
+    @property
+    def has_groups(self) -> bool:
+        """Whether any curve lies in a group."""
+        return any(curve.groups for curve in self.document.curves)
 
     def only(self, taken: Sequence[bool]) -> Imported:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
         curves = tuple(compress(self.document.curves, taken))
-        document = msgspec.structs.replace(self.document, curves=curves)
-        return replace(self, document=document, groups=tuple(compress(self.groups, taken)))
+        return replace(self, document=tidy_shapes(msgspec.structs.replace(self.document, curves=curves)))
 
     def called(self, names: Sequence[str]) -> Imported:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
@@ -106,7 +88,7 @@ class Imported:
         ExchangeError
             If there is none, with the names that there are.
         """
-        own = [(*chain, curve.name) for chain, curve in zip(self._chains, self.document.curves, strict=True)]
+        own = [(*curve.groups, curve.shape, curve.name) for curve in self.document.curves]
         taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
@@ -114,12 +96,22 @@ class Imported:
 
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""
-        curves = self.document.curves
-        names = [chain[:_OUTER] or (curve.name,) for chain, curve in zip(self._chains, curves, strict=True)]
+        names = [curve.groups[:_OUTER] or (curve.name,) for curve in self.document.curves]
         counts = Counter(name for mine in names for name in dict.fromkeys(mine))
         shown = [f"{name} ({count})" if count > 1 else name for name, count in counts.items()]
         more = len(shown) - _MOST_NAMES
         return ", ".join([*shown[:_MOST_NAMES], *([f"and {more} more"] if more > 0 else [])])
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a path shares with all others of its shape; see `Curve`."""
+
+    style: Style = PLAIN_STYLE
+    shape: str = ""
+    groups: tuple[str, ...] = ()
+    visible: bool = True
+    locked: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,24 +120,23 @@ class ImportedPath:
 
     Attributes
     ----------
-    name, colour
+    name
         As in `Curve`.
+    look
+        All else that a curve takes from it.
     pieces
         (k, 4, 2); each begins where the one before ends.
     closed
         Whether the last piece ends where the first begins, on purpose.
     deviation
         Largest distance from what the file describes.
-    groups
-        As in `Imported`.
     """
 
     name: str
-    colour: str
+    look: Look
     pieces: FloatArray
     closed: bool
     deviation: float = 0.0
-    groups: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -154,19 +145,25 @@ class PointsAlone:
 
     Attributes
     ----------
-    name, colour, closed
-        As in `Curve`.
+    name, look
+        As in `ImportedPath`.
     points
         In order, without the first once more at the end.
+    closed
+        As in `Curve`.
     """
 
     name: str
-    colour: str
+    look: Look
     points: tuple[Vector, ...]
     closed: bool
 
 
-def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ...] = ()) -> Imported:
+def imported(
+    paths: Sequence[ImportedPath | PointsAlone],
+    remarks: tuple[str, ...] = (),
+    missed: tuple[Missed, ...] = (),
+) -> Imported:
     """Return the curves of paths as a document.
 
     Raises
@@ -174,11 +171,10 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
     ExchangeError
         If there is none, or if its numbers are beyond what a document may hold.
     """
-    curves, groups, deviation = [], list[tuple[str, ...]](), 0.0
+    curves, deviation = list[Curve](), 0.0
     for path in paths:
         if isinstance(path, PointsAlone):
             curves.append(_through(path))
-            groups.append(())
             continue
         _check_numbers(path)
         # Without those that are no more than a point.
@@ -188,11 +184,11 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
             continue
         curve, moved = _curve(path, pieces)
         curves.append(curve)
-        groups.append(path.groups)
         deviation = max(deviation, path.deviation + moved)
     if not curves:
-        raise ExchangeError(" ".join(["There is no curve in the file.", *remarks]))
-    return Imported(Document(tuple(curves)), deviation, remarks, tuple(groups) if any(groups) else ())
+        sentences = (*(each.sentence for each in missed), *remarks)
+        raise ExchangeError(" ".join(["There is no curve in the file.", *sentences]))
+    return Imported(tidy_shapes(Document(tuple(curves))), deviation, remarks, missed)
 
 
 def lines(points: FloatArray) -> FloatArray:
@@ -204,9 +200,24 @@ def lines(points: FloatArray) -> FloatArray:
 
 def _through(path: PointsAlone) -> Curve:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
-    points = tuple(Point(x, y) for x, y in path.points)
+    return _made(path, Parametrization(), tuple(Point(x, y) for x, y in path.points))
+
+
+def _made(
+    path: ImportedPath | PointsAlone, parametrization: Parametrization, points: tuple[Point, ...]
+) -> Curve:
+    look = path.look
     return Curve(
-        path.name, HERMITE, Parametrization(), points, closed=path.closed, style=Style(stroke=path.colour)
+        path.name,
+        HERMITE,
+        parametrization,
+        points,
+        closed=path.closed,
+        style=look.style,
+        shape=look.shape,
+        groups=look.groups,
+        visible=look.visible,
+        locked=look.locked,
     )
 
 
@@ -224,15 +235,14 @@ def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
         pieces = _halves(pieces[0])
     leaving, arriving = 3 * (pieces[:, 1] - pieces[:, 0]), 3 * (pieces[:, 3] - pieces[:, 2])
     size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
-    joints = _Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, path.closed)
+    joints = Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, path.closed)
     t = np.append(0.0, np.cumsum(joints.steps))
     t /= t[-1]
     if not (np.diff(t) > 0).all():
         raise ExchangeError(f"“{path.name}” has pieces of too different lengths.")
     h = np.diff(t)[:, None]
-    points = _points(pieces, leaving / h, arriving / h, t, joints, path.closed)
-    rule = Parametrization(ParametrizationKind.MANUAL)
-    curve = Curve(path.name, HERMITE, rule, points, closed=path.closed, style=Style(stroke=path.colour))
+    points = points_of(pieces, leaving / h, arriving / h, t, joints, closed=path.closed)
+    curve = _made(path, Parametrization(ParametrizationKind.MANUAL), points)
     return curve, _INFLUENCE * joints.moved
 
 
@@ -247,122 +257,3 @@ def _halves(piece: FloatArray) -> FloatArray:
 
 def _lengths(pieces: FloatArray) -> FloatArray:
     return np.asarray(np.hypot(*np.moveaxis(np.diff(pieces, axis=1), 2, 0)).sum(axis=1))
-
-
-class _Joints:
-    """Smoothness of joints, and lengths of segments in t up to a common factor.
-
-    Attributes
-    ----------
-    smooth
-        For each piece, whether the joint at its end is smooth.
-    tied
-        Whether the velocities there are tied: not of smooth joints whose handles are equally long.
-    steps
-        For each piece its length in t.
-    moved
-        By how much a control point is moved at most.
-    """
-
-    def __init__(
-        self, leaving: FloatArray, arriving: FloatArray, lengths: FloatArray, tolerance: float, closed: bool
-    ) -> None:
-        count = len(lengths)
-        self._tolerance = tolerance
-        self.moved = 0.0
-        self.smooth = [False] * count
-        self.steps = lengths.copy()
-        after = np.roll(leaving, -1, axis=0)
-        apart = self._apart(arriving, after)
-        candidates = apart <= tolerance
-        if not closed:
-            candidates[-1] = False
-        # A closed path is followed from one of its corners, so that no corner is made where it begins.
-        first = int(np.argmin(candidates)) + 1 if not candidates.all() else 0
-        for place in range(first, first + count):
-            here, following = place % count, (place + 1) % count
-            if not candidates[here]:
-                continue
-            step = self._fitting_step(arriving[here], after[here], here, lengths[following])
-            last = place == first + count - 1
-            if step is None or (last and not self._agrees(step, following, after[here])):
-                continue
-            self.smooth[here] = True
-            self.moved = max(self.moved, float(apart[here]))
-            if not last:
-                self.steps[following] = step
-        self.tied = self._tied(arriving, after, tolerance / SMOOTH)
-        if not closed:
-            self.tied[-1] = False
-
-    def _tied(self, arriving: FloatArray, leaving: FloatArray, size: float) -> list[bool]:
-        """Return which joints have handles on one line, of different lengths or beside a straight piece."""
-        a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
-        with np.errstate(all="ignore"):
-            cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / (a * b)
-        goes_on = (np.einsum("kd,kd->k", arriving, leaving) > 0) & (cross <= _MOST_TURNED)
-        way = np.minimum(a, b) / 3 * cross
-        # Behind and ahead of each joint.
-        straight = np.abs(arriving - np.roll(leaving, 1, axis=0)).max(axis=1) <= SMOOTH * size
-        beside_line = straight | np.roll(straight, -1)
-        are_alike = (np.abs(a - b) <= _ALIKE * np.maximum(a, b)) & ~beside_line
-        is_smooth = np.array(self.smooth)
-        found = np.where(is_smooth, goes_on & ~are_alike, goes_on & (way <= _TURNED * size))
-        self.moved = max(self.moved, float(way[found & ~is_smooth].max(initial=0.0)))
-        ties: list[bool] = found.tolist()
-        return ties
-
-    @staticmethod
-    def _apart(arriving: FloatArray, leaving: FloatArray) -> FloatArray:
-        """Return how far the next control point is from the line of the one before; inf if it turns back."""
-        a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
-        with np.errstate(all="ignore"):
-            cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / a / 3
-        dot = np.einsum("kd,kd->k", arriving, leaving)
-        both_rest = (a == 0) & (b == 0)
-        return np.where(both_rest, 0.0, np.where((a > 0) & (b > 0) & (dot > 0), cross, np.inf))
-
-    def _fitting_step(
-        self, arriving: FloatArray, leaving: FloatArray, here: int, length: float
-    ) -> float | None:
-        speed, wanted = float(np.hypot(*arriving)), float(np.hypot(*leaving))
-        if speed == 0:
-            return float(length)
-        step = float(self.steps[here]) * wanted / speed
-        return step if 1 / _FASTEST < step / length < _FASTEST else None
-
-    def _agrees(self, step: float, following: int, leaving: FloatArray) -> bool:
-        """Whether the round trip of a closed path gives its first segment the length that it has."""
-        change = abs(step / float(self.steps[following]) - 1) * float(np.hypot(*leaving)) / 3
-        return change <= self._tolerance
-
-
-def _points(
-    pieces: FloatArray,
-    leaving: FloatArray,
-    arriving: FloatArray,
-    t: FloatArray,
-    joints: _Joints,
-    closed: bool,
-) -> tuple[Point, ...]:
-    start, end, steps = _pairs(leaving), _pairs(arriving), joints.steps.tolist()
-    positions, at = _pairs(pieces[:, 0]), t.tolist()
-    points = []
-    for i, (x, y) in enumerate(positions):
-        if i == 0 and not closed:
-            points.append(Point(x, y, at[0], start[0]))
-        elif joints.tied[i - 1]:
-            after = end[i - 1] if joints.smooth[i - 1] else start[i]
-            points.append(tied(Point(x, y, at[i]), end[i - 1], after, (steps[i - 1], steps[i])))
-        elif joints.smooth[i - 1]:
-            points.append(Point(x, y, at[i], end[i - 1]))
-        else:
-            points.append(Point(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
-    if not closed:
-        x, y = pieces[-1, 3].tolist()
-        points.append(Point(x, y, at[-1], end[-1]))
-    return tuple(points)
-
-
-def _pairs(values: FloatArray) -> list[Vector]:
-    return [(x, y) for x, y in values.tolist()]

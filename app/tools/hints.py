@@ -43,7 +43,7 @@ def on_grip(grip: Grip, group: PointGroup, refusal: str) -> Hint:
         return Hint(refusal)
     what = group.words
     if grip.rotates:
-        return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
+        return Hint(f"Drag to rotate {what} · Shift or Ctrl: steps of 15°", cursor=grip.cursor)
     return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
 
 
