@@ -51,6 +51,8 @@ class Hit(msgspec.Struct, frozen=True):
         picture to trace: 0 to 3, counterclockwise from the lower left.
     over
         For a handle: the point that it lies over, −1 for none.
+    inside
+        For another curve: whether it is hit within what it fills, and not on its line.
     """
 
     part: Part
@@ -61,6 +63,7 @@ class Hit(msgspec.Struct, frozen=True):
     kind: int = 0
     knot: int = -1
     over: int = -1
+    inside: bool = False
 
 
 class Pointer(msgspec.Struct, frozen=True):
