@@ -19,6 +19,7 @@ from .derivatives import VECTORS
 from .edits import EditError, placed, with_each_changed, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector
+from .ties import tied
 from .words import NamedEnum
 
 
@@ -89,7 +90,11 @@ def _mapped(point: Point, by: Affine) -> Point:
         for _, name in VECTORS
         if (vector := getattr(point, name)) is not None
     }
-    return replace(placed(point, by.point(point.position)), **vectors)
+    mapped = replace(placed(point, by.point(point.position)), **vectors)
+    if mapped.tied and mapped.velocity and mapped.velocity_after:
+        # Parallel they are still, but for roundings, which many transforms would add up.
+        return tied(mapped, mapped.velocity, mapped.velocity_after)
+    return mapped
 
 
 def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..document.model import Curve
 from ..document.selection import followed_curves, followed_points, returned_curves, returned_points
+from ..document.shapes import whole_shapes
 from ..view_model.pivot import Pivot
 
 if TYPE_CHECKING:
@@ -46,6 +47,11 @@ class Selection:
     def point(self) -> int | None:
         """The selected point if exactly one is selected."""
         return next(iter(self.points)) if len(self.points) == 1 else None
+
+    @property
+    def whole(self) -> frozenset[int]:
+        """The selected curves, with all others of their shapes."""
+        return whole_shapes(self._session.document, self.curves)
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select the points at `indices` of the active curve, those that exist."""
