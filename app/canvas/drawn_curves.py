@@ -50,10 +50,10 @@ class DrawnCurves:
     def render(self, views: Sequence[CurveView], edited: int | None, selected: frozenset[int]) -> None:
         """Show the curves of a document, of which one is edited, or none is, and some are selected."""
         self._shown = (views, edited, selected)
+        self.areas.render(views)
         # Points are shown of what is edited, and of what is worked on together with it.
         self.selected.set_rings(edited is not None)
         active = -1 if edited is None else edited
-        self.areas.render(views)
         other = [place for place in range(len(views)) if place != active]
         found = [
             (place, views[place])
@@ -97,8 +97,7 @@ class DrawnCurves:
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve that is not edited at `pixel`; lines that are thin have no insides."""
-        _, edited, _ = self._shown
-        active = -1 if edited is None else edited
+        _, active, _ = self._shown
         line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
         return line if self._is_thin else self.areas.hit(pixel, shown, active, line)
 

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Sequence
 from typing import NamedTuple
 
@@ -117,6 +118,25 @@ def moved(document: Document, group: PointGroup, by: Vector) -> Document:
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
     return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
+
+
+def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:
+    """Scale the strokes of those curves of a group that are in it with all their points.
+
+    Their widths grow by the mean of the factors along x and y, as if nothing but the area had changed.
+    """
+    curves, factor = document.curves, math.sqrt(abs(x * y))
+    whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
+    styled = {curve for curve in whole if curves[curve].style.width is not None}
+    if not styled or not factor:
+        return document
+    return with_each(document, styled, lambda curve: _with_stroke_scaled(curve, factor))
+
+
+def _with_stroke_scaled(curve: Curve, factor: float) -> Curve:
+    width = curve.style.width
+    assert width is not None
+    return replace(curve, style=replace(curve.style, width=width * factor))
 
 
 def with_appearance(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ..document.edits import EditError
 from ..document.model import Vector
@@ -23,11 +23,14 @@ from .transform_box import Grip, ScaleBox, TransformBox, box_of
 class TransformTarget:
     """The selected points of the active curve; with none, the curves that are chosen as wholes.
 
-    It says what is meant, and makes the drags that transform it.
+    It says what is meant, and makes the drags that transform it; `scales_strokes` tells whether they scale
+    the widths of strokes, too.
     """
 
-    def __init__(self, host: EditingHost, snappers: Snappers) -> None:
-        self._host, self._snappers = host, snappers
+    def __init__(
+        self, host: EditingHost, snappers: Snappers, scales_strokes: Callable[[], bool] = lambda: False
+    ) -> None:
+        self._host, self._snappers, self._scales_strokes = host, snappers, scales_strokes
         # The last group with its box, and the views and sets of indices they were found for.
         self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int], bool] | None = None
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
@@ -151,6 +154,7 @@ class TransformTarget:
             snapper,
             grip,
             everything=self.group is None,
+            scales_strokes=self._scales_strokes(),
         )
 
     def _nearest(self, group: PointGroup, pointer: Pointer) -> tuple[int, int]:
@@ -166,7 +170,17 @@ class TransformTarget:
         assert box is not None
         snapper = self._snappers.for_grip(grip, group)
         host = self._host
-        return ScaleBox(host.document, host.views, group, box, self.centre, grip, pointer.position, snapper)
+        return ScaleBox(
+            host.document,
+            host.views,
+            group,
+            box,
+            self.centre,
+            grip,
+            pointer.position,
+            snapper,
+            scales_strokes=self._scales_strokes(),
+        )
 
     def moving(self, group: PointGroup, pointer: Pointer) -> MovePoints:
         """Return the drag of a group from the pointer on; what snaps is its point that is nearest."""

@@ -33,6 +33,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         The name of the unit of length, for what is measured.
     shows_box
         Whether two or more selected points, or several selected curves, get a box with grips.
+    scale_strokes
+        Whether strokes get wider with the curve that they are of.
     pencil
         How near a curve comes to what the pencil draws.
     """
@@ -40,6 +42,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     snapping: Snapping = Snapping()
     unit: str = ""
     shows_box: bool = True
+    scale_strokes: bool = True
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 
