@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..document.model import Curve
 from ..document.selection import followed_curves, followed_points, returned_curves, returned_points
+from .highlight import Highlight
 
 if TYPE_CHECKING:
     from .session import Session
@@ -42,6 +43,15 @@ class Selection:
     def point(self) -> int | None:
         """The selected point if exactly one is selected."""
         return next(iter(self.points)) if len(self.points) == 1 else None
+
+    def highlight(self, *, whole_curves: bool = False) -> Highlight:
+        """Return the selected points, or else the chosen curves, of which the edited one is one.
+
+        `whole_curves` passes over the points, as where the list of curves has the focus.
+        """
+        if self.points and not whole_curves:
+            return Highlight(frozenset({self._session.active_index}), self.points)
+        return Highlight(self.curves)
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select the points at `indices` of the active curve, those that exist."""
