@@ -133,10 +133,10 @@ class CurveLayer(Layer):
     def _pen(self, view: CurveView) -> QPen:
         # The last good curve, of points or rules that are no more, and a hidden one that is edited.
         is_faint = not (view.is_current and view.source.visible)
-        wanted = (is_faint, view.source.colour, self.theme, self.scale)
+        wanted = (is_faint, view.source.style.colour, self.theme, self.scale)
         if wanted != self._made_for:
             self._made_for = wanted
-            colour = self.theme.handle if is_faint else curve_colour(view.source.colour, self.theme)
+            colour = self.theme.handle if is_faint else curve_colour(view.source.style.colour, self.theme)
             self._made = self._line(colour, FAINT_WIDTH if is_faint else _WIDTH)
         return self._made
 

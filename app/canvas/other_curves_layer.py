@@ -140,7 +140,7 @@ class OtherCurvesLayer(Layer):
             stroke.draw(painter)
 
     def _colour(self, view: CurveView) -> QColor:
-        return curve_colour(view.source.colour, self.theme)
+        return curve_colour(view.source.style.colour, self.theme)
 
     def _line(self, colour: QColor, width: float) -> QPen:
         return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, self.join)

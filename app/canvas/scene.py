@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import msgspec
 import numpy as np
 from PySide6.QtCore import QRect
 from PySide6.QtGui import QImage
@@ -13,7 +12,8 @@ from PySide6.QtGui import QImage
 from curvecore.arrays import FloatArray
 
 from .. import canvas
-from ..document.model import Curve, ReferenceImage, Vector
+from ..document.curve_edits import without_looks
+from ..document.model import ReferenceImage, Vector
 from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
@@ -129,7 +129,7 @@ class CanvasScene:
         if old is None or self._plot.is_dragging or not old.is_current or not view.is_current:
             return
         same_points = old.source.points == view.source.points
-        if same_points and _rules(old.source) != _rules(view.source):
+        if same_points and without_looks(old.source) != without_looks(view.source):
             self.curve.show_ghost(self._plot.pixel_map)
 
     def hold_ghost(self, held: bool) -> None:
@@ -233,8 +233,3 @@ class CanvasScene:
             segments = np.vstack([segments, segments_near(polyline.points, pixel, shown)])
         words = [number_box(centre, length, layer.scale) for centre, length in layer.numbers]
         return Surroundings(cut_segments(segments, shown.width, shown.height), words)
-
-
-def _rules(curve: Curve) -> Curve:
-    """Return a curve without what does not shape it."""
-    return msgspec.structs.replace(curve, name="", colour="", visible=True, locked=False)

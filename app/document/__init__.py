@@ -2,7 +2,8 @@
 
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.
-- ``plain``: NumPy's numbers turned into Python's before a document holds them.
+- ``style``: stroke and fill of a curve.  ``shapes``: neighbouring curves that are drawn as one.
+- ``value``: their base.  ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.

@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from .derivatives import DERIVATIVES
 from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
 from .model import Curve, Document, Parametrization, Point, Vector, empty_document
+from .style import PLAIN_STYLE
 from .words import enumerated
 
 
@@ -100,13 +101,13 @@ def _backwards(vector: Vector | None, order: int) -> Vector | None:
 def refuse_locked(before: Document, after: Document) -> None:
     """Raise EditError if `after` lacks a curve that is locked in `before`, or has it changed.
 
-    Its name, colour, visibility, lock and place in the order are free.
+    Its name, style, shape, groups, visibility, lock and place in the order are free.
     """
     same_places, names = len(before.curves) == len(after.curves), []
     for place, curve in enumerate(before.curves):
         if not curve.locked or (same_places and after.curves[place] is curve):
             continue
-        only_looks = same_places and _without_looks(after.curves[place]) == _without_looks(curve)
+        only_looks = same_places and without_looks(after.curves[place]) == without_looks(curve)
         # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
         if not only_looks and not any(other is curve for other in after.curves):
             names.append(curve.name)
@@ -122,5 +123,6 @@ def locked_sentence(names: Sequence[str]) -> str:
     return f"{locked} are locked; unlock them in the list of curves to change them."
 
 
-def _without_looks(curve: Curve) -> Curve:
-    return replace(curve, name="", colour="", visible=True, locked=False)
+def without_looks(curve: Curve) -> Curve:
+    """Return a curve without what does not shape it."""
+    return replace(curve, name="", style=PLAIN_STYLE, shape="", groups=(), visible=True, locked=False)

@@ -6,11 +6,12 @@ from collections.abc import Callable, Sequence
 from functools import cached_property
 from operator import attrgetter
 
-import msgspec
 from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
+from .style import PLAIN_STYLE, Style
+from .value import Value
 from .words import NamedEnum
 
 Vector = tuple[float, float]
@@ -72,10 +73,6 @@ class ParametrizationKind(NamedEnum):
     def asks_where_points_are(self) -> bool:
         """Whether the parameters change when points move."""
         return "points" in self.takes
-
-
-class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """Base of the document's values."""
 
 
 class Point(Value, frozen=True, gc=False):
@@ -174,8 +171,12 @@ class Curve(Value, frozen=True, dict=True):
         The points, in order.
     closed
         Whether a last segment leads back to the first point; where the family cannot, it stays open.
-    colour
-        "#rrggbb", or empty for the ink of the theme.
+    style
+        Stroke and fill.
+    shape
+        Name of the shape that it is a part of, or empty: see ``shapes``.
+    groups
+        Names of the groups that it is in, the outermost first.
     visible, locked
         Whether it is drawn, and whether it is safe from changes.
     settings
@@ -192,7 +193,9 @@ class Curve(Value, frozen=True, dict=True):
     acceleration_rule: AccelerationRule = AccelerationRule.NATURAL_SPLINE
     jerk_rule: JerkRule = JerkRule.NATURAL_SPLINE
     closed: bool = False
-    colour: str = ""
+    style: Style = PLAIN_STYLE
+    shape: str = ""
+    groups: tuple[str, ...] = ()
     visible: bool = True
     locked: bool = False
     settings: ChosenSettings = NO_SETTINGS
@@ -270,11 +273,50 @@ class ReferenceImage(Value, frozen=True, omit_defaults=False):
     locked: bool = False
 
 
+class Axis(NamedEnum):
+    """A coordinate of the plane."""
+
+    X = "x", "x"
+    Y = "y", "y"
+
+
+class Guide(Value, frozen=True):
+    """A line to draw along, all across the plane.
+
+    Attributes
+    ----------
+    axis
+        The coordinate that all of its points have in common: x of an upright line.
+    position
+        That coordinate.
+    """
+
+    axis: Axis
+    position: float
+
+
 class Document(Value, frozen=True):
-    """Everything that is saved: at least one curve, and perhaps a picture to trace."""
+    """Everything that is saved.
+
+    Attributes
+    ----------
+    curves
+        At least one, from the back to the front.
+    image
+        A picture to trace.
+    unit
+        Name of a length of one, such as "mm"; empty for none.
+    grid_spacing
+        Distance of the grid's lines; 0 where it adapts to the zoom.
+    guides
+        Lines to draw along.
+    """
 
     curves: tuple[Curve, ...]
     image: ReferenceImage | None = None
+    unit: str = ""
+    grid_spacing: float = 0.0
+    guides: tuple[Guide, ...] = ()
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""

@@ -6,22 +6,24 @@ float raises. Each is a surprise far from where the number came from.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from itertools import compress
 from numbers import Real
 from operator import is_not
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from msgspec.structs import replace
 
 from .derivatives import VECTORS
-from .model import Curve, Document, Point, Value, Vector, vectors_of
+from .model import Curve, Document, Point, Vector, vectors_of
+from .value import Value
 
 Values = TypeVar("Values", bound=Value)
 
 _FLAGS = ("closed", "visible", "locked")
 _OF_RULE = ("alpha", "start", "end")
 _OF_IMAGE = ("x", "y", "width", "height", "opacity")
+_OF_STYLE = ("width", "miter_limit", "dash_offset", "stroke_opacity", "fill_opacity", "opacity")
 
 
 def plain(document: Document, before: Document | None = None) -> Document:
@@ -38,6 +40,9 @@ def plain(document: Document, before: Document | None = None) -> Document:
     image = document.image
     if image is not None and (before is None or image is not before.image):
         image = _with_plain(image, _OF_IMAGE, ("locked",))
+    document = _with_plain(document, ("grid_spacing",))
+    if before is None or document.guides is not before.guides:
+        document = _with_each(document, "guides", lambda guide: _with_plain(guide, ("position",)))
     if image is document.image and not any(map(is_not, curves, document.curves)):
         return document
     return replace(document, curves=curves, image=image)
@@ -49,14 +54,17 @@ def _plain_curve(curve: Curve, before: Curve | None) -> Curve:
         return curve if points is curve.points else replace(curve, points=points)
     curve = _with_plain(curve, (), _FLAGS)
     rule = _with_plain(curve.parametrization, _OF_RULE)
-    if rule is curve.parametrization and points is curve.points:
+    style = _with_each(_with_plain(curve.style, _OF_STYLE), "dash", _plain_number)
+    if rule is curve.parametrization and style is curve.style and points is curve.points:
         return curve
-    return replace(curve, parametrization=rule, points=points)
+    return replace(curve, parametrization=rule, style=style, points=points)
 
 
 def _beside_points(curve: Curve) -> tuple[int, ...]:
     """Return the identities of what else of a curve may not be plain."""
-    return id(curve.parametrization), id(curve.closed), id(curve.visible), id(curve.locked)
+    return (
+        id(curve.parametrization), id(curve.style), id(curve.closed), id(curve.visible), id(curve.locked)
+    )  # fmt: skip
 
 
 def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple[Point, ...]:
@@ -97,6 +105,13 @@ def _with_plain(values: Values, numbers: Iterable[str], flags: Iterable[str] = (
     wanted |= {name: bool(getattr(values, name)) for name in flags}
     changed = {name: value for name, value in wanted.items() if value is not getattr(values, name)}
     return replace(values, **changed) if changed else values
+
+
+def _with_each(values: Values, name: str, plain_of: Callable[[Any], object]) -> Values:
+    """Return one of the document's values with everything in one of its tuples made plain."""
+    old = getattr(values, name)
+    new = tuple(map(plain_of, old))
+    return replace(values, **{name: new}) if any(map(is_not, new, old)) else values
 
 
 def _plain_number(value: object) -> object:

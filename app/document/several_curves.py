@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from .curve_edits import locked_sentence, refuse_locked, remove_curve
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
+from .shapes import whole_shapes
 from .transforms import Linear, transform_points
 from .words import points
 
@@ -108,15 +109,20 @@ def with_appearance(
     colour: str | None = None,
 ) -> Document:
     """Show or hide curves, lock or free them, draw them in a colour; None leaves each as it is."""
-    given = {"visible": visible, "locked": locked, "colour": colour}
+    given = {"visible": visible, "locked": locked}
     looks = {name: value for name, value in given.items() if value is not None}
-    return replace(
+    style = {} if colour is None else {"stroke": colour}
+    return with_each(
         document,
-        curves=tuple(
-            replace(curve, **looks) if place in curves else curve
-            for place, curve in enumerate(document.curves)
-        ),
+        whole_shapes(document, curves),
+        lambda curve: replace(curve, **looks, style=replace(curve.style, **style)),
     )
+
+
+def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
+    """Return the document with some of its curves changed."""
+    new = (edit(curve) if place in curves else curve for place, curve in enumerate(document.curves))
+    return replace(document, curves=tuple(new))
 
 
 def remove_curves(document: Document, curves: Collection[int]) -> Document:
@@ -169,7 +175,7 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
 def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Document:
     """Add copies after the last of `curves`, in their order, in these colours, visible and free."""
     copies = [
-        replace(document.curves[curve], colour=colour)
+        replace(document.curves[curve], style=replace(document.curves[curve].style, stroke=colour))
         for curve, colour in zip(sorted(curves), colours, strict=True)
     ]
     return add_curves(document, copies, max(curves) + 1)

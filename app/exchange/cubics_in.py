@@ -28,6 +28,7 @@ from ..document.model import (
     Point,
     Vector,
 )
+from ..document.style import Style
 from ..families import HERMITE
 from .errors import ExchangeError
 
@@ -186,7 +187,9 @@ def lines(points: FloatArray) -> FloatArray:
 def _through(path: PointsAlone) -> Curve:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
     points = tuple(Point(x, y) for x, y in path.points)
-    return Curve(path.name, HERMITE, Parametrization(), points, closed=path.closed, colour=path.colour)
+    return Curve(
+        path.name, HERMITE, Parametrization(), points, closed=path.closed, style=Style(stroke=path.colour)
+    )
 
 
 def _check_numbers(path: ImportedPath) -> None:
@@ -211,7 +214,7 @@ def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     h = np.diff(t)[:, None]
     points = _points(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
     rule = Parametrization(ParametrizationKind.MANUAL)
-    curve = Curve(path.name, HERMITE, rule, points, closed=path.closed, colour=path.colour)
+    curve = Curve(path.name, HERMITE, rule, points, closed=path.closed, style=Style(stroke=path.colour))
     return curve, _INFLUENCE * joints.moved
 
 

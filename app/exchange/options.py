@@ -14,7 +14,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..tasks.progress import Report, silent
-from .drawing.styles import INK, LIGHT, Style
+from .drawing.styles import INK, LIGHT, PictureStyle
 
 Value = TypeVar("Value")
 
@@ -230,7 +230,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
 
     width: int | None = None
     tolerance: float | None = None
-    style: Style | None = None
+    style: PictureStyle | None = None
     points: bool = False
     scale: float = 1.0
     transparent: bool = False
@@ -253,16 +253,16 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         return replace(self, report=report)
 
     @property
-    def paper_style(self) -> Style:
+    def paper_style(self) -> PictureStyle:
         """The colours of a PNG, which has paper unless it is to be transparent."""
         return self._on_paper(self.style or LIGHT)
 
     @property
-    def vector_style(self) -> Style:
+    def vector_style(self) -> PictureStyle:
         """The colours of an SVG or PDF, which has paper only where colours were asked for."""
         return self._on_paper(self.style or INK)
 
-    def _on_paper(self, style: Style) -> Style:
+    def _on_paper(self, style: PictureStyle) -> PictureStyle:
         return replace(style, paper=None) if self.transparent else style
 
 

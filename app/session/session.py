@@ -13,6 +13,7 @@ from PySide6.QtGui import QUndoStack
 from ..document.edits import EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
+from ..document.shapes import tidy_shapes
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
@@ -225,7 +226,7 @@ class Session(QObject):
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        document = plain(document, self._shown)
+        document = tidy_shapes(plain(document, self._shown))
         if document is self._shown:
             return True
         if reason := why_locked(self._committed, document):
@@ -244,7 +245,7 @@ class Session(QObject):
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a locked curve is another one, or no file could hold it."""
-        document = plain(document, self._shown)
+        document = tidy_shapes(plain(document, self._shown))
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)

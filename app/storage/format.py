@@ -1,26 +1,22 @@
 """The document's file format: bytes to values and back, strictly.
 
-A file is UTF-8 JSON, ``{"format": "curvebench", "version": 1, "curves": [...]}``. What `decode` accepts,
+A file is UTF-8 JSON, ``{"format": "curvebench", "version": 2, "curves": [...]}``. What `decode` accepts,
 `encode` writes back with every float equal bit for bit; what it does not accept, it refuses with the
 place in the file and the requirement. `validate` states the requirements that go beyond types.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import count
-from typing import Literal
+from typing import Literal, TypeVar
 
 import msgspec
 from msgspec.structs import replace
 
-from ..document.model import (
-    Curve,
-    Document,
-    Point,
-    ReferenceImage,
-    Value,
-)
+from ..document.model import Curve, Document, Point
+from ..document.style import PLAIN_STYLE
+from ..document.value import Value
 from .coding import from_plain, to_plain
 from .format_error import FormatError, in_words, line_and_column, not_json, quoted
 from .migration import can_migrate, migrated
@@ -28,12 +24,14 @@ from .repeated_keys import repeated_key
 from .setting_check import settings_problem, without_default_settings
 from .validation import validate
 
+Values = TypeVar("Values", bound=Value)
+
 FORMAT = "curvebench"
-VERSION = 1
+VERSION = 2
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _POINTS_AT_ONCE = 10_000
-_LAST_CONCEIVABLE_VERSION = 10**6
+_LAST_CONCEIVABLE_VERSION = 20**6
 
 
 class _Header(msgspec.Struct):
@@ -43,13 +41,16 @@ class _Header(msgspec.Struct):
     version: int
 
 
-class _File(Value, frozen=True):
+class _File(Document, frozen=True, kw_only=True):
     """A whole file of this version."""
 
     format: Literal["curvebench"]
-    version: Literal[1]
-    curves: tuple[Curve, ...]
-    image: ReferenceImage | None = None
+    version: Literal[2]
+
+    @property
+    def document(self) -> Document:
+        """The document in it."""
+        return Document(**{name: getattr(self, name) for name in Document.__struct_fields__})
 
 
 _HEADER_DECODER = msgspec.json.Decoder(_Header)
@@ -77,8 +78,9 @@ def encode(document: Document) -> bytes:
     """
     validate(document)
     pieces = [f'{{\n  "format": "{FORMAT}",\n  "version": {VERSION},\n'.encode()]
-    if document.image is not None:
-        pieces += [b'  "image": ', _one_line(_ENCODER.encode(document.image)), b",\n"]
+    for key, value in _members(_without_defaults(replace(document, curves=()))):
+        if key != "curves":
+            pieces += [f'  "{key}": '.encode(), _one_line(value), b",\n"]
     pieces.append(b'  "curves": [\n')
     for index, curve in enumerate(document.curves):
         pieces += [b",\n" if index else b"", *_curve_pieces(curve)]
@@ -88,17 +90,29 @@ def encode(document: Document) -> bytes:
 
 def _curve_pieces(curve: Curve) -> Iterator[bytes]:
     """Yield the curve as JSON, indented, with one line per member and per point."""
-    # Through Raw, the members keep the order and the omitted defaults that msgspec gives them.
-    without_points = _ENCODER.encode(without_default_settings(replace(curve, points=())))
-    members = msgspec.json.decode(without_points, type=dict[str, msgspec.Raw])
+    style = _without_defaults(curve.style)
+    rest = replace(curve, points=(), style=PLAIN_STYLE if style == PLAIN_STYLE else style)
     yield b"    {\n"
-    for index, (key, value) in enumerate(members.items()):
+    for index, (key, value) in enumerate(_members(without_default_settings(rest))):
         yield (b",\n" if index else b"") + b'      "' + key.encode() + b'": '
         if key == "points":
             yield from _points_pieces(curve.points)
         else:
             yield _one_line(value)
     yield b"\n    }"
+
+
+def _without_defaults(value: Values) -> Values:
+    """Return a value that has the very default where it has an equal one: msgspec leaves out no other."""
+    fields = msgspec.structs.fields(value)
+    given = {each.name: getattr(value, each.name) for each in fields}
+    return type(value)(**{each.name: given[each.name] for each in fields if given[each.name] != each.default})
+
+
+def _members(value: Value) -> Iterable[tuple[str, msgspec.Raw]]:
+    """Return the names and the JSON of what a value holds."""
+    # Through Raw, the members keep the order and the omitted defaults that msgspec gives them.
+    return msgspec.json.decode(_ENCODER.encode(value), type=dict[str, msgspec.Raw]).items()
 
 
 def _points_pieces(points: tuple[Point, ...]) -> Iterator[bytes]:
@@ -145,7 +159,7 @@ def decode(data: bytes) -> Document:
     except RecursionError:
         raise FormatError("it is not a Curvebench document; it is nested too deeply") from None
     _refuse_repeated_keys(data, file.curves if header.version == VERSION else ())
-    document = Document(file.curves, file.image)
+    document = file.document
     validate(document)
     if any(curve.settings or curve.other_settings for curve in document.curves):
         document = replace(document, curves=tuple(map(_with_settings_checked, count(), document.curves)))

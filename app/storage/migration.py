@@ -1,7 +1,7 @@
 """Older versions of the file format, turned into the present one step by step.
 
-Version 1 is the first that there is, so the table is empty. Whoever raises the version adds here how a file
-of the version before becomes one of the next; nothing else has to know about old files.
+Whoever raises the version adds here how a file of the version before becomes one of the next; nothing else
+has to know about old files.
 """
 
 from __future__ import annotations
@@ -12,7 +12,18 @@ from typing import Any
 Migration = Callable[[dict[str, Any]], dict[str, Any]]
 """Turns the plain values of a file of one version into those of the next."""
 
-MIGRATIONS: dict[int, Migration] = {}
+
+def _with_styles(values: dict[str, Any]) -> dict[str, Any]:
+    """Return a file of version 1 as one of version 2: the colour of a curve is that of its stroke."""
+    return {**values, "curves": [_with_style(curve) for curve in values["curves"]]}
+
+
+def _with_style(curve: dict[str, Any]) -> dict[str, Any]:
+    rest = {key: value for key, value in curve.items() if key != "colour"}
+    return {**rest, "style": {"stroke": curve["colour"]}} if "colour" in curve else rest
+
+
+MIGRATIONS: dict[int, Migration] = {1: _with_styles}
 """By the version that a migration starts from."""
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from itertools import chain
 from operator import attrgetter
@@ -18,7 +17,12 @@ from ..document.model import (
     ReferenceImage,
     Vector,
 )
-from .format_error import RANGE, FormatError, quoted
+from ..document.shapes import shape_problem
+from .format_error import FormatError, quoted
+from .number_check import check_number
+from .style_check import validate_style
+
+LONGEST_UNIT = 12
 
 
 def validate(document: Document) -> None:
@@ -28,7 +32,8 @@ def validate(document: Document) -> None:
     A parametrization has start < end and alpha in [0, 1]. The parameters that the points carry increase
     strictly in the order of the points, also where a rule is in force and they are only remembered; under
     the manual parametrization every point carries one. A curve may have one point or none. An image has a
-    path to a file of this computer, a positive size and an opacity in [0, 1].
+    path to a file of this computer, a positive size and an opacity in [0, 1]. The curves of a shape follow
+    each other and look the same.
     """
     if not document.curves:
         raise FormatError("curves must hold at least one curve")
@@ -36,6 +41,9 @@ def validate(document: Document) -> None:
         _validate_curve(curve, f"curves[{index}]")
     if document.image is not None:
         _validate_image(document.image)
+    _validate_plane(document)
+    if problem := shape_problem(document):
+        raise FormatError(problem)
 
 
 def validate_changes(before: Document, after: Document) -> None:
@@ -46,11 +54,25 @@ def validate_changes(before: Document, after: Document) -> None:
             _validate_curve(curve, f"curves[{index}]")
     if after.image is not None and after.image is not before.image:
         _validate_image(after.image)
+    _validate_plane(after)
+
+
+def _validate_plane(document: Document) -> None:
+    """Raise FormatError unless unit, grid and guides are such as a document may have."""
+    if len(document.unit) > LONGEST_UNIT or not document.unit.isprintable():
+        raise FormatError(
+            f"unit must be a name of at most {LONGEST_UNIT} characters, not {quoted(document.unit)}"
+        )
+    check_number(document.grid_spacing, "grid_spacing")
+    if document.grid_spacing < 0:
+        raise FormatError(f"grid_spacing must be 0 or greater, not {document.grid_spacing!r}")
+    for index, guide in enumerate(document.guides):
+        check_number(guide.position, f"guides[{index}].position")
 
 
 def _validate_image(image: ReferenceImage) -> None:
     for key in ("x", "y", "width", "height", "opacity"):
-        _check_number(getattr(image, key), f"image.{key}")
+        check_number(getattr(image, key), f"image.{key}")
     for key in ("width", "height"):
         if not getattr(image, key) > 0:
             raise FormatError(f"image.{key} must be greater than 0, not {getattr(image, key)!r}")
@@ -70,21 +92,18 @@ def _validate_curve(curve: Curve, place: str) -> None:
         raise FormatError(f"{place}.name holds a character that UTF-8 cannot carry") from None
     rule = curve.parametrization
     for key in ("alpha", "start", "end"):
-        _check_number(getattr(rule, key), f"{place}.parametrization.{key}")
+        check_number(getattr(rule, key), f"{place}.parametrization.{key}")
     if not 0 <= rule.alpha <= 1:
         raise FormatError(f"{place}.parametrization.alpha must lie between 0 and 1, not {rule.alpha!r}")
     if not rule.start < rule.end:
         raise FormatError(
             f"{place}.parametrization.end must be greater than {rule.start!r}, the start, not {rule.end!r}"
         )
-    if curve.colour and not re.fullmatch("#[0-9a-f]{6}", curve.colour):
-        raise FormatError(
-            f'{place}.colour must be written as "#rrggbb" in lower case, not {quoted(curve.colour)}'
-        )
+    validate_style(curve.style, f"{place}.style")
     if not _all_within(curve.points):
         for index, point in enumerate(curve.points):
             for key, value in _numbers(point):
-                _check_number(value, f"{place}.points[{index}].{key}")
+                check_number(value, f"{place}.points[{index}].{key}")
     _validate_parameters(curve, place)
 
 
@@ -98,14 +117,6 @@ def _numbers(point: Point) -> Iterator[tuple[str, float]]:
         vector: Vector | None = getattr(point, key)
         for index, value in enumerate(vector or ()):
             yield f"{key}[{index}]", value
-
-
-def _check_number(value: float, place: str) -> None:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise FormatError(f"{place} must be a number, not {value!r}")
-    # Written so that NaN fails.
-    if not -MAX_MAGNITUDE <= value <= MAX_MAGNITUDE:
-        raise FormatError(f"{place} {RANGE}, not {_short(value)}")
 
 
 def _validate_parameters(curve: Curve, place: str) -> None:
@@ -157,8 +168,3 @@ def _are_plain(values: list[float]) -> bool:
     # A sum is NaN if anything is, while min and max may pass it over.
     are_floats = set(map(type, values)) == {float} and not math.isnan(sum(values))
     return are_floats and min(values) >= -MAX_MAGNITUDE and max(values) <= MAX_MAGNITUDE
-
-
-def _short(value: float) -> str:
-    """Return a number that may be an int of a million digits."""
-    return repr(value) if isinstance(value, float) else "a larger one"

@@ -22,7 +22,7 @@ def curve(
     return f'{{"name": {name}, "family": {family}, "parametrization": {rule}, "points": [{points}]{more}}}'
 
 
-def document(curves: str | None = None, version: str = "1", **parts: str) -> bytes:
+def document(curves: str | None = None, version: str = "2", **parts: str) -> bytes:
     body = curve(**parts) if curves is None else curves
     return f'{{"format": "curvebench", "version": {version}, "curves": [{body}]}}'.encode()
 
@@ -76,7 +76,7 @@ WRONG_TYPES = {
     "alpha": document(rule=RULE.replace("0.5", "[]")),
     "start": document(rule=RULE.replace("0.0", '""')),
     "closed": document(more=', "closed": 0'),
-    "colour": document(more=', "colour": "red"'),
+    "colour": document(more=', "style": {"stroke": "red"}'),
     "point": document(points="7"),
     "curve": document(curves="7"),
 }
@@ -96,7 +96,7 @@ JSON: dict[str, Callable[[], bytes]] = {
     "a_list": lambda: b"[" + GOOD + b"]",
     "another_format": lambda: GOOD.replace(b"curvebench", b"benchcurve"),
     "version_0": lambda: document(version="0"),
-    "version_newer": lambda: document(version="2"),
+    "version_newer": lambda: document(version="3"),
     "version_text": lambda: document(version='"1"'),
     "no_curves": lambda: document(curves=""),
     "one_point": lambda: document(points='{"x": 0.0, "y": 0.0}'),

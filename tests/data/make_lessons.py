@@ -8,6 +8,7 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
+from app.document.style import Style
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.files import save
 
@@ -58,7 +59,7 @@ def eleven_points():
     """Nearly straight points, below the other curve; the polynomial swings at the ends."""
     heights = (-1.3, -1.15, -1.35, -1.2, -1.3, -1.1, -1.3, -1.2, -1.35, -1.15, -1.3)
     points = [(i / 2, y) for i, y in enumerate(heights)]
-    return lagrange("Eleven points", points, colour=BLUE)
+    return lagrange("Eleven points", points, style=Style(stroke=BLUE))
 
 
 def three_parameter_sets():
@@ -67,9 +68,9 @@ def three_parameter_sets():
     lower = [(x + 0.02, y - 0.04) for x, y in points]
     upper = [(x - 0.03, y + 0.03) for x, y in points]
     return (
-        timed("In step", points, [0.0, 0.2, 0.34, 0.48, 0.66, 0.81, 1.0], colour=BLUE),
-        timed("Out of step", lower, [0.0, 0.2, 0.31, 0.5, 0.62, 0.8, 1.0], colour=ORANGE),
-        timed("Careless", upper, [0.0, 0.05, 0.36, 0.4, 0.72, 0.76, 1.0], colour=VERMILLION),
+        timed("In step", points, [0.0, 0.2, 0.34, 0.48, 0.66, 0.81, 1.0], style=Style(stroke=BLUE)),
+        timed("Out of step", lower, [0.0, 0.2, 0.31, 0.5, 0.62, 0.8, 1.0], style=Style(stroke=ORANGE)),
+        timed("Careless", upper, [0.0, 0.05, 0.36, 0.4, 0.72, 0.76, 1.0], style=Style(stroke=VERMILLION)),
     )
 
 
@@ -112,14 +113,14 @@ def stations():
     )
     return (
         Curve("Cubic", HERMITE, rule, cubic),
-        Curve("Quintic", QUINTIC_HERMITE, rule, quintic, colour=BLUE),
+        Curve("Quintic", QUINTIC_HERMITE, rule, quintic, style=Style(stroke=BLUE)),
     )
 
 
 def wave(name, count, level):
     """Points up and down, `count` of them."""
     points = [(10.0 * i / (count - 1), level + (0.6 if i % 4 in (1, 2) else 0.0)) for i in range(count)]
-    return lagrange(name, points, ParametrizationKind.CHEBYSHEV, colour=BLUE if level else "")
+    return lagrange(name, points, ParametrizationKind.CHEBYSHEV, style=Style(stroke=BLUE if level else ""))
 
 
 SIX_POINTS = [(0.0, 0.0), (0.8, 1.5), (1.6, 1.9), (4.3, 1.6), (5.0, 0.4), (6.8, 0.0)]
@@ -129,14 +130,14 @@ FAR_POINT = [(0.0, 0.0), (0.7, 0.5), (1.4, 0.6), (3.2, 5.0), (2.6, 0.7), (3.3, 0
 def exercise(points):
     """The same points twice, at equal steps; the parameters of the second curve are the reader's to set."""
     steps = [i / (len(points) - 1) for i in range(len(points))]
-    yours = timed("Yours", points, steps, colour=VERMILLION)
-    return (lagrange("Equal steps", points, colour=BLUE), yours)
+    yours = timed("Yours", points, steps, style=Style(stroke=VERMILLION))
+    return (lagrange("Equal steps", points, style=Style(stroke=BLUE)), yours)
 
 
 def bells():
     """Runge's function at even steps, twice: one polynomial, and below it a curve that blends some."""
     bell = [(x / 5, 1.0 / (1.0 + x * x)) for x in range(-5, 6)]
-    below = lagrange("Blend", [(x, y - 1.5) for x, y in bell], colour=BLUE)
+    below = lagrange("Blend", [(x, y - 1.5) for x, y in bell], style=Style(stroke=BLUE))
     return (lagrange("Bell", bell), replace(below, family=FAMILIES.named("floater_hormann")))
 
 

@@ -58,7 +58,7 @@ def test_looks_are_set_and_nothing_else(three):
     changed = with_appearance(changed, {1}, visible=False)
     changed = with_appearance(changed, {1}, locked=True)
     curve = changed.curves[1]
-    assert (curve.colour, curve.visible, curve.locked) == ("#0072b2", False, True)
+    assert (curve.style.stroke, curve.visible, curve.locked) == ("#0072b2", False, True)
     assert curve.points == three.curves[1].points
     assert changed.curves[0] is three.curves[0]
     validate(changed)

@@ -96,7 +96,7 @@ def test_locked_curves_that_are_not_meant_are_no_hindrance(four):
 
 def test_looks_are_changed_as_far_as_given(four):
     after = with_appearance(four, {0, 2}, visible=False, colour="#d55e00")
-    assert [(curve.visible, curve.colour, curve.locked) for curve in after.curves] == [
+    assert [(curve.visible, curve.style.stroke, curve.locked) for curve in after.curves] == [
         (False, "#d55e00", False),
         (True, "", False),
         (False, "#d55e00", False),
@@ -110,7 +110,7 @@ def test_copies_come_after_the_last_in_their_order(four):
     after = add_copies(document, {0, 2}, ["", "#0072b2"])
     assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
     copy = after.curves[3]
-    assert (copy.visible, copy.locked, after.curves[4].colour) == (True, False, "#0072b2")
+    assert (copy.visible, copy.locked, after.curves[4].style.stroke) == (True, False, "#0072b2")
 
 
 def test_copies_of_copies_are_numbered(four):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from app.document.model import Curve, Document, Parametrization, Point, make_curve
+from app.document.style import Style
 from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.storage.files import load
 
@@ -74,7 +75,7 @@ def _kinds():
     yield "cornered, closed", _cornered(closed=True)
     for family in (HERMITE, QUINTIC_HERMITE):
         ring = make_curve(rng.normal(size=(5, 2)).tolist(), name="Ring", family=family)
-        yield f"{family}, closed", msgspec.structs.replace(ring, closed=True, colour="#c04020")
+        yield f"{family}, closed", msgspec.structs.replace(ring, closed=True, style=Style(stroke="#c04020"))
 
 
 def _circle(count):

@@ -102,7 +102,7 @@ def test_hermite_curves_come_back_exactly(kind):
     (curve,) = kind.curves
     result = read_dxf(dxf_text(kind).text.encode("utf-8", "replace"))
     (back,) = result.document.curves
-    assert (back.name, back.colour) == (curve.name, curve.colour)
+    assert (back.name, back.style.stroke) == (curve.name, curve.style.stroke)
     if curve.family is not HERMITE:
         return
     mine = np.concatenate([bezier_segments(piece) for piece in view_of(curve).pieces])
@@ -150,7 +150,7 @@ def test_lines_polylines_and_arcs():
 
     result = read_dxf(file_with(draw), 1e-4)
     line, triangle, half, circle, arc, ellipse = result.document.curves
-    assert (line.name, line.colour, len(line.points)) == ("L", "#ff0000", 2)
+    assert (line.name, line.style.stroke, len(line.points)) == ("L", "#ff0000", 2)
     assert triangle.closed
     assert [point.corner for point in triangle.points] == [True] * 3
     assert np.abs(np.hypot(*(points_of(half) - [1, 0]).T) - 1).max() < 1e-4

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.model import Document, Point, make_curve
+from app.document.style import Style
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
@@ -33,7 +34,9 @@ NAMES = ["Pond", "=Arch, #1", "Line", "Line 2"]
 @pytest.fixture
 def document():
     """A closed cubic with a corner, a quintic with a hostile name, two Lagrange curves of one name."""
-    pond = replace(make_curve(SQUARE, name="Pond", family=HERMITE), closed=True, colour="#0072b2")
+    pond = replace(
+        make_curve(SQUARE, name="Pond", family=HERMITE), closed=True, style=Style(stroke="#0072b2")
+    )
     arch = make_curve([(0.0, 5.0), (1.0, 7.0), (3.0, 5.5)], name=NAMES[1], family=QUINTIC_HERMITE)
     line = make_curve([(0.0, 9.0), (1 / 3, 9.5), (2.0, 9.0)], name="Line")
     other = make_curve([(0.0, 10.0), (2.0, 11.0)], name="Line")
@@ -179,7 +182,7 @@ def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
     dark = read_svg(svg_of(document, Options(style=DARK)).data)
     assert one.document == other.document == dark.document
     assert [curve.name for curve in one.document.curves] == ["Pond", NAMES[1], "Line", "Line"]
-    assert [curve.colour for curve in one.document.curves] == ["#0072b2", "", "", ""]
+    assert [curve.style.stroke for curve in one.document.curves] == ["#0072b2", "", "", ""]
 
 
 def test_handles_are_drawn_where_the_control_points_are():

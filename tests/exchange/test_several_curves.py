@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from app.cli import main
 from app.document import edits
 from app.document.model import Document, make_curve
+from app.document.style import Style
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
@@ -30,7 +31,9 @@ SVG = "{http://www.w3.org/2000/svg}"
 @pytest.fixture(params=[family for family in FAMILIES if family.derivatives])
 def document(request):
     """A closed blue curve with a corner, a hidden one, and one in ink."""
-    closed = replace(make_curve(SQUARE, name="Pond", family=request.param), closed=True, colour="#0072b2")
+    closed = replace(
+        make_curve(SQUARE, name="Pond", family=request.param), closed=True, style=Style(stroke="#0072b2")
+    )
     hidden = replace(make_curve([(50.0, 50.0), (90.0, 0.0)], name="Secret"), visible=False)
     ink = make_curve([(0.0, 3.0), (2.0, 4.0)], name="Line")
     return edits.make_corner(Document((closed, hidden, ink)), 0, 2, None, None)

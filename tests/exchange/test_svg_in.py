@@ -167,7 +167,7 @@ def test_names_and_colours():
         '<path d="M0 0L1 0" fill="orange"/><path stroke="black" d="M0 0L1 0"/>'
         '<path stroke="url(#g)" d="M0 0L1 0"/>'
     )
-    assert [(c.name, c.colour) for c in curves(body)] == [
+    assert [(c.name, c.style.stroke) for c in curves(body)] == [
         ("the red", "#ff0000"), ("b", "#0102ff"), ("Path 6", "#ffa500"), ("Path 7", ""), ("Path 8", ""),
     ]  # fmt: skip
 
@@ -193,7 +193,7 @@ def test_what_is_lost_of_the_style_is_said(body, words):
 
 def test_cairo_writes_colours_in_percent():
     (curve,) = curves('<path d="M0 0L1 0" stroke="rgb(100%, 50.2%, 0%)"/>')
-    assert curve.colour == "#ff8000"
+    assert curve.style.stroke == "#ff8000"
 
 
 def test_our_own_file_comes_back_within_the_stated_deviation(kind):
@@ -349,7 +349,7 @@ def test_what_matplotlib_writes_is_read():
     figure.savefig(stream, format="svg")
     assert b"<!DOCTYPE svg PUBLIC" in stream.getvalue()
     tent = read_svg(stream.getvalue()).document.curves[-1]
-    assert tent.colour == "#d04010"
+    assert tent.style.stroke == "#d04010"
     (x0, low), (x1, high), (x2, end) = (point.position for point in tent.points)
     assert (x1 - x0, end) == pytest.approx((x2 - x1, low))
     assert high > low

@@ -312,7 +312,7 @@ def test_all_chosen_get_a_colour(five):
     choose(five, "BDE")
     click_row(five, 4, spot=Spot.SWATCH)
     five.choose("colour_Vermillion")
-    colours = [curve.colour for curve in five.session.document.curves]
+    colours = [curve.style.stroke for curve in five.session.document.curves]
     assert colours == ["", "#d55e00", "", "#d55e00", "#d55e00"]
     assert step_name(five) == "Colour 3 curves"
 

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 from app.appearance.colours import CURVE_COLOURS, curve_colour
 from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.document.model import Document, make_curve
+from app.document.style import Style
 from app.exchange.choice import ExportChoice
 from app.exchange.drawing.animation import Film
 from app.exchange.drawing.image import png_file
@@ -37,7 +38,7 @@ OTHER = ((0.0, 5.0), (10.0, 5.0))
 
 
 def coloured(code, points=LINE):
-    return replace(make_curve(points), colour=code)
+    return replace(make_curve(points), style=Style(stroke=code))
 
 
 @pytest.mark.parametrize(("theme", "style"), PAPERS)

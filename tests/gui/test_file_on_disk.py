@@ -749,7 +749,7 @@ def test_a_failed_save_does_not_hide_another_ones_change(saved, path, monkeypatc
 
 def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     document = edit(saved)
-    newer = encode(THEIRS).replace(b'"version": 1', b'"version": 2')
+    newer = encode(THEIRS).replace(b'"version": 2', b'"version": 3')
     path.write_bytes(newer)
     saved.trigger("saveDocument")
     saved.file_bar.answer("overwriteFile")
@@ -768,7 +768,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
 
 def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
     monkeypatch.setitem(MIGRATIONS, 0, lambda values: values)
-    old = encode(THEIRS).replace(b'"version": 1', b'"version": 0')
+    old = encode(THEIRS).replace(b'"version": 2', b'"version": 0')
     path.write_bytes(old)
     editor.window.open_file(path)
     assert editor.session.document == THEIRS

@@ -474,7 +474,7 @@ def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     editor.settle()
     first, second = editor.session.document.curves[-2:]
-    assert (first.name, first.colour, second.name) == ("a", "#d55e00", "b")
+    assert (first.name, first.style.stroke, second.name) == ("a", "#d55e00", "b")
     assert "Imported a.svg: 2 curves, 4 points, exact." in editor.status
     editor.trigger("undo")
     assert len(editor.session.document.curves) == 1

@@ -86,7 +86,7 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
     save(folder / "heirloom.curve.json", telling(9.0))
     editor.trigger("saveDocument")  # changed on the disk
     (folder / "broken heirloom.curve.json").write_text(
-        '{"format": "curvebench", "version": 1, "letters": 71.25}'
+        '{"format": "curvebench", "version": 2, "letters": 71.25}'
     )
     for name in ("broken heirloom.curve.json", "missing heirloom.curve.json"):
         window.open_file(folder / name)
@@ -118,7 +118,7 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
     for word in SECRET:
         assert word not in text
     for what in (
-        "opened a document, version 1, 1 curves, 3 points",
+        "opened a document, version 2, 1 curves, 3 points",
         "its lock is ours",
         "its lock is of another window",
         "saved a document: 1 curves, 3 points",

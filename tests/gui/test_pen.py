@@ -204,7 +204,7 @@ def test_beside_a_closed_curve_the_pen_begins_a_new_one(ring):
     ring.release((5, 2))
     fresh = ring.curve
     assert ring.session.document.curves == (old, fresh)
-    assert (fresh.name, fresh.colour, fresh.family) == ("Curve 2", "", old.family)
+    assert (fresh.name, fresh.style.stroke, fresh.family) == ("Curve 2", "", old.family)
     assert fresh.parametrization == old.parametrization
     assert not fresh.closed
     assert ring.point(0) == pytest.approx((4, 1), abs=ring.pixel)

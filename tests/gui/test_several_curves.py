@@ -173,7 +173,7 @@ def test_the_eye_and_the_lock_are_switches(three):
 def test_a_colour_is_chosen_from_the_palette_by_mouse(three):
     three.click_in_list(2, Spot.SWATCH)
     three.choose("colour_Vermillion")
-    assert three.session.document.curves[2].colour == "#d55e00"
+    assert three.session.document.curves[2].style.stroke == "#d55e00"
     assert three.session.undo_stack.undoText() == "Colour C"
 
 
@@ -183,7 +183,7 @@ def test_a_colour_is_chosen_from_the_palette_by_keys(three):
     for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Return):
         QTest.keyClick(menu, key)
     three.settle()
-    assert three.curve.colour == "#0072b2"
+    assert three.curve.style.stroke == "#0072b2"
 
 
 def test_a_copy_has_the_next_colour_that_is_free(three):
@@ -191,11 +191,11 @@ def test_a_copy_has_the_next_colour_that_is_free(three):
     three.session.commit(with_appearance(three.session.document, {0}, colour="#d55e00"), "Vermillion")
     three.session.selected.activate(1)
     three.trigger("duplicateCurve")
-    assert three.curve.colour == "#009e73"
+    assert three.curve.style.stroke == "#009e73"
     three.session.selected.activate(3)
-    assert three.curve.colour == ""
+    assert three.curve.style.stroke == ""
     three.trigger("duplicateCurve")
-    assert three.curve.colour == ""
+    assert three.curve.style.stroke == ""
 
 
 def test_the_points_of_a_hidden_curve_are_faint_while_it_is_edited(three):
@@ -215,7 +215,7 @@ def test_escape_leaves_the_palette_and_the_colour(three):
     three.click_in_list(2, Spot.SWATCH)
     QTest.keyClick(three.menu(), Qt.Key.Key_Escape)
     three.settle()
-    assert three.session.document.curves[2].colour == ""
+    assert three.session.document.curves[2].style.stroke == ""
 
 
 @pytest.mark.parametrize("how", ["double click", "F2", "menu"])

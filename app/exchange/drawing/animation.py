@@ -20,6 +20,7 @@ from typing import IO, TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from ...document.model import Document
+from ...document.style import Style
 from ...families import Family
 from ...storage.files import write
 from ...tasks.progress import FINAL, Report, silent
@@ -30,7 +31,7 @@ from ...view_model.motion_settings import Pace, Repeat
 from .. import drawing
 from ..errors import ExchangeError
 from ..formats import FileKind, format_of
-from .styles import LIGHT, Style
+from .styles import LIGHT, PictureStyle
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -73,7 +74,7 @@ class Film:
     repeat: Repeat = Repeat.LOOP
     pace: Pace = Pace.PARAMETER
     compared: frozenset[Family] = frozenset()
-    style: Style = LIGHT
+    style: PictureStyle = LIGHT
     points: bool = True
 
     @property
@@ -96,7 +97,7 @@ class Film:
         """Return the document with all curves that are seen: those that are compared are among them."""
         source = document.curves[self.curve]
         others = [
-            replace(each.source, colour=role.colour)
+            replace(each.source, style=Style(stroke=role.colour))
             for role, each in rivals_of(view_of(source), self.compared).items()
             if each.source is not source
         ]

@@ -101,7 +101,7 @@ def _handles(document: Document) -> list[tuple[str, list[Handle]]]:
         if curve.visible and len(curve.points) <= MOST_HANDLES and (view := view_of(curve)).is_current:
             handles = [each for index in range(len(curve.points)) for each in handles_of(view, index)]
             handles += control_polygon(view)
-            found += [(curve.colour, handles)] if handles else []
+            found += [(curve.style.colour, handles)] if handles else []
     return found
 
 

@@ -259,7 +259,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         raise ExchangeError(f"“{curve.name}” cannot be drawn: {in_words(str(problem))}.") from problem
     points = core.points[: len(curve.points)]
     return Outline(
-        curve.name, path.control_points, points, float(path.deviation), curve.colour, curve.is_closed
+        curve.name, path.control_points, points, float(path.deviation), curve.style.colour, curve.is_closed
     )
 
 

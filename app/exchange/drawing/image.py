@@ -26,7 +26,7 @@ from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of, svg_text
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing, Frame
-from .styles import Style
+from .styles import PictureStyle
 
 DEFAULT_WIDTH = 1600
 LARGEST_SIDE = 16384
@@ -115,7 +115,7 @@ def _size_text(frame: Frame, options: Options, size: tuple[float, float], unit: 
 
 
 def _preview(
-    drawing: Drawing, options: Options, style: Style, size: str, room: tuple[int, int]
+    drawing: Drawing, options: Options, style: PictureStyle, size: str, room: tuple[int, int]
 ) -> PicturePreview:
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
@@ -123,7 +123,7 @@ def _preview(
     return PicturePreview(_painted(drawing, pixels, style, options), size, _moved_colours(drawing, style))
 
 
-def _moved_colours(drawing: Drawing, style: Style) -> str:
+def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
     moved = [each for each in drawing.outlines if adjustment_of(style.paper, each.colour)]
     if not moved:
@@ -144,7 +144,7 @@ def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
     return width, height
 
 
-def _painted(drawing: Drawing, size: tuple[int, int], style: Style, options: Options) -> QImage:
+def _painted(drawing: Drawing, size: tuple[int, int], style: PictureStyle, options: Options) -> QImage:
     image = QImage(*size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor(0, 0, 0, 0))
     # However it ends, for a painter may not outlive its device.
@@ -154,7 +154,7 @@ def _painted(drawing: Drawing, size: tuple[int, int], style: Style, options: Opt
     return image
 
 
-def _paint(fitted: Drawing, painter: QPainter, style: Style, options: Options) -> None:
+def _paint(fitted: Drawing, painter: QPainter, style: PictureStyle, options: Options) -> None:
     report = part(options.report, _DRAWN, 1.0)
     paint_drawing(fitted, painter, style, points=options.points, report=report)
 
@@ -176,7 +176,7 @@ def png_file(document: Document, options: Options) -> Written:
         return Written(_pixels(drawing, size, options, style), drawing.deviation, drawing.remarks, size)
 
 
-def _pixels(drawing: Drawing, size: tuple[int, int], options: Options, style: Style) -> bytes:
+def _pixels(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> bytes:
     # On its own, as `_page` is.
     image = _painted(drawing, size, style, options)
     image.setText("Software", f"Curvebench {__version__}")
@@ -214,7 +214,7 @@ def pdf_file(document: Document, options: Options) -> Written:
         return Written(_page(drawing, options, style), drawing.deviation, drawing.remarks)
 
 
-def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
+def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:
     # On its own, because nothing that paints may outlive the application.
     drawing, page = _on_page(drawing, options)
     buffer = _buffer()
@@ -253,12 +253,12 @@ def _on_page(drawing: Drawing, options: Options) -> tuple[Drawing, QSizeF]:
     return replace(drawing, frame=Frame(left, bottom, width, height)), QSizeF(wide, high)
 
 
-def _drawing(document: Document, options: Options, style: Style) -> Drawing:
+def _drawing(document: Document, options: Options, style: PictureStyle) -> Drawing:
     return picture_of(document, options, style, part(options.report, 0.0, _DRAWN))
 
 
 def paint_drawing(
-    fitted: Drawing, painter: QPainter, style: Style, *, points: bool, report: Report = silent
+    fitted: Drawing, painter: QPainter, style: PictureStyle, *, points: bool, report: Report = silent
 ) -> None:
     """Paint a drawing whose frame is the painter's whole device."""
     frame = fitted.frame

@@ -7,7 +7,7 @@ import msgspec
 from ...view_model import palette
 
 
-class Style(msgspec.Struct, frozen=True):
+class PictureStyle(msgspec.Struct, frozen=True):
     """The colours of a picture; without `paper` its background is transparent.
 
     `theme`, "light" or "dark", is the paper that the colours of the points are made for.
@@ -18,6 +18,6 @@ class Style(msgspec.Struct, frozen=True):
     theme: str = "light"
 
 
-INK = Style(palette.INK["light"])
-LIGHT = Style(palette.INK["light"], palette.PAPER["light"])
-DARK = Style(palette.INK["dark"], palette.PAPER["dark"], "dark")
+INK = PictureStyle(palette.INK["light"])
+LIGHT = PictureStyle(palette.INK["light"], palette.PAPER["light"])
+DARK = PictureStyle(palette.INK["dark"], palette.PAPER["dark"], "dark")

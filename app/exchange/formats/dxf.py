@@ -126,8 +126,8 @@ def _layer(drawing: Drawing, source: Source, names: Names) -> str:
     base = _NOT_IN_A_LAYER.sub("_", one_line(source.name)).strip()[:_LONGEST_LAYER] or "Curve"
     name = names.different(base)
     layer = drawing.layers.add(name, color=WHITE)
-    if source.curve.colour:
-        digits = source.curve.colour
+    if source.curve.style.colour:
+        digits = source.curve.style.colour
         layer.rgb = (int(digits[1:3], 16), int(digits[3:5], 16), int(digits[5:7], 16))
     return name
 

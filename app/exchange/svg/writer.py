@@ -10,7 +10,7 @@ from ...tasks.progress import Report, part, silent, told
 from ...view_model import palette
 from .. import drawing
 from ..drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
-from ..drawing.styles import Style
+from ..drawing.styles import PictureStyle
 from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
@@ -57,7 +57,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     return Written(text, drawing.deviation, drawing.remarks)
 
 
-def picture_of(document: Document, options: Options, style: Style, report: Report) -> Drawing:
+def picture_of(document: Document, options: Options, style: PictureStyle, report: Report) -> Drawing:
     """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
     plain = drawing_of(document, options.tolerance, report)
     if not (options.handles or options.grid or options.basis is not None):
@@ -74,7 +74,7 @@ def nominal_width(drawing: Drawing, width: float | None) -> float:
 def svg_text(
     drawing: Drawing,
     *,
-    style: Style,
+    style: PictureStyle,
     points: bool,
     width: float | None = None,
     unit: str = "",
@@ -123,7 +123,7 @@ def _paper(frame: Frame, colour: str) -> str:
     return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
 
 
-def _curves(drawing: Drawing, style: Style, report: Report) -> list[str]:
+def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
     stroke = _number(STROKE * drawing.frame.side)
     group = (
         f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
@@ -133,7 +133,7 @@ def _curves(drawing: Drawing, style: Style, report: Report) -> list[str]:
     return [group, *layers, "  </g>"]
 
 
-def _layer(outline: Outline, style: Style) -> list[str]:
+def _layer(outline: Outline, style: PictureStyle) -> list[str]:
     """Return a curve in a group that Inkscape takes for a layer."""
     name = _text(outline.name)
     quoted = name.replace('"', "&quot;").replace("\n", " ")
@@ -144,12 +144,12 @@ def _layer(outline: Outline, style: Style) -> list[str]:
     ]
 
 
-def _own(attribute: str, outline: Outline, style: Style) -> str:
+def _own(attribute: str, outline: Outline, style: PictureStyle) -> str:
     """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
     return f' {attribute}="{_colour(outline.colour, style)}"' if outline.colour else ""
 
 
-def _colour(code: str, style: Style) -> str:
+def _colour(code: str, style: PictureStyle) -> str:
     """Return a colour as it is drawn on the picture's paper, the same as on the screen's."""
     return palette.colour_on(style.paper, code) if code else style.ink
 
@@ -164,7 +164,7 @@ def path_data(outline: Outline) -> str:
     return "\n      ".join([f"M {_pair(start)}", *(f"C {piece}" for piece in pieces), *end])
 
 
-def _points(drawing: Drawing, style: Style) -> list[str]:
+def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
     radius = _number(POINT_RADIUS * drawing.frame.side)
     discs = [
         f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline, style)}/>'
@@ -174,13 +174,13 @@ def _points(drawing: Drawing, style: Style) -> list[str]:
     return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
 
 
-def _annotations(drawing: Drawing, style: Style, name: str) -> list[str]:
+def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
     """Return the group of lines with this name; nothing where there are none."""
     paths = [_strokes(each, style) for each in drawing.annotations if each.name == name]
     return [f'  <g id="{name}" fill="none" stroke-linejoin="round">', *paths, "  </g>"] if paths else []
 
 
-def _strokes(annotation: Annotation, style: Style) -> str:
+def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in annotation.lines)
     colour = _colour(annotation.colour, style)
     opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""

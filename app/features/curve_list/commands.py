@@ -93,7 +93,7 @@ class CurveListCommands:
         """Add a copy of the curve, or of all that are selected, in the same place."""
         session, selected = self._session, self._session.selected.curves
         document, order = session.document, sorted(selected)
-        colours = self._next_colours([document.curves[place].colour for place in order])
+        colours = self._next_colours([document.curves[place].style.stroke for place in order])
         first, active = order[-1] + 1, order.index(session.active_index)
         if not session.change(
             f"Duplicate {named(document, selected)}",
@@ -133,7 +133,7 @@ class CurveListCommands:
     def _next_colours(self, colours: list[str]) -> list[str]:
         """Return for each the next colour of the palette that no curve has; what is in ink stays in ink."""
         codes = [code for code in CURVE_COLOURS.values() if code]
-        used = {curve.colour for curve in self._session.document.curves}
+        used = {curve.style.stroke for curve in self._session.document.curves}
         found = []
         for colour in colours:
             start = codes.index(colour) + 1 if colour in codes else 0

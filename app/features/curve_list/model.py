@@ -109,7 +109,7 @@ def _row(curve: Curve) -> Row:
     facts = f"{family}, {count_of(len(curve.points), 'point')}"
     if curve.is_closed:
         facts += ", closed"
-    return Row(curve.name, curve.colour, curve.visible, curve.locked, facts)
+    return Row(curve.name, curve.style.colour, curve.visible, curve.locked, facts)
 
 
 def _state(row: Row) -> str:

@@ -70,7 +70,7 @@ def _paint_points(painter: QPainter, document: Document, frame: QRectF, theme: T
     for curve in curves:
         flat = (_thinned(curve, len(places)) - low) * scale
         flat[:, 1] = scale * size[1] - flat[:, 1]
-        painter.setPen(QPen(QColor(curve.colour) if curve.colour else theme.curve, _LINE))
+        painter.setPen(QPen(QColor(curve.style.colour) if curve.style.colour else theme.curve, _LINE))
         painter.drawPolyline([QPointF(x, y) for x, y in (flat + corner).tolist()])
 
 

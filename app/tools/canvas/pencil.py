@@ -124,7 +124,7 @@ def _take(host: EditingHost, model: Curve, press: Pointer, tolerance: float, mad
         host.refuse(made)
         return
     now, place = _model(host, closed=model.closed)
-    curve = replace(made.curve, name=now.name, colour=now.colour)
+    curve = replace(made.curve, name=now.name, style=now.style)
     if host.change(
         "Draw with the pencil",
         lambda document: (

@@ -1,0 +1,93 @@
+"""Stroke and fill of a curve, as it prints."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from .value import Value
+from .words import NamedEnum
+
+INK: Final = ""
+"""Paint in the ink of the theme, or of the picture."""
+
+NO_PAINT: Final = "none"
+"""Paint that leaves nothing."""
+
+LARGEST_DASHES: Final = 64
+"""Dashes and gaps that a style may have."""
+
+
+class LineCap(NamedEnum):
+    """Ends of strokes and of their dashes."""
+
+    BUTT = "butt", "Butt"
+    ROUND = "round", "Round"
+    SQUARE = "square", "Square"
+
+
+class LineJoin(NamedEnum):
+    """Corners of strokes."""
+
+    MITER = "miter", "Miter"
+    ROUND = "round", "Round"
+    BEVEL = "bevel", "Bevel"
+
+
+class FillRule(NamedEnum):
+    """Rule that says what is inside of curves that cross or lie within each other."""
+
+    NONZERO = "nonzero", "Nonzero"
+    EVENODD = "evenodd", "Even-odd"
+
+
+class Style(Value, frozen=True):
+    """Stroke and fill. A paint is `INK`, `NO_PAINT` or "#rrggbb"; opacities are from 0, invisible, to 1.
+
+    Attributes
+    ----------
+    stroke, stroke_opacity
+        Paint of the line.
+    width
+        Of the line, in the unit of the document; None for a line of the usual width, whatever the zoom.
+    cap, join, miter_limit
+        Ends and corners of the line; longer miters than the limit times the width become bevels.
+    dash, dash_offset
+        Lengths of dashes and gaps in turn, and where the pattern begins, in multiples of the width.
+    fill, fill_rule, fill_opacity
+        Paint of the inside; an open curve is closed for it by a straight line.
+    opacity
+        Of stroke and fill together.
+    """
+
+    stroke: str = INK
+    width: float | None = None
+    cap: LineCap = LineCap.ROUND
+    join: LineJoin = LineJoin.ROUND
+    miter_limit: float = 4.0
+    dash: tuple[float, ...] = ()
+    dash_offset: float = 0.0
+    stroke_opacity: float = 1.0
+    fill: str = NO_PAINT
+    fill_rule: FillRule = FillRule.NONZERO
+    fill_opacity: float = 1.0
+    opacity: float = 1.0
+
+    @property
+    def has_stroke(self) -> bool:
+        """Whether a line is drawn."""
+        return self.stroke != NO_PAINT
+
+    @property
+    def has_fill(self) -> bool:
+        """Whether the inside is painted."""
+        return self.fill != NO_PAINT
+
+    @property
+    def colour(self) -> str:
+        """The paint that the curve is known by: that of its line, or of its inside where it has no line."""
+        paint = self.stroke if self.has_stroke else self.fill
+        return INK if paint == NO_PAINT else paint
+
+
+PLAIN_STYLE: Final = Style()
+"""A line in the ink of the theme."""

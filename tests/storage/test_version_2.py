@@ -1,0 +1,107 @@
+"""Style, shapes, groups, unit, grid and guides in files of version 2, and how version 1 is read."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from msgspec.structs import replace
+
+from app.document.model import Axis, Document, Guide, make_curve
+from app.document.style import FillRule, LineCap, LineJoin, Style
+from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
+
+STYLE = Style(
+    stroke="#0072b2",
+    width=0.1 + 0.2,
+    cap=LineCap.BUTT,
+    join=LineJoin.MITER,
+    miter_limit=3.0,
+    dash=(3.0, 1.0 / 3.0),
+    dash_offset=-0.5,
+    stroke_opacity=0.25,
+    fill="none",
+    fill_rule=FillRule.EVENODD,
+    fill_opacity=0.5,
+    opacity=0.75,
+)
+
+
+def drawing(**values):
+    """Two curves of one shape."""
+    parts = [
+        replace(
+            make_curve([(0.0, 0.0), (1.0, 1.0)], name=name), shape="R", groups=("Logo", "Letter"), style=STYLE
+        )
+        for name in ("outer", "inner")
+    ]
+    return Document(tuple(parts), **values)
+
+
+def test_everything_comes_back():
+    some = drawing(unit="mm", grid_spacing=0.1, guides=(Guide(Axis.X, 1 / 3), Guide(Axis.Y, -2.0)))
+    assert decode(encode(some)) == some
+
+
+def test_defaults_are_left_out_however_they_were_computed():
+    plain = make_curve([(0.0, 0.0), (1.0, 1.0)])
+    computed = replace(plain, style=Style(opacity=float("1"), miter_limit=float("4")))
+    written = encode(Document((computed,), grid_spacing=float("0")))
+    assert written == encode(Document((plain,)))
+    assert json.loads(written)["curves"][0].keys() == {"name", "family", "parametrization", "points"}
+
+
+def test_a_colour_of_version_1_is_that_of_the_stroke():
+    rule = {"kind": "chord_length", "alpha": 0.5, "start": 0.0, "end": 1.0}
+    points = [{"x": 0.0, "y": 0.0}, {"x": 1.0, "y": 1.0}]
+    curves = [
+        {"name": name, "family": "lagrange", "parametrization": rule, "points": points, **more}
+        for name, more in (("a", {"colour": "#0072b2"}), ("b", {}))
+    ]
+    found = decode(json.dumps({"format": "curvebench", "version": 1, "curves": curves}).encode())
+    assert [curve.style for curve in found.curves] == [Style(stroke="#0072b2"), Style()]
+    assert json.loads(encode(found))["version"] == 2
+
+
+@pytest.mark.parametrize(
+    ("changed", "complaint"),
+    [
+        ({"stroke": "red"}, '.stroke must be written as "#rrggbb" in lower case, or "none", not "red"'),
+        ({"fill": "#FFFFFF"}, '.fill must be written as "#rrggbb" in lower case, or "none", not "#FFFFFF"'),
+        ({"width": -1.0}, ".width must be 0 or greater, not -1.0"),
+        ({"opacity": 1.5}, ".opacity must lie between 0 and 1, not 1.5"),
+        ({"fill_opacity": -0.5}, ".fill_opacity must lie between 0 and 1, not -0.5"),
+        ({"miter_limit": 0.5}, ".miter_limit must be 1 or greater, not 0.5"),
+        ({"dash": (1.0, -1.0)}, ".dash[1] must be 0 or greater, not -1.0"),
+        ({"dash": (0.0, 0.0)}, ".dash must hold a number greater than 0"),
+        ({"dash": (1.0,) * 65}, ".dash must hold at most 64 numbers, not 65"),
+        ({"dash_offset": 1e13}, ".dash_offset must lie between"),
+    ],
+)
+def test_a_style_that_cannot_be_drawn_is_refused_with_its_place(changed, complaint):
+    curve = replace(make_curve([(0.0, 0.0), (1.0, 1.0)]), style=replace(Style(), **changed))
+    with pytest.raises(FormatError) as refusal:
+        encode(Document((curve,)))
+    assert str(refusal.value).startswith(f"curves[0].style{complaint}")
+
+
+@pytest.mark.parametrize(
+    ("values", "complaint"),
+    [
+        ({"unit": "a" * 13}, "unit must be a name of at most 12 characters"),
+        ({"grid_spacing": -1.0}, "grid_spacing must be 0 or greater, not -1.0"),
+        ({"guides": (Guide(Axis.X, float("nan")),)}, "guides[0].position must lie between"),
+    ],
+)
+def test_a_plane_that_cannot_be_drawn_is_refused_with_its_place(values, complaint):
+    with pytest.raises(FormatError) as refusal:
+        encode(drawing(**values))
+    assert str(refusal.value).startswith(complaint)
+
+
+def test_a_shape_that_is_none_is_refused():
+    torn = drawing()
+    torn = torn.with_curve(1, replace(torn.curves[1], shape="S"))
+    with pytest.raises(FormatError, match=r"curves\[0\]\.shape must name two or more curves"):
+        encode(torn)
