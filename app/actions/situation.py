@@ -41,6 +41,12 @@ class Situation:
         return self.session.selected.curves
 
     @property
+    def has_highlight(self) -> bool:
+        """Whether there is something to copy or to delete."""
+        highlight, curves = self.session.selected.highlight(), self.session.document.curves
+        return bool(highlight.curves) and (len(curves) > 1 or bool(curves[0].points))
+
+    @property
     def has_copied_derivatives(self) -> bool:
         """Whether there are derivatives on the clipboard; another program may have to be asked for that."""
         return self._clipboard.holds_derivatives

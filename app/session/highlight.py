@@ -7,7 +7,7 @@ import msgspec
 from ..document.edits import delete_points
 from ..document.model import Document
 from ..document.several_curves import named, remove_curves
-from ..document.words import points
+from ..document.words import count_of, points
 
 
 class Highlight(msgspec.Struct, frozen=True):
@@ -39,6 +39,13 @@ class Highlight(msgspec.Struct, frozen=True):
         """Return the words "point 3" or "4 points", the name of the curve, or "2 curves"."""
         whole = self.curves_of(document)
         return named(document, whole) if whole else points(self.points)
+
+    def said(self, document: Document) -> str:
+        """Return what it is within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
+        if self.points:
+            return count_of(len(self.points), "point")
+        name = named(document, self.curves)
+        return f"“{name}”" if len(self.curves) == 1 else name
 
     def removed_from(self, document: Document) -> Document:
         """Return the document without it."""

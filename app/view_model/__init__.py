@@ -27,7 +27,7 @@ A curve changed:
 - ``reshape``, ``split_join``: other points for the same curve, two curves of one.
   ``smoothness``, ``straight``: corners, straight segments.  ``measure``: the change of shape.
 - ``least_squares``: curves of few points near many.
-- ``pasting``: points carried from one curve to another.
+- ``pasting``: points carried from one curve to another.  ``arrivals``: curves from elsewhere.
 - ``point_columns``: the columns of the point table.
 
 Beside the curve:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QMimeData, QMetaType
+from PySide6.QtCore import QByteArray, QMetaType, QMimeData
 from PySide6.QtGui import QImage
 
 from ... import exchange
@@ -15,56 +14,62 @@ from ...exchange.options import Options
 from ...qt.overrides import Guarded
 from ...storage.format import encode
 
-CURVES = "application/x-curvebench-curves"
-"""MIME type of whole curves: a document of them."""
-
-POINTS = "application/x-curvebench-points"
-"""MIME type of points: a document of one curve that has these points only."""
-
 SVG_TYPES = ("image/x-inkscape-svg", "image/svg+xml")
-"""MIME types of SVG, the one that is taken first in front."""
+"""MIME types of SVG; where a program offers both, the first says more."""
 
-_PNG, _TEXT, _IMAGE = "image/png", "text/plain", "application/x-qt-image"
+TEXT = "text/plain"
+_PNG, _IMAGE = "image/png", "application/x-qt-image"
 _WIDTH = 1600
 
 
 class Offer(Guarded, QMimeData):
     """Curves, or points of one, for this program and for others.
 
-    Drawing them takes a moment, and most of what is copied is pasted here.
+    Pictures of them are drawn when a program asks: most of what is copied is pasted here.
 
     Parameters
     ----------
     own
-        The MIME type of what this program takes.
+        The MIME type of what this program takes: `document`, as it is saved.
     document
         The curves.
     text
-        For programs that take text; by default the SVG.
+        For programs that take text; where empty, the SVG.
     """
 
     def __init__(self, own: str, document: Document, text: str = "") -> None:
         super().__init__()
         self._own, self._document, self._text = own, document, text
         self._made: dict[str, Any] = {}
-        self._can_draw = any(len(curve.points) > 1 for curve in document.curves)
+        is_drawable = any(len(curve.points) > 1 for curve in document.curves)
+        drawn = (*SVG_TYPES, _PNG, _IMAGE) if is_drawable else ()
+        self._formats = [own, *drawn, *([TEXT] if text or drawn else [])]
 
     def formats(self) -> list[str]:
         """Return the MIME types; called by Qt."""
-        drawn = [*SVG_TYPES, _PNG, _IMAGE] if self._can_draw else []
-        return [self._own, *drawn, *([_TEXT] if self._text or self._can_draw else [])]
+        return self._formats
 
-    def hasFormat(self, mimetype: str) -> bool:
-        """Whether something is offered as this; called by Qt."""
-        return mimetype in self.formats()
-
-    def retrieveData(self, mimetype: str, _type: QMetaType) -> Any:
+    def retrieveData(self, mimetype: str, _type: QMetaType | QMetaType.Type) -> Any:  # noqa: ANN401, N802
         """Return what is offered; called by Qt."""
-        if mimetype not in self.formats():
+        if mimetype not in self._formats:
             return None
         if mimetype not in self._made:
-            self._made[mimetype] = self._make(mimetype)
+            made = self._make(mimetype)
+            self._made[mimetype] = QByteArray(made) if isinstance(made, bytes) else made
         return self._made[mimetype]
 
-    def _make(self, mimetype: str) -> Any:
-        ...
+    def _make(self, mimetype: str) -> object:
+        if mimetype == self._own:
+            return encode(self._document)
+        if mimetype == TEXT and self._text:
+            return self._text
+        try:
+            if mimetype == _PNG:
+                return exchange.png_file(self._document, Options(width=_WIDTH, transparent=True)).data
+            if mimetype == _IMAGE:
+                return QImage.fromData(bytes(self.data(_PNG).data()))
+            svg = exchange.svg_of(self._document, Options(unit=self._document.unit))
+        except ExchangeError:
+            # No picture can hold it, or none of the curves can be drawn.
+            return None
+        return svg.text if mimetype == TEXT else svg.data

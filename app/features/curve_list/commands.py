@@ -84,8 +84,7 @@ class CurveListCommands:
         "duplicateCurve",
         "Duplicate Curve",
         CURVE_NUMBER,
-        "Ctrl+D",
-        "duplicate",
+        icon="duplicate",
         title=lambda now: f"Duplicate {_curves(now)}",
     )
     @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -46,7 +46,6 @@ if TYPE_CHECKING:
 
 _SVG_TYPE = "image/svg+xml"
 _COPY_WIDTH = 1600
-_MOST_REMARKS = 3
 
 _ANY_CURVE = Need(
     "a curve through two points or more", lambda now: now.view.curve is not None or len(now.session.views) > 1
@@ -184,12 +183,13 @@ class ExchangeCommands:
         document, first = add_imported(self._session.document, new)
         if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
             return
+        added = range(first, first + len(new.curves))
         if first > 0:
             # What came to others is put in its place as a whole.
-            self._session.selected.set_curves(range(first, first + len(new.curves)))
+            self._session.selected.set_curves(added)
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
-        if first == 0 or not self._context.central.canvas.framing.shows_curves_from(first):
+        if first == 0 or not self._context.central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
@@ -260,13 +260,7 @@ class ExchangeCommands:
             # Pixels are not exact, whatever they were painted from.
             what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
         self._session.say(f"Wrote {path.name}, {what}.")
-        self._warn_of(written.remarks)
-
-    def _warn_of(self, remarks: Sequence[str]) -> None:
-        """Say what was left out of a file that was written."""
-        more = [f"And {len(remarks) - _MOST_REMARKS} more."] if len(remarks) > _MOST_REMARKS else []
-        if remarks:
-            self._context.central.message_bar.warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
+        self._work.warn_of(written.remarks)
 
     # To the clipboard
 
@@ -302,7 +296,7 @@ class ExchangeCommands:
         def done(written: Written) -> None:
             QGuiApplication.clipboard().setText(written.text)
             self._session.say("Copied the curves as SVG path data.")
-            self._warn_of(written.remarks)
+            self._work.warn_of(written.remarks)
 
         self._work.start("Writing path data", work, done, Path("The path data"), "copied")
 
