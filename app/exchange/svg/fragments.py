@@ -21,7 +21,7 @@ _ELEMENTS = "svg|g|path|rect|circle|ellipse|line|polyline|polygon|use|symbol|def
 _ROOT = re.compile(r"<(?:[\w-]+:)?svg[\s/>]")
 _ELEMENT = re.compile(rf"<(?:{_ELEMENTS})[\s/>]")
 _PROLOGUE = re.compile(r"\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*|<!DOCTYPE[^>]*>\s*)*<", re.DOTALL)
-_PATH = re.compile(r"[Mm][-+.,\d\sMmZzLlHhVvCcSsQqTtAaEe]*")
+_PATH = re.compile(r"[Mm]\s*[-+.\d][-+.,\d\sMmZzLlHhVvCcSsQqTtAaEe]*")
 _SVG, _XLINK = "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"
 
 SMALL = 2**16

@@ -9,7 +9,6 @@ from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD
 from ...actions.strips import CURVE_LIST_MENU, POINT_MENU
 from ...document.model import Document, Point
-from ...document.words import count_of
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import Highlight
 from ...view_model.pasting import copied

@@ -28,7 +28,7 @@ from ...view_model.pasting import (
     refuse_unordered,
 )
 from ...workbench.context import WindowContext
-from .content import PointsContent, clipboard_data, curves_in, drawing_in, points_in
+from .content import CURVES, PointsContent, clipboard_data, curves_in, drawing_in, points_in
 from .keys import give_keys_to_drawing
 
 if TYPE_CHECKING:
@@ -64,12 +64,23 @@ class PasteCommands:
     def _paste(self, place: Vector | None, put_points: Callable[[PointsContent], None]) -> None:
         data = clipboard_data()
         try:
-            if not self.take(data, place):
+            if not self._take(data, place):
                 put_points(points_in(data))
         except (EditError, TableTextError) as reason:
             self._session.refuse(str(reason))
 
-    def take(self, data: QMimeData, place: Vector | None) -> bool:
+    def holds_drawing(self, data: QMimeData) -> bool:
+        """Whether what is dragged is a drawing, or curves of ours."""
+        return data.hasFormat(CURVES) or drawing_in(data) is not None
+
+    def paste_dropped(self, data: QMimeData, place: Vector) -> None:
+        """Add a drawing that was dropped at a place."""
+        try:
+            self._take(data, place)
+        except EditError as reason:
+            self._session.refuse(str(reason))
+
+    def _take(self, data: QMimeData, place: Vector | None) -> bool:
         """Add the curves or the drawing in `data`, at a place or where they are; return whether it has any.
 
         Raises
