@@ -8,9 +8,9 @@ import msgspec
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
+from ... import exchange
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
-from ...exchange import svg
 from ...exchange.table.clipboard import Block, read_titled_block
 from ...storage.format import decode
 from ...storage.format_error import FormatError
@@ -63,8 +63,8 @@ def drawing_in(data: QMimeData) -> Fragment | None:
         return None
     for kind in SVG_TYPES:
         if data.hasFormat(kind):
-            return svg.fragments.Fragment(bytes(data.data(kind).data()))
-    return svg.fragments.fragment_in(data.text()) if data.hasText() else None
+            return exchange.svg.fragments.Fragment(bytes(data.data(kind).data()))
+    return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None
 
 
 def points_in(data: QMimeData) -> PointsContent:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QMimeData
 from ...actions.clipboard_watch import DERIVATIVES
 from ...actions.declaration import action, also
 from ...actions.needs import HERMITE_POINTS, Need
-from ...actions.sections import EDIT_COPY_AS
+from ...actions.sections import EDIT_DERIVATIVES
 from ...actions.strips import POINT_MENU
 from ...document import derivatives, edits
 from ...document.model import Point
@@ -32,7 +32,7 @@ class DerivativeCommands:
     @action(
         "copyDerivatives",
         "Copy Derivatives",
-        EDIT_COPY_AS,
+        EDIT_DERIVATIVES,
         "Ctrl+Alt+C",
         needs=Need(
             "one selected point of a Hermite curve",
@@ -62,7 +62,7 @@ class DerivativeCommands:
     @action(
         "pasteDerivatives",
         "Paste Derivatives",
-        EDIT_COPY_AS,
+        EDIT_DERIVATIVES,
         "Ctrl+Alt+Shift+V",
         needs=Need(
             "copied derivatives, and selected points of a Hermite curve",

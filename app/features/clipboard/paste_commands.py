@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
 
+from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.sections import EDIT_CLIPBOARD
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
@@ -16,9 +17,7 @@ from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
 from ...document.words import count_of
-from ...exchange import svg
 from ...exchange.table.clipboard import TableTextError
-from ...exchange.units import MILLIMETRES, known_unit
 from ...view_model.arrivals import centred_at, scaled, with_curves
 from ...view_model.pasting import (
     appended,
@@ -108,7 +107,7 @@ class PasteCommands:
                 return
             self._add(found.document, place, found.remarks)
 
-        read = partial(svg.fragments.read_fragment, fragment)
+        read = partial(exchange.svg.fragments.read_fragment, fragment)
         self._context.work.start("Reading the drawing", read, done, Path("The drawing"), "pasted")
 
     def _add(self, new: Document, place: Vector | None, remarks: Sequence[str] = ()) -> None:
@@ -171,5 +170,8 @@ class PasteCommands:
 
 def _factor(unit: str, into: str) -> float:
     """Return how large a length of one in a unit is in another; 1 where one of them is none of length."""
-    known, wanted = known_unit(unit), known_unit(into)
-    return MILLIMETRES[known] / MILLIMETRES[wanted] if known and wanted else 1.0
+    if unit == into:
+        return 1.0
+    units = exchange.units
+    known, wanted = units.known_unit(unit), units.known_unit(into)
+    return units.MILLIMETRES[known] / units.MILLIMETRES[wanted] if known and wanted else 1.0
