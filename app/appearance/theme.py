@@ -26,7 +26,7 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     """
     The colours of one appearance.
 
-    Compared by identity: a QColor has no hash, and there are two themes.
+    Compared by identity: a QColor has no hash, and there are three themes.
 
     Attributes
     ----------
@@ -46,6 +46,8 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
         Selection, focus and the checked state.
     warning : QColor
         Orange; always shown together with a sign or a word.
+    is_as_printed : bool
+        Whether lines have the colours that were chosen, also such as can hardly be seen on the paper.
     """
 
     name: str
@@ -60,6 +62,7 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     handle: QColor
     accent: QColor
     warning: QColor
+    is_as_printed: bool = False
 
 
 def mix(over: QColor, under: QColor, share: float) -> QColor:
@@ -92,6 +95,8 @@ def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
 
 LIGHT: Final = _theme("light", surface="#f0f1f3", muted="#5b636d", warning="#b25000")
 DARK: Final = _theme("dark", surface="#22272d", muted="#9aa3ad", warning="#ffab52")
+PRINTED: Final = msgspec.structs.replace(LIGHT, is_as_printed=True)
+"""The paper of a picture that is printed, whatever the theme."""
 
 
 def theme_of(palette: QPalette) -> Theme:

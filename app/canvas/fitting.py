@@ -99,7 +99,23 @@ class Framing:
         if drawing.view is not None and not any(view is drawing.view for view in views):
             views.append(drawing.view)
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
-        box = box_of(views) or drawing.image.box
+        self._show(box_of(views) or drawing.image.box)
+
+    def fit_views(self, views: Sequence[CurveView]) -> None:
+        """Show these curves, with a margin."""
+        self._show(box_of(views))
+
+    def fit_points(self, points: FloatArray) -> None:
+        """Show points (k, 2) with a margin; a place alone in the middle, as large as it is now."""
+        low, high = points.min(axis=0), points.max(axis=0)
+        if (low == high).all():
+            shown = self._camera.pixel_map
+            half = np.array([shown.width / shown.sx, shown.height / shown.sy]) / 2
+            self._camera.show_box(*np.column_stack([low - half, low + half]).tolist())
+        else:
+            self._show(with_margin(PlaneBox(low, high)))
+
+    def _show(self, box: PlaneBox | None) -> None:
         if box is None:
             self._camera.show_box((-0.5, 4.5), (-0.5, 4.5))
         else:

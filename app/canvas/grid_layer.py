@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -12,11 +10,11 @@ from PySide6.QtGui import QPainter
 
 from curvecore.arrays import FloatArray
 
-from ..document.words import number
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.segments import Bars
+from ..plotting.ticks import Stretch, nice_step
 
 _LEAST_GAP = 8.0
 """Pixels between two lines of a grid of fixed spacing, at least."""
@@ -24,11 +22,15 @@ _LEAST_GAP = 8.0
 _LEAST_COARSE_GAP = 80.0
 """Pixels between two coarse lines of a grid that adapts, at least; steps of 1, 2, 5 keep them below 200."""
 
-_MOST_DIGITS = 15
-
 
 class GridLayer(Layer):
-    """Layer of fine and coarse lines that adapt to the zoom."""
+    """Layer of fine and coarse lines that adapt to the zoom.
+
+    Attributes
+    ----------
+    steps
+        The distances of coarse and fine lines.
+    """
 
     z = -10.0
     is_still = True
@@ -38,23 +40,15 @@ class GridLayer(Layer):
         super().__init__(plot)
         self._shown: PixelMap | None = None
         self._fine, self._coarse = Bars(), Bars()
-        self._fixed = 0.0
-        self._steps = (0.0, 0.0)
+        self._fixed, self.steps = 0.0, (0.0, 0.0)
         plot.camera.changed.connect(self._tune_axes)
         self.set_spacing(0.0)
 
     def set_spacing(self, spacing: float) -> None:
         """Fix the distance of the lines, in units of the plane; 0 adapts it to the zoom."""
-        self._fixed, self._shown = spacing, None
-        # Labels of an adaptive grid stand at the coarse lines alone, as dense along x as along y.
-        text_level = 2 if spacing else 0
-        for axis in self._axes():
-            axis.setStyle(maxTextLevel=text_level)
+        self._fixed, self.steps = spacing, (0.0, 0.0)
         self._tune_axes()
         self.update()
-
-    def _axes(self) -> tuple[Any, Any]:
-        return (self._plot.getAxis("bottom"), self._plot.getAxis("left"))
 
     def spacing(self, shown: PixelMap) -> float:
         """Return the distance of the fine lines, along x as along y: what snapping to the grid goes by."""
@@ -64,12 +58,13 @@ class GridLayer(Layer):
         """Keep the lines apart on the screen, both ways alike: the plane has the same unit along x and y."""
         sx = self._plot.pixel_map.sx
         steps = grid_steps(self._fixed, sx) if self._fixed else adaptive_steps(sx)
-        if steps == self._steps:
+        if steps == self.steps:
             return
-        self._steps, self._shown = steps, None
-        for axis in self._axes():
-            axis.tickStrings = tick_labels
-            axis.setTickSpacing(major=steps[0], minor=steps[1])
+        self.steps, self._shown = steps, None
+        coarse, fine = steps
+        for side in ("bottom", "left"):
+            # Numbers of an adaptive grid stand at the coarse lines alone, as dense along x as along y.
+            self._plot.getAxis(side).set_distances(fine, fine if self._fixed else coarse)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
@@ -84,11 +79,10 @@ class GridLayer(Layer):
     def _compute(self, shown: PixelMap) -> None:
         self._shown = shown
         x_min, y_min, x_max, y_max = shown.box
-        x_levels = self._plot.getAxis("bottom").tickValues(x_min, x_max, shown.width)
-        y_levels = self._plot.getAxis("left").tickValues(y_min, y_max, shown.height)
-        for lines, level in ((self._coarse, 0), (self._fine, 1)):
-            across = [shown.x(_values(x_levels, level)), shown.y(_values(y_levels, level))]
-            lines.fill(_lines(across[0], across[1], shown))
+        along_x, along_y = Stretch(x_min, x_max, shown.width), Stretch(y_min, y_max, shown.height)
+        for lines, step in ((self._coarse, self.steps[0]), (self._fine, self.steps[1])):
+            x, y = (np.array(seen.multiples(step), dtype=float) for seen in (along_x, along_y))
+            lines.fill(_lines(shown.x(x), shown.y(y), shown))
 
 
 def adaptive_steps(pixels_per_unit: float) -> tuple[float, float]:
@@ -98,11 +92,10 @@ def adaptive_steps(pixels_per_unit: float) -> tuple[float, float]:
     odd number (0.4): never less than 16 pixels.
     """
     needed = _LEAST_COARSE_GAP / pixels_per_unit
-    power = math.floor(math.log10(needed))
-    digit = next(digit for digit in (1, 2, 5, 10) if digit * 10.0**power >= needed * (1 - 1e-12))
-    fine = {1: 0.2, 2: 1.0, 5: 1.0, 10: 2.0}[digit]
-    # As the decimal number that is meant: 0.2, not 2 · 0.1 in binary.
-    return float(f"{digit}e{power}"), float(f"{fine}e{power}")
+    coarse = nice_step(needed)
+    power = math.floor(math.log10(coarse) + 1e-9)
+    fine = {1: 0.2, 2: 1.0, 5: 1.0}[round(coarse / 10.0**power)]
+    return coarse, float(f"{fine}e{power}")
 
 
 def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
@@ -116,23 +109,6 @@ def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
     factor = next(step * decade for step in (1, 2, 5, 10) if step * decade >= needed * (1 - 1e-12))
     # After 2 comes 10, so that lines of both kinds fall together.
     return (5 if round(factor / decade) == 2 else 10) * factor * spacing, factor * spacing
-
-
-def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[str]:
-    """Return the numbers at ticks `spacing` apart.
-
-    pyqtgraph writes as many decimals as the spacing has places: 0.75 as 0.8 where ticks are 0.25 apart; and
-    six digits at most, so that neighbours far from the origin are told alike.
-    """
-    # A multiple of the spacing that should be zero may be off by a rounding.
-    exact = [round(value / spacing) * spacing * scale for value in values]
-    largest = max((abs(value / spacing) for value in values), default=1.0)
-    digits = min(max(7, math.ceil(math.log10(max(largest, 1.0))) + 1), _MOST_DIGITS)
-    return [number(value, digits) for value in exact]
-
-
-def _values(levels: list[tuple[float, list[float]]], level: int) -> FloatArray:
-    return np.array(levels[level][1] if level < len(levels) else [], dtype=float)
 
 
 def _lines(x: FloatArray, y: FloatArray, shown: PixelMap) -> FloatArray:

@@ -1,4 +1,4 @@
-"""The name of the unit at the ends of the axes."""
+"""The name of the unit at the ends of the axes, and what the numbers at the left leave out."""
 
 from __future__ import annotations
 
@@ -11,29 +11,35 @@ from ..plotting.plot_widget import PlotWidget
 
 
 class UnitLayer(Layer):
-    """Layer of the unit's name, at the right end of the x axis and the upper end of the y axis."""
+    """Layer of the unit's name, at the right end of the x axis and the upper end of the y axis.
+
+    What has to be added to the numbers of the y axis stands there, too: they have too little room for it.
+    """
 
     z = -5.0
     is_still = True
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
+        self._plot = plot
         self._unit = ""
-        self.set_visible(False)
 
     def render(self, unit: str) -> None:
         """Write this name from the next paint on; empty for none."""
         self._unit = unit
-        self.set_visible(bool(unit))
         self.update()
 
+    def words(self, shown: PixelMap) -> tuple[str, str]:
+        """Return what stands at the x axis and at the y axis."""
+        offset = self._plot.getAxis("left").ticks_in(shown).offset
+        return self._unit, " ".join(filter(None, (offset, self._unit)))
+
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Write the name twice."""
-        if not self._unit:
-            return
+        """Write both."""
         painter.setFont(self.fonts.less(1.5, 1.0))
         painter.setPen(self.theme.muted)
         side = Qt.AlignmentFlag
+        at_x, at_y = self.words(shown)
         below = QRectF(shown.width - 126, shown.height - 22, 120, 18)
-        painter.drawText(below, int(side.AlignRight | side.AlignBottom), self._unit)
-        painter.drawText(QRectF(6, 4, 120, 18), int(side.AlignLeft | side.AlignTop), self._unit)
+        painter.drawText(below, int(side.AlignRight | side.AlignBottom), at_x)
+        painter.drawText(QRectF(6, 4, 200, 18), int(side.AlignLeft | side.AlignTop), at_y)

@@ -295,6 +295,23 @@ class Guide(Value, frozen=True):
     position: float
 
 
+class Page(Value, frozen=True, omit_defaults=False):
+    """The part of the plane that pictures show.
+
+    Attributes
+    ----------
+    x, y
+        Where its lower left corner lies.
+    width, height
+        Its size.
+    """
+
+    x: float
+    y: float
+    width: float
+    height: float
+
+
 class Document(Value, frozen=True):
     """Everything that is saved.
 
@@ -310,6 +327,8 @@ class Document(Value, frozen=True):
         Distance of the grid's lines; 0 where it adapts to the zoom.
     guides
         Lines to draw along.
+    page
+        What pictures of it show; None for what its curves take.
     """
 
     curves: tuple[Curve, ...]
@@ -317,6 +336,7 @@ class Document(Value, frozen=True):
     unit: str = ""
     grid_spacing: float = 0.0
     guides: tuple[Guide, ...] = ()
+    page: Page | None = None
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""

@@ -23,6 +23,7 @@ Values = TypeVar("Values", bound=Value)
 _FLAGS = ("closed", "visible", "locked")
 _OF_RULE = ("alpha", "start", "end")
 _OF_IMAGE = ("x", "y", "width", "height", "opacity")
+_OF_PAGE = ("x", "y", "width", "height")
 _OF_STYLE = ("width", "miter_limit", "dash_offset", "stroke_opacity", "fill_opacity", "opacity")
 
 
@@ -43,6 +44,8 @@ def plain(document: Document, before: Document | None = None) -> Document:
     document = _with_plain(document, ("grid_spacing",))
     if before is None or document.guides is not before.guides:
         document = _with_each(document, "guides", lambda guide: _with_plain(guide, ("position",)))
+    if document.page is not None and (page := _with_plain(document.page, _OF_PAGE)) is not document.page:
+        document = replace(document, page=page)
     if image is document.image and not any(map(is_not, curves, document.curves)):
         return document
     return replace(document, curves=curves, image=image)

@@ -15,6 +15,7 @@ FEATURES = (
     "snapping",
     "import_export",
     "curves",
+    "shapes",
     "tangents",
     "rules",
     "own_families",

@@ -1,75 +1,272 @@
-"""Axes of a plot, beside the view box."""
+"""Axes of a plot, beside the plot area: numbers and ticks along its left side, and below it or above it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 
 import pyqtgraph as pg
-from PySide6.QtGui import QColor, QFont
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
 
-from ..appearance.theme import Theme
-from ..document.words import with_minus
+from ..appearance.theme import LIGHT, Theme
+from .pixel_map import PixelMap
+from .ticks import LabelRoom, Stretch, Ticks, choose_ticks, nice_step, with_marks
 
 _WIDTH = 46
+_TICK, _MARK = 5.0, 3.5
+"""Pixels of a tick that has a number, and of one that has none."""
+
+_GAP = 4.0
+"""Pixels between a tick and its number."""
+
+_LEAST_ACROSS, _LEAST_UPRIGHT = 70.0, 30.0
+"""Pixels between two numbers, at least, where nobody has said how far apart they stand."""
+
+_BETWEEN_ACROSS, _BETWEEN_UPRIGHT = 10.0, 2.0
+"""Pixels that stay free between two numbers."""
+
+_PARTS = 5
+"""Ticks from one number to the next, where nobody has said how far apart they stand."""
+
+_MARGIN, _FOOT = 1, 6
+"""Pixels around all of it, and beyond the numbers along x."""
+
+_ONE_LINE = Qt.TextFlag.TextSingleLine | Qt.TextFlag.TextDontClip
+_IN_THE_MIDDLE = int(_ONE_LINE | Qt.AlignmentFlag.AlignCenter)
+_TO_THE_RIGHT = int(_ONE_LINE | Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 
-class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
-    """An axis with a true minus, and without a label: pyqtgraph would lay it out for every pen and range."""
+class Axis:
+    """One axis: its numbers and ticks, found for the part that is seen.
 
-    def labelString(self) -> str:  # noqa: N802
-        return ""
+    Attributes
+    ----------
+    font
+        That of the numbers.
+    is_ruler
+        Whether it has finer ticks, on a ground of its own.
+    """
 
-    def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:  # noqa: N802
-        return [with_minus(text) for text in super().tickStrings(values, scale, spacing)]
+    def __init__(self, changed: Callable[[], object], *, is_upright: bool) -> None:
+        self._changed, self._is_upright = changed, is_upright
+        self.is_ruler = False
+        self.set_font(QFont(), 1.0)
+        self._factor = 1.0
+        # Distances of ticks and numbers, None for such as suit the zoom; or all that is shown.
+        self._distances: tuple[float, float] | None = None
+        self._given: Ticks | None = None
+        self._found: tuple[object, Ticks] = (None, Ticks(()))
+
+    # What is wanted
+
+    def set_ticks(self, ticks: Sequence[tuple[float, str]]) -> None:
+        """Show these ticks with their words, and no others."""
+        self._given = Ticks(tuple(ticks))
+        self._changed()
+
+    def set_distances(self, tick: float, number: float) -> None:
+        """Put ticks so far apart, and numbers too where there is room; a number stands at a tick."""
+        if self._distances != (tick, number):
+            self._distances = (tick, number)
+            self._changed()
+
+    def set_factor(self, factor: float) -> None:
+        """Write numbers times `factor`."""
+        self._factor = factor
+        self._changed()
+
+    def set_font(self, font: QFont, scale: float) -> None:
+        """Write in this font, which is enlarged by `scale`."""
+        self.font, self._scale, self._metrics = font, scale, QFontMetricsF(font)
+
+    # What is shown
+
+    @property
+    def thickness(self) -> float:
+        """Pixels that it takes across.
+
+        The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
+        """
+        if self._is_upright:
+            return _WIDTH * self._scale
+        return math.ceil(self._metrics.height()) + _TICK + _GAP + _FOOT
+
+    def ticks(self, low: float, high: float, size: float) -> Ticks:
+        """Return the ticks from `low` to `high`, on so many pixels."""
+        if self._given is not None:
+            return self._given
+        asked = (low, high, size, self._distances, self._factor, self._scale, self.is_ruler)
+        if self._found[0] != asked:
+            self._found = (asked, self._find(Stretch(low, high, size, self._factor)))
+        return self._found[1]
+
+    def ticks_in(self, shown: PixelMap) -> Ticks:
+        """Return the ticks of the part that a map shows."""
+        x_min, y_min, x_max, y_max = shown.box
+        if self._is_upright:
+            return self.ticks(y_min, y_max, shown.height)
+        return self.ticks(x_min, x_max, shown.width)
+
+    def _find(self, seen: Stretch) -> Ticks:
+        least = (_LEAST_UPRIGHT if self._is_upright else _LEAST_ACROSS) * self._scale
+        own = nice_step(least / seen.scale * self._factor) / self._factor
+        tick, wanted = self._distances or (own / _PARTS, own)
+        return with_marks(choose_ticks(seen, tick, wanted, self._room()), seen, tick, finer=self.is_ruler)
+
+    def _room(self) -> LabelRoom:
+        wide, high = self._metrics.horizontalAdvance, self._metrics.height()
+        if self._is_upright:
+            return LabelRoom(lambda _text: high, wide, _BETWEEN_UPRIGHT, self._strip, high / 4, high / 4)
+        return LabelRoom(wide, lambda _text: high, _BETWEEN_ACROSS, self._strip, _WIDTH / 2, _MARGIN)
+
+    @property
+    def _strip(self) -> float:
+        """Pixels that a number may take across."""
+        return self.thickness - _TICK - _GAP
+
+
+class Side:
+    """The side of the plot area where an axis is painted: pixels along it, and away from the area."""
+
+    def __init__(self, axis: Axis, shown: PixelMap, *, is_upright: bool, is_above: bool) -> None:
+        self.axis, self._shown, self._is_upright = axis, shown, is_upright
+        # From where ticks go out, and in which direction.
+        self._edge = 0.0 if is_upright or is_above else shown.height
+        self._out = -1.0 if is_upright or is_above else 1.0
+
+    @property
+    def length(self) -> float:
+        """Pixels along it."""
+        return self._shown.height if self._is_upright else self._shown.width
+
+    def at(self, place: float) -> float:
+        """Return the pixel along it of a place of the plane."""
+        return self._shown.point(place, place)[1 if self._is_upright else 0]
+
+    def point(self, along: float, away: float) -> QPointF:
+        """Return a pixel of the plot area."""
+        across = self._edge + self._out * away
+        return QPointF(across, along) if self._is_upright else QPointF(along, across)
+
+    def box(self, first: float, last: float, near: float, far: float) -> QRectF:
+        """Return the box between two pixels along it and two distances from the area."""
+        return QRectF(self.point(first, near), self.point(last, far)).normalized()
+
+    def paint(self, painter: QPainter, theme: Theme) -> None:
+        """Paint the ground, the line, the ticks and the numbers."""
+        axis = self.axis
+        ticks = axis.ticks_in(self._shown)
+        if axis.is_ruler:
+            painter.fillRect(self.box(0, self.length, 0, axis.thickness), theme.surface)
+        line = QColor(theme.ghost if axis.is_ruler else theme.grid_coarse)
+        painter.setPen(line)
+        painter.drawLine(self.point(0, 0), self.point(self.length, 0))
+        for place, share in ticks.marks:
+            self._paint_tick(painter, place, _MARK * share)
+        places = [(self._paint_tick(painter, place, _TICK), text) for place, text in ticks.labels]
+        painter.setFont(axis.font)
+        painter.setPen(theme.muted)
+        for along, text in places:
+            self._write(painter, along, text)
+
+    def _paint_tick(self, painter: QPainter, place: float, length: float) -> float:
+        along = round(self.at(place))
+        painter.drawLine(self.point(along, 0), self.point(along, length))
+        return along
+
+    def _write(self, painter: QPainter, along: float, text: str) -> None:
+        """Write a number beside its tick; where there is too little room for it, pressed together."""
+        metrics, away = painter.fontMetrics(), _TICK + _GAP / 2
+        half = metrics.height() / 2
+        if not self._is_upright:
+            box = self.box(along - half, along + half, away, away + 2 * half)
+            painter.drawText(box, _IN_THE_MIDDLE, text)
+            return
+        width, room = metrics.horizontalAdvance(text), self.axis.thickness - _TICK - _GAP
+        painter.save()
+        painter.translate(self.point(along, _TICK + _GAP))
+        painter.scale(min(room / max(width, 1), 1.0), 1.0)
+        box = QRectF(-width, -half, width, 2 * half)
+        painter.drawText(
+            box, int(_ONE_LINE | Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter), text
+        )
+        painter.restore()
 
 
 class Axes:
-    """The left and the lower axis of a view box.
-
-    pyqtgraph's PlotItem has them too, and half of the time it takes to build goes into menus, a title
-    and two more axes that are never shown.
+    """The left and the lower axis of a view box; as rulers, the left and the upper one.
 
     Attributes
     ----------
     frame
-        Holds axes and view box.
+        Holds the view box, and leaves room for them.
+    are_rulers
+        Whether they are rulers.
     """
 
-    def __init__(self, box: pg.ViewBox) -> None:
-        self._by_side = {side: _Axis(side) for side in ("left", "bottom")}
+    def __init__(self, box: pg.ViewBox, changed: Callable[[], object]) -> None:
+        self._by_side = {side: Axis(changed, is_upright=side == "left") for side in ("left", "bottom")}
+        self._theme = LIGHT
+        self.are_rulers = False
         self.frame = QGraphicsWidget()
-        grid = QGraphicsGridLayout(self.frame)
-        grid.setContentsMargins(1, 1, 1, 1)
-        grid.setSpacing(0)
-        grid.addItem(self._by_side["left"], 0, 0)
-        grid.addItem(box, 0, 1)
-        grid.addItem(self._by_side["bottom"], 1, 1)
-        grid.setRowStretchFactor(0, 1)
-        grid.setColumnStretchFactor(1, 1)
-        for axis in self._by_side.values():
-            axis.linkToView(box)
-            # Above what the view box paints.
-            axis.setZValue(0.5)
-            # There is no unit to put a prefix to, but pyqtgraph would lay its label out at every new range.
-            axis.enableAutoSIPrefix(False)
-            axis.setStyle(tickLength=5, tickTextOffset=4, hideOverlappingLabels=True)
+        self._grid = QGraphicsGridLayout(self.frame)
+        self._grid.setSpacing(0)
+        self._grid.addItem(box, 0, 0)
 
-    def __getitem__(self, side: str) -> pg.AxisItem:
-        """Return the axis "left" or "bottom"."""
+    def __getitem__(self, side: str) -> Axis:
+        """Return the axis along x, "bottom", or the one along y, "left"."""
         return self._by_side[side]
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        for axis in self._by_side.values():
-            axis.setPen(QColor(theme.grid_coarse))
-            axis.setTextPen(QColor(theme.muted))
+        self._theme = theme
 
     def set_scale(self, font: QFont, scale: float) -> None:
         """Write numbers a little smaller than in `font`, times `scale`."""
         small = QFont(font)
         small.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0) * scale)
         for axis in self._by_side.values():
-            axis.setTickFont(small)
-        # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
-        self._by_side["left"].setWidth(_WIDTH * scale)
+            axis.set_font(small, scale)
+        self._lay_out()
+
+    def set_rulers(self, shown: bool) -> None:
+        """Show them as rulers, or as plain axes."""
+        self.are_rulers = shown
+        for axis in self._by_side.values():
+            axis.is_ruler = shown
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        left, across = (self[side].thickness for side in ("left", "bottom"))
+        above, below = (across, 0.0) if self.are_rulers else (0.0, across)
+        self._grid.setContentsMargins(_MARGIN + left, _MARGIN + above, _MARGIN, _MARGIN + below)
+        self._grid.activate()
+
+    def sides(self, shown: PixelMap) -> tuple[Side, Side]:
+        """Return the sides of the plot area where the axis along x and the one along y are painted."""
+        return (
+            Side(self["bottom"], shown, is_upright=False, is_above=self.are_rulers),
+            Side(self["left"], shown, is_upright=True, is_above=False),
+        )
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Paint both, in pixels of the plot area."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        for side in self.sides(shown):
+            side.paint(painter, self._theme)
+        if offset := self["bottom"].ticks_in(shown).offset:
+            self._write_offset(painter, shown, offset)
+
+    def _write_offset(self, painter: QPainter, shown: PixelMap, text: str) -> None:
+        """Write what the numbers along x leave out where both axes meet; numbers there give way."""
+        across, left = self["bottom"].thickness, self["left"].thickness
+        metrics = painter.fontMetrics()
+        top = -across if self.are_rulers else shown.height + 1
+        box = QRectF(-left, top, max(metrics.horizontalAdvance(text) + 6, left), across)
+        painter.fillRect(box, self._theme.surface if self.are_rulers else self._theme.paper)
+        painter.setPen(self._theme.muted)
+        painter.drawText(
+            box, int(_ONE_LINE | Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight), text
+        )

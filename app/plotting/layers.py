@@ -1,7 +1,6 @@
 """Layers of a plot: painted in order, in one theme and scale; those that are still, once into a picture.
 
-They are no items of Qt's graphics scene: where the plot area alone has changed, as under every drag, neither
-Qt's graphics view nor pyqtgraph is asked to paint.
+They are no items of Qt's graphics scene: neither Qt's graphics view nor pyqtgraph is asked to paint.
 """
 
 from __future__ import annotations
@@ -9,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from PySide6.QtCore import QPointF, QRect, QSizeF
+from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF
 from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
@@ -109,10 +108,17 @@ class LayerStack:
     ----------
     theme, scale, fonts
         Those of all that is drawn.
+
+    Parameters
+    ----------
+    area
+        Tells which part of the viewport they paint on.
+    beside
+        Paints what lies beside that, and is still.
     """
 
-    def __init__(self, viewport: QWidget, area: Callable[[], QRect]) -> None:
-        self._viewport, self._area = viewport, area
+    def __init__(self, viewport: QWidget, area: Callable[[], QRect], beside: Painting) -> None:
+        self._viewport, self._area, self._paint_beside = viewport, area, beside
         self._layers: list[Layer] = []
         self._ground: QPixmap | None = None
         self.theme, self.scale, self.fonts = LIGHT, 1.0, Sizes(viewport.font())
@@ -133,13 +139,15 @@ class LayerStack:
         """Have the layers that are still painted anew as well."""
         self._ground = None
 
-    def paint(self, painter: QPainter, shown: PixelMap, origin: QPointF) -> None:
-        """Paint all layers; the plot area begins at `origin`."""
+    def paint_ground(self, painter: QPainter, shown: PixelMap, origin: QPointF) -> None:
+        """Paint what is still, and what lies beside the plot area, which begins at `origin`."""
         ratio = painter.device().devicePixelRatioF()
         if self._ground is None or self._ground.devicePixelRatio() != ratio:
-            self._ground = self._paint_ground(ratio, shown, origin)
+            self._ground = self._make_ground(ratio, shown, origin)
         painter.drawPixmap(0, 0, self._ground)
-        painter.translate(origin)
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Paint the layers that are not still, in pixels of the plot area."""
         self._paint_layers(painter, shown, still=False)
 
     def _paint_layers(self, painter: QPainter, shown: PixelMap, *, still: bool) -> None:
@@ -148,13 +156,16 @@ class LayerStack:
             if layer.is_visible and layer.is_still is still:
                 layer.draw(painter, shown)
 
-    def _paint_ground(self, ratio: float, shown: PixelMap, origin: QPointF) -> QPixmap:
-        """Paint the paper and the layers that are still: one picture for the frames of a drag."""
+    def _make_ground(self, ratio: float, shown: PixelMap, origin: QPointF) -> QPixmap:
+        """Return the paper, the axes and the layers that are still: one picture for the frames of a drag."""
         ground = QPixmap((QSizeF(self._viewport.size()) * ratio).toSize())
         ground.setDevicePixelRatio(ratio)
         ground.fill(self.theme.paper)
         with QPainter(ground) as painter:
-            painter.setClipRect(self._area())
             painter.translate(origin)
+            painter.save()
+            self._paint_beside(painter, shown)
+            painter.restore()
+            painter.setClipRect(QRectF(self._area()).translated(-origin))
             self._paint_layers(painter, shown, still=True)
         return ground

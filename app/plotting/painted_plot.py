@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QGraphicsView, QSizePolicy, QWidget
 
 from ..appearance.theme import Theme, theme_of
 from ..qt.overrides import Guarded, guard_library
-from .axes import Axes
+from .axes import Axes, Axis
 from .camera import Camera
 from .layers import LayerStack
 from .pixel_map import PixelMap
@@ -20,7 +20,7 @@ from .pixel_map import PixelMap
 _FOCUS_WIDTH = 2
 
 # Whatever a plot is made of: Qt calls their overrides as it calls ours.
-guard_library(pg.GraphicsView, pg.GraphicsScene, pg.ViewBox, ChildGroup, pg.AxisItem)
+guard_library(pg.GraphicsView, pg.GraphicsScene, pg.ViewBox, ChildGroup)
 
 
 class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph has no types
@@ -49,9 +49,9 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._box = pg.ViewBox(enableMenu=False)
-        self._axes = Axes(self._box)
+        self._axes = Axes(self._box, self._repaint_all)
         self.camera = self.camera_class(self, self._box)
-        self.layers = LayerStack(self.viewport(), lambda: self.camera.area)
+        self.layers = LayerStack(self.viewport(), lambda: self.camera.area, self._axes.paint)
         self._shows_focus = False
         self._set_up_view()
         self._axes.set_scale(self.font(), 1.0)
@@ -75,8 +75,8 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         """Return the view box."""
         return self._box
 
-    def getAxis(self, side: str) -> Any:  # noqa: ANN401, N802 - as in pyqtgraph's PlotWidget
-        """Return the axis "left" or "bottom"."""
+    def getAxis(self, side: str) -> Axis:  # noqa: N802 - as in pyqtgraph's PlotWidget
+        """Return the axis along y, "left", or the one along x, "bottom"."""
         return self._axes[side]
 
     @property
@@ -121,12 +121,14 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
             self.layers.reset_ground()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        origin, area = self.camera.origin, self.camera.area
-        if not area.contains(event.rect()):
-            super().paintEvent(event)
+        # Nothing is an item of Qt's graphics scene: neither Qt's view nor pyqtgraph is asked to paint.
+        origin, area, shown = self.camera.origin, self.camera.area, self.camera.pixel_map
         with QPainter(self.viewport()) as painter:
-            painter.setClipRect(area)
-            self.layers.paint(painter, self.camera.pixel_map, origin)
+            self.layers.paint_ground(painter, shown, origin)
+            if event.region().intersects(area):
+                painter.setClipRect(area)
+                painter.translate(origin)
+                self.layers.paint(painter, shown)
         if self._shows_focus:
             self._paint_focus()
         self.painted.emit()

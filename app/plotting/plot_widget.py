@@ -76,6 +76,13 @@ class PlotWidget(PaintedPlot):
         """Handle the pointer leaving the widget."""
 
     @property
+    def zoom_centre(self) -> QPointF:
+        """The pixel of the viewport about which keys zoom: under the pointer, else in the middle."""
+        if self._pointer is None:
+            return self.camera.centre()
+        return self.camera.origin + QPointF(*self._pointer.pixel)
+
+    @property
     def is_dragging(self) -> bool:
         """Whether a gesture is in flight."""
         return False

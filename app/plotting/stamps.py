@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from curvecore.arrays import FloatArray, IntArray
 
@@ -100,9 +100,9 @@ class Stamps:
         self._sheet.fill(Qt.GlobalColor.transparent)
         painter = QPainter(self._sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        painter.setPen(QPen(theme.paper, rim * ratio) if rim else Qt.PenStyle.NoPen)
+        painter.setPen(QPen(self._rim(theme), rim * ratio) if rim else Qt.PenStyle.NoPen)
         within = [(x / finer, y / finer) for y in range(finer) for x in range(finer)]
-        for number, colour in enumerate(point_colours(colours, theme)):
+        for number, colour in enumerate(self._colours(colours, theme)):
             painter.setBrush(colour)
             for cell, (x, y) in enumerate(within, number * len(within)):
                 left, top = cell % _COLUMNS * self._cell, cell // _COLUMNS * self._cell
@@ -111,6 +111,28 @@ class Stamps:
                 self._shape(painter, radius * ratio)
                 painter.translate(-centre)
         painter.end()
+
+    def _colours(self, count: int, theme: Theme) -> Sequence[QColor]:
+        return point_colours(count, theme)
+
+    def _rim(self, theme: Theme) -> QColor:
+        return theme.paper
+
+
+class RingStamps(Stamps):
+    """Marks of paper within a rim of the accent, all alike."""
+
+    def draw_rings(
+        self, painter: QPainter, places: FloatArray, theme: Theme, radius: float, rim: float
+    ) -> None:
+        """Draw rings at `places` (k, 2), in pixels."""
+        self.draw(painter, places, np.zeros(len(places), dtype=np.intp), 1, theme, radius, rim)
+
+    def _colours(self, count: int, theme: Theme) -> Sequence[QColor]:
+        return [theme.paper] * count
+
+    def _rim(self, theme: Theme) -> QColor:
+        return theme.accent
 
 
 def _places_within_a_pixel(count: int) -> int:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..document.model import Curve
 from ..document.selection import followed_curves, followed_points, returned_curves, returned_points
+from ..document.shapes import whole_shapes
 from .highlight import Highlight
 
 if TYPE_CHECKING:
@@ -45,13 +46,18 @@ class Selection:
         return next(iter(self.points)) if len(self.points) == 1 else None
 
     def highlight(self, *, whole_curves: bool = False) -> Highlight:
-        """Return the selected points, or else the chosen curves, of which the edited one is one.
+        """Return the selected points, or else the chosen curves with all of their shapes.
 
         `whole_curves` passes over the points, as where the list of curves has the focus.
         """
         if self.points and not whole_curves:
             return Highlight(frozenset({self._session.active_index}), self.points)
-        return Highlight(self.curves)
+        return Highlight(self.whole)
+
+    @property
+    def whole(self) -> frozenset[int]:
+        """The selected curves, with all others of their shapes."""
+        return whole_shapes(self._session.document, self.curves)
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select the points at `indices` of the active curve, those that exist."""

@@ -226,7 +226,7 @@ class Session(QObject):
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        document = tidy_shapes(plain(document, self._shown))
+        document = tidy_shapes(plain(document, self._shown), self._shown)
         if document is self._shown:
             return True
         if reason := why_locked(self._committed, document):
@@ -245,7 +245,7 @@ class Session(QObject):
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a locked curve is another one, or no file could hold it."""
-        document = tidy_shapes(plain(document, self._shown))
+        document = tidy_shapes(plain(document, self._shown), self._shown)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)

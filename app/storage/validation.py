@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import chain
 from operator import attrgetter
 
@@ -12,6 +12,7 @@ from ..document.model import (
     MAX_MAGNITUDE,
     Curve,
     Document,
+    Page,
     ParametrizationKind,
     Point,
     ReferenceImage,
@@ -68,14 +69,21 @@ def _validate_plane(document: Document) -> None:
         raise FormatError(f"grid_spacing must be 0 or greater, not {document.grid_spacing!r}")
     for index, guide in enumerate(document.guides):
         check_number(guide.position, f"guides[{index}].position")
+    if document.page is not None:
+        _validate_box(document.page, "page", ("x", "y", "width", "height"))
+
+
+def _validate_box(box: ReferenceImage | Page, place: str, keys: Sequence[str]) -> None:
+    """Raise FormatError unless these values are numbers, and the size is positive."""
+    for key in keys:
+        check_number(getattr(box, key), f"{place}.{key}")
+    for key in ("width", "height"):
+        if not getattr(box, key) > 0:
+            raise FormatError(f"{place}.{key} must be greater than 0, not {getattr(box, key)!r}")
 
 
 def _validate_image(image: ReferenceImage) -> None:
-    for key in ("x", "y", "width", "height", "opacity"):
-        check_number(getattr(image, key), f"image.{key}")
-    for key in ("width", "height"):
-        if not getattr(image, key) > 0:
-            raise FormatError(f"image.{key} must be greater than 0, not {getattr(image, key)!r}")
+    _validate_box(image, "image", ("x", "y", "width", "height", "opacity"))
     if not 0 <= image.opacity <= 1:
         raise FormatError(f"image.opacity must lie between 0 and 1, not {image.opacity!r}")
     if not image.path.strip() or not image.path.isprintable():

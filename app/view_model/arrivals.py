@@ -9,8 +9,11 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
+from ..document.curve_edits import with_each
+from ..document.curve_tree import Container
 from ..document.model import Curve, Document, Vector
-from ..document.several_curves import add_curves, mapped, moved, whole_curves, with_each
+from ..document.several_curves import add_curves, mapped, moved, whole_curves
+from ..document.shape_edits import place_above
 from ..document.shapes import shape_of
 from ..document.transforms import scaling
 from .curve_view import view_of
@@ -32,14 +35,22 @@ class Arrival(msgspec.Struct, frozen=True):
 
 
 def with_curves(document: Document, curves: Sequence[Curve], active: int) -> Arrival:
-    """Add curves in front of the active one and its shape, visible and free, under names of their own.
+    """Add curves in front of the active one, visible and free, under names of their own.
 
-    A lone curve without points is what a new document begins with; it gives way.
+    They come in front of the shape and the groups that it is in, and are in none of them. A lone curve
+    without points is what a new document begins with; it gives way.
     """
     is_blank = len(document.curves) == 1 and not document.curves[0].points
-    first = 0 if is_blank else shape_of(document, active).stop
+    first = 0 if is_blank else place_above(document, active)
     base = replace(document, curves=()) if is_blank else document
     return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
+
+
+def with_part(document: Document, part: Curve, active: int) -> Arrival:
+    """Add a part of the active curve in front of it and its shape, in the same groups."""
+    first = shape_of(document, active).stop
+    added = add_curves(document, (part,), first, Container(part.groups))
+    return Arrival(added, range(first, first + 1))
 
 
 def scaled(document: Document, curves: Collection[int], factor: float) -> Document:

@@ -35,6 +35,7 @@ PASSING = {
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *(
         "BasisView.supports",
+        "PixelMap.box",
         "FunctionLines._stretches",
         "CrestNames._pictures",
         "CrestNames._made_of",

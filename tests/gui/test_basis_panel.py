@@ -227,11 +227,11 @@ def test_without_parameters_the_panel_says_why_it_is_empty(editor):
 
 
 def test_larger_drawing_enlarges_the_rail_and_the_numbers_at_the_axes(editor, panel):
-    size = panel.getAxis("bottom").style["tickFont"].pointSizeF()
+    size = panel.getAxis("bottom").font.pointSizeF()
     place = panel.rail_pixel(0.5).y()
     editor.trigger("enlarge")
     editor.trigger("enlarge")
-    assert panel.getAxis("bottom").style["tickFont"].pointSizeF() == pytest.approx(1.5 * size)
+    assert panel.getAxis("bottom").font.pointSizeF() == pytest.approx(1.5 * size)
     assert panel.rail_pixel(0.5).y() < place
     editor.drag_parameter(3, to=0.45)
     assert editor.parameters[3] == pytest.approx(0.45, abs=1.5 / panel.pixel_map.sx)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QFontMetricsF
 
-from app.canvas.grid_layer import adaptive_steps, tick_labels
+from app.canvas.grid_layer import adaptive_steps
 from app.document.model import Document, make_curve
+from app.plotting.ticks import LEAST_LABELS, LabelRoom, Stretch, choose_ticks, tick_labels
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 
@@ -27,14 +30,10 @@ def test_steps_are_round_and_never_dense(exponent):
 
 
 def labels(editor, side):
-    """The positions and texts of the labels of an axis of the canvas."""
+    """The distance of the numbers of an axis of the canvas, and where they stand with their texts."""
     canvas = editor.window.canvas
-    axis, shown = canvas.getAxis(side), canvas.pixel_map
-    x_min, y_min, x_max, y_max = shown.box
-    low, high, size = (x_min, x_max, shown.width) if side == "bottom" else (y_min, y_max, shown.height)
-    levels = axis.tickValues(low, high, size)[: axis.style["maxTextLevel"] + 1]
-    (spacing, values) = levels[0]
-    return spacing, axis.tickStrings(values, 1.0, spacing)
+    ticks = canvas.getAxis(side).ticks_in(canvas.pixel_map)
+    return ticks.step, ticks.labels
 
 
 @pytest.mark.parametrize("notches", [-9, -4, -1, 0, 1, 2, 3, 5, 12])
@@ -42,12 +41,87 @@ def test_both_axes_have_the_same_steps_and_labels_at_every_zoom(editor, notches)
     canvas = editor.window.canvas
     canvas.camera.zoom(1.2**notches, canvas.camera.centre())
     editor.settle()
-    shown = canvas.pixel_map
-    x_levels = canvas.getAxis("bottom").tickSpacing(shown.box[0], shown.box[2], shown.width)
-    y_levels = canvas.getAxis("left").tickSpacing(shown.box[1], shown.box[3], shown.height)
-    assert x_levels == y_levels
-    assert canvas.tools.grid() == x_levels[1][0]
-    assert labels(editor, "bottom")[0] == labels(editor, "left")[0] == x_levels[0][0]
+    coarse, fine = canvas.drawing.grid.steps
+    assert (coarse, fine) == adaptive_steps(canvas.pixel_map.sx)
+    assert canvas.tools.grid() == fine
+    assert labels(editor, "bottom")[0] == labels(editor, "left")[0] == coarse
+    for side in ("bottom", "left"):
+        marks = canvas.getAxis(side).ticks_in(canvas.pixel_map).marks
+        assert {round(place / fine) for place, _ in marks} >= {
+            round(at / fine) for at, _ in labels(editor, side)[1]
+        }
+
+
+@pytest.mark.parametrize("size", [(960, 540), (1024, 640), (1500, 950)])
+@pytest.mark.parametrize("middle", [0.0, -3.7, 1234567.0, -1.7e9])
+def test_no_axis_is_ever_without_two_numbers_that_are_told_apart(editor, size, middle):
+    """Zoomed in far from the origin, "1.7e+09" stood at the left five times; between zooms, nothing."""
+    editor.window.resize(*size)
+    canvas = editor.window.canvas
+    for exponent in range(-6, 10):
+        for digit in (1.0, 1.7, 2.9, 4.4, 7.3):
+            half = digit * 10.0**exponent
+            if half < 1e-12 * abs(middle):
+                continue
+            canvas.camera.show_box((middle - half, middle + half), (middle - half, middle + half))
+            for side in ("bottom", "left"):
+                found = canvas.getAxis(side).ticks_in(canvas.pixel_map)
+                assert len({text for _, text in found.labels}) >= LEAST_LABELS
+                assert boxes_are_apart(canvas, side, found.labels)
+
+
+def boxes_are_apart(canvas, side, found):
+    """Whether the numbers of an axis do not overlap."""
+    axis, shown = canvas.getAxis(side), canvas.pixel_map
+    metrics = QFontMetricsF(axis.font)
+    if side == "left":
+        gap, half = shown.sy, dict.fromkeys([text for _, text in found], metrics.height() / 2)
+    else:
+        gap, half = shown.sx, {text: metrics.horizontalAdvance(text) / 2 for _, text in found}
+    return all(
+        (after - before) * gap >= half[text] + half[other]
+        for (before, text), (after, other) in pairwise(found)
+    )
+
+
+def test_numbers_far_from_the_origin_say_once_what_they_have_in_common(editor):
+    canvas = editor.window.canvas
+    canvas.camera.show_box((0.0, 1.0), (1234567.25, 1234567.75))
+    offset = canvas.getAxis("left").ticks_in(canvas.pixel_map)
+    assert offset.offset.endswith(" +")
+    common = float(offset.offset.removesuffix(" +"))
+    for place, text in offset.labels:
+        assert common + float(text.replace("−", "-")) == pytest.approx(place, abs=1e-9)
+    assert canvas.drawing.units.words(canvas.pixel_map) == ("", offset.offset)
+    blank = canvas.grab().toImage()
+    canvas.camera.show_box((0.0, 1.0), (0.25, 0.75))
+    assert not canvas.getAxis("left").ticks_in(canvas.pixel_map).offset
+    corner = QRect(canvas.camera.origin.toPoint(), QSize(90, 20))
+    assert blank.copy(corner) != canvas.grab().toImage().copy(corner)
+
+
+def test_the_axis_of_t_has_two_numbers_at_every_zoom(editor):
+    panel = editor.window.basis_panel
+    for start in (0.0, 0.3141592, 1700000000.0):
+        for exponent in range(-6, 8):
+            for digit in (1.0, 2.9, 7.3):
+                span = digit * 10.0**exponent
+                if span < 1e-14 * start:
+                    continue
+                panel.camera.show_t(start, start + span)
+                found = panel.getAxis("bottom").ticks_in(panel.pixel_map)
+                assert len({text for _, text in found.labels}) >= LEAST_LABELS
+                assert boxes_are_apart(panel, "bottom", found.labels)
+    editor.fit()
+
+
+def test_a_narrow_axis_says_at_its_end_what_the_numbers_leave_out(qapp):
+    wide = QFontMetricsF(qapp.font()).horizontalAdvance
+    room = LabelRoom(wide, lambda _text: 10.0, 10.0, 20.0, 20.0, 0.0)
+    seen = Stretch(1.7e9, 1.7e9 + 0.05, 150.0)
+    found = choose_ticks(seen, 0.01, 0.02, room)
+    assert found.offset == "1700000000 +"
+    assert [text for _, text in found.labels] == ["0", "0.02", "0.04"]
 
 
 def test_what_snaps_to_the_grid_meets_a_fine_line_both_ways(editor):

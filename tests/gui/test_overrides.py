@@ -13,6 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pyqtgraph as pg
 import pytest
 import shiboken6
 from PySide6.QtCore import QAbstractListModel, QEvent, QObject, QSize, Qt
@@ -116,7 +117,7 @@ def test_every_override_of_the_plots_own_library_is_safe(editor):
     plots = (editor.window.canvas, editor.window.basis_panel)
     parts = {*plots, *(each for plot in plots for each in (plot.scene(), *plot.items()))}
     classes = {cls for part in parts for cls in type(part).__mro__ if cls.__module__.startswith("pyqtgraph.")}
-    assert len(classes) > 8
+    assert {pg.GraphicsView, pg.ViewBox, pg.GraphicsScene} <= classes
     of_library = [(cls, name, method) for cls in classes for name, method in overrides(cls)]
     assert [(cls, name) for cls, name, method in of_library if not hasattr(method, "__wrapped__")] == []
 

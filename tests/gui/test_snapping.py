@@ -321,7 +321,7 @@ def test_the_grid_that_is_snapped_to_is_the_one_on_screen(editor):
     for width in (1e-3, 1.0, 1e4, 1e9):
         canvas.camera.show_box((0, width), (0, width))
         editor.settle()
-        assert sum(len(values) for _, values in canvas.getAxis("bottom").tickValues(0, width, 800)) < 200
+        assert 0 < len(canvas.getAxis("bottom").ticks_in(canvas.pixel_map).marks) < 200
 
 
 def test_settings_are_remembered(qtbot, tmp_path):

@@ -7,7 +7,7 @@ from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE
 from ...actions.strips import POINT_MENU
 from ...document.words import count_of
-from ...view_model.arrivals import with_curves
+from ...view_model.arrivals import with_part
 from ...view_model.pasting import part_of
 from ...workbench.context import WindowContext
 from ...workbench.highlight import highlighted, remove
@@ -29,7 +29,7 @@ class HighlightCommands:
             # One point is no curve, and all of them are the curve itself.
             self._context.actions["duplicateCurve"].trigger()
             return
-        arrival = with_curves(session.document, (part,), session.active_index)
+        arrival = with_part(session.document, part, session.active_index)
         words = count_of(len(what.points), "point")
         if session.change(f"Duplicate {words}", lambda _: arrival.document, active=arrival.places.start):
             session.selected.set_points(range(len(part.points)))

@@ -9,6 +9,7 @@ from PySide6.QtGui import QImage
 
 from ... import exchange
 from ...document.model import Document
+from ...document.shapes import tidy_shapes
 from ...exchange.errors import ExchangeError
 from ...exchange.options import Options
 from ...qt.overrides import Guarded
@@ -39,7 +40,8 @@ class Offer(Guarded, QMimeData):
 
     def __init__(self, own: str, document: Document, text: str = "") -> None:
         super().__init__()
-        self._own, self._document, self._text = own, document, text
+        # A part of a shape is none any more.
+        self._own, self._document, self._text = own, tidy_shapes(document), text
         self._made: dict[str, Any] = {}
         is_drawable = any(len(curve.points) > 1 for curve in document.curves)
         drawn = (*SVG_TYPES, _PNG, _IMAGE) if is_drawable else ()

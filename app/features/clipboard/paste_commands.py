@@ -16,6 +16,7 @@ from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
+from ...document.several_curves import named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
 from ...view_model.arrivals import centred_at, scaled, with_curves
@@ -105,30 +106,29 @@ class PasteCommands:
             if self._session.files.beginning is not beginning:
                 self._session.refuse("Not pasted, for another document was opened meanwhile.")
                 return
-            self._add(found.document, place, found.remarks)
+            self._add(found.document, place, found.sentences)
 
         read = partial(exchange.svg.fragments.read_fragment, fragment)
         self._context.work.start("Reading the drawing", read, done, Path("The drawing"), "pasted")
 
     def _add(self, new: Document, place: Vector | None, remarks: Sequence[str] = ()) -> None:
         session, canvas = self._session, self._context.central.canvas
+        added = with_curves(session.committed, new.curves, session.active_index)
+        places, name = added.places, named(added.document, added.places)
 
         def edit(document: Document) -> Document:
-            added = with_curves(document, new.curves, session.active_index)
-            result = scaled(added.document, added.places, _factor(new.unit, document.unit))
-            return (
-                result if place is None else centred_at(result, added.places, place, canvas.camera.pixel_size)
-            )
+            result = scaled(added.document, places, _factor(new.unit, document.unit))
+            if place is None:
+                return result
+            return centred_at(result, places, place, canvas.camera.pixel_size)
 
-        places = with_curves(session.committed, new.curves, session.active_index).places
-        words = f"“{new.curves[0].name}”" if len(places) == 1 else f"{len(places)} curves"
-        step = new.curves[0].name if len(places) == 1 else words
-        if not session.change(f"Paste {step}", edit, active=places.start):
+        if not session.change(f"Paste {name}", edit, active=places.start):
             return
         session.selected.set_curves(places)
         if not canvas.framing.shows_curves(places):
             self._context.actions["fitView"].trigger()
-        session.say(f"Pasted {words}; {'it is' if len(places) == 1 else 'they are'} chosen.")
+        is_one = name == added.document.curves[places.start].name
+        session.say(f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen.")
         self._context.work.warn_of(remarks)
 
     # Points

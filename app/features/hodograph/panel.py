@@ -81,7 +81,7 @@ class HodographPlot(ToolPlot):
         self._reach = reach = self.hodograph.reach or 1.0
         self.unit = 10.0 ** np.floor(np.log10(reach)) if not 1e-3 <= reach < 1e5 else 1.0
         for name in ("left", "bottom"):
-            self.getAxis(name).setScale(float(self.unit))
+            self.getAxis(name).set_factor(float(self.unit))
         with np.errstate(all="ignore"):
             points = self.hodograph.points / self.unit
         points = np.vstack([points[np.isfinite(points).all(axis=1)], np.zeros((1, 2))])

@@ -76,8 +76,8 @@ class LogPlot(FollowsTheme, PlotWidget):
         right = right if right > left else left + 1.0
         margin = _MARGIN * (right - left)
         self.camera.show_box((left - margin, right + margin), (low, high))
-        self.getAxis("left").setTicks([_decades(low, high)])
-        self.getAxis("bottom").setTicks([_decades(math.ceil(left), math.floor(right))])
+        self.getAxis("left").set_ticks(_decades(low, high))
+        self.getAxis("bottom").set_ticks(_decades(math.ceil(left), math.floor(right)))
 
     def _paint(self, painter: QPainter, shown: PixelMap) -> None:
         theme = self.layers.theme

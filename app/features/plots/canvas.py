@@ -129,7 +129,7 @@ class PlotCanvas(ToolPlot):
                 ticks.append((1 - min(max(y, _EDGE), height - _EDGE) / height, text))
         if ticks != self._ticks:
             self._ticks = ticks
-            self.getAxis("left").setTicks([ticks])
+            self.getAxis("left").set_ticks(ticks)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in _DIRECTIONS:

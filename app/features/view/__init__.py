@@ -1,4 +1,5 @@
 """View: tools, zoom, panels, presentation and theme.
 
-- ``commands``: the actions.
+- ``commands``: tools, panels, presentation and theme.  ``zoom_commands``: zoom.
+- ``zoom``: zoom in per cent.  ``zoom_field``: its field in the status line.  ``past_views``: the way back.
 """

@@ -1,4 +1,4 @@
-"""Tools, zoom, panels, presentation and theme: nothing here changes the document."""
+"""Tools, panels, presentation and theme: nothing here changes the document."""
 
 from __future__ import annotations
 
@@ -13,17 +13,16 @@ from ...actions.sections import (
     VIEW_SHOWN,
     VIEW_SIZE,
     VIEW_THEME,
-    VIEW_ZOOM,
 )
 from ...actions.strips import CANVAS_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
-from ...plotting.scrolling import ZOOM_STEP
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
 from ...workbench.context import WindowContext
 from ...workbench.dock import LateDock
 from ...workbench.dock_room import hide_idle_docks
+from .zoom_commands import ZoomCommands
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
@@ -96,28 +95,6 @@ class ViewCommands:
         self._context.central.canvas.choose_tool(tool)
         self._store.change(tool=tool, moves_image=False)
         self._context.status_line.show_hint(tool.hint)
-
-    # Zoom
-
-    @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View")
-    @also(TOOLBAR(60), CANVAS_MENU(30))
-    def _fit(self) -> None:
-        """Show all visible curves; without points the reference image."""
-        self._context.central.fit()
-
-    @action("zoomIn", "Zoom In", VIEW_ZOOM, "+, =", "zoom-in")
-    def _zoom_in(self) -> None:
-        """Zoom in on the canvas."""
-        self._zoom(ZOOM_STEP)
-
-    @action("zoomOut", "Zoom Out", VIEW_ZOOM, "-", "zoom-out")
-    def _zoom_out(self) -> None:
-        """Zoom out on the canvas."""
-        self._zoom(1 / ZOOM_STEP)
-
-    def _zoom(self, factor: float) -> None:
-        camera = self._context.central.canvas.camera
-        camera.zoom(factor, camera.centre())
 
     # What is shown
 
@@ -209,17 +186,17 @@ class ViewCommands:
 
     # How large
 
-    @action("enlarge", "Larger Drawing", VIEW_SIZE, "Ctrl+=, Ctrl++", "plus")
+    @action("enlarge", "Larger Drawing", VIEW_SIZE, "Ctrl+Alt+=, Ctrl+Alt++", "plus")
     def _enlarge(self) -> None:
         """Enlarge points, lines and type, for a projector."""
         self._change_scale(1)
 
-    @action("shrink", "Smaller Drawing", VIEW_SIZE, "Ctrl+-")
+    @action("shrink", "Smaller Drawing", VIEW_SIZE, "Ctrl+Alt+-")
     def _shrink(self) -> None:
         """Make points, lines and type smaller."""
         self._change_scale(-1)
 
-    @action("usualSize", "Usual Drawing", VIEW_SIZE, "Ctrl+0")
+    @action("usualSize", "Usual Drawing", VIEW_SIZE, "Ctrl+Alt+0")
     def _use_usual_scale(self) -> None:
         """Points, lines and type as they usually are."""
         self._set_scale(1.0)
@@ -296,4 +273,4 @@ class ViewCommands:
         self._store.change(theme_mode=theme[0])
 
 
-COMMAND_SETS = (ViewCommands,)
+COMMAND_SETS = (ViewCommands, ZoomCommands)

@@ -1,0 +1,143 @@
+"""Zoom: by steps, to a size, to what is drawn or selected, and back."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+
+from ...actions.declaration import Action, action, action_for_each, also
+from ...actions.needs import Need
+from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_TO
+from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
+from ...plotting.scrolling import ZOOM_STEP
+from ...workbench.context import WindowContext
+from .past_views import PastViews
+from .zoom import per_cent_text, pixels_at_full_size, words_about_full_size
+from .zoom_field import ZoomField
+
+_FULL_SIZE = 1.0
+_USUAL = (0.25, 0.5, _FULL_SIZE, 2.0, 4.0, 8.0)
+_KEYS = {_FULL_SIZE: "Ctrl+0, Ctrl+1", 2.0: "Ctrl+2"}
+
+_SOME_POINT = Need("a curve with points", lambda now: bool(len(now.view.points)) or len(now.selected) > 1)
+_STATUS_LINE = Need("the status line, which a presentation hides", lambda now: not now.state.presentation)
+
+
+class ZoomCommands:
+    """Changes of which part of the plane is seen."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._canvas = context.central.canvas
+        self._past = PastViews(self._canvas.camera, self._canvas)
+        context.session.opened.connect(self._past.forget)
+        self.field = ZoomField(context.status_line)
+        self.field.zoom_entered.connect(self._take_zoom)
+        self.field.refused.connect(context.session.refuse)
+        self.field.offer([*context.actions.in_strip(ZOOM_MENU).values()])
+        context.status_line.addPermanentWidget(self.field)
+        self._canvas.camera.changed.connect(self._show_zoom)
+        context.store.changed.connect(self._show_zoom)
+        self._show_zoom()
+
+    # The zoom in per cent
+
+    @property
+    def _unit(self) -> str:
+        return self._context.store.state.unit_name
+
+    @property
+    def _full_size(self) -> float:
+        """Pixels of a length of 1 at 100 %."""
+        return pixels_at_full_size(self._unit, self._canvas.logicalDpiX())
+
+    def _show_zoom(self) -> None:
+        share = self._canvas.pixel_map.sx / self._full_size
+        self.field.show_zoom(share, words_about_full_size(self._unit, self._canvas.logicalDpiX()))
+
+    def _take_zoom(self, share: float) -> None:
+        self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._zoom_to(share)
+
+    def _zoom_to(self, share: float) -> None:
+        self._zoom(share * self._full_size / self._canvas.pixel_map.sx)
+
+    def _zoom(self, factor: float) -> None:
+        self._past.begin_move()
+        camera = self._canvas.camera
+        before = camera.pixel_map.sx
+        camera.zoom(factor, self._canvas.zoom_centre)
+        if factor != 1 and camera.pixel_map.sx == before:
+            self._context.session.refuse("The drawing cannot be shown at that size.")
+
+    # Actions
+
+    @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View")
+    @also(TOOLBAR(60), CANVAS_MENU(30), ZOOM_MENU(20))
+    def _fit(self) -> None:
+        """Show all visible curves; without points the reference image."""
+        self._past.begin_move()
+        self._context.central.fit()
+
+    @action(
+        "fitSelection",
+        "Fit Selection",
+        VIEW_ZOOM,
+        "Shift+F, Ctrl+3",
+        "fit-selection",
+        needs=_SOME_POINT,
+        keywords="zoom to selection",
+    )
+    @also(ZOOM_MENU(21))
+    def _fit_selection(self) -> None:
+        """Show the selected points, or else the selected curves, as large as there is room for."""
+        self._past.begin_move()
+        session, framing = self._context.session, self._canvas.framing
+        if session.selection:
+            framing.fit_points(session.active_view.points[sorted(session.selection)])
+        else:
+            framing.fit_views([session.views[place] for place in sorted(session.selected.curves)])
+
+    @action("zoomIn", "Zoom In", VIEW_ZOOM, "Ctrl+=, Ctrl++, +, =", "zoom-in")
+    def _zoom_in(self) -> None:
+        """Zoom in on the canvas, about the pointer if that is over it."""
+        self._zoom(ZOOM_STEP)
+
+    @action("zoomOut", "Zoom Out", VIEW_ZOOM, "Ctrl+-, -", "zoom-out")
+    def _zoom_out(self) -> None:
+        """Zoom out on the canvas, about the pointer if that is over it."""
+        self._zoom(1 / ZOOM_STEP)
+
+    @action_for_each(
+        _USUAL,
+        lambda share: Action(
+            f"zoom{share:.0%}".removesuffix("%"),
+            f"{share:.0%}".replace("%", " %"),
+            VIEW_ZOOM_TO,
+            _KEYS.get(share, ""),
+            "actual-size" if share == _FULL_SIZE else "",
+            "Show the drawing at true size" if share == _FULL_SIZE else f"Zoom to {per_cent_text(share)}",
+            f"Zoom to {per_cent_text(share)}",
+            keywords="actual true size 1:1" if share == _FULL_SIZE else "",
+        ),
+    )
+    @also(ZOOM_MENU(10))
+    def _use_usual(self, share: float) -> None:
+        self._zoom_to(share)
+
+    @action("typeZoom", "Type…", VIEW_ZOOM_TO, full_name="Type a Zoom…", needs=_STATUS_LINE)
+    def _type_zoom(self) -> None:
+        """Type a zoom into the field of the status line."""
+        self.field.begin_typing()
+
+    @action("previousView", "Previous View", VIEW_PAST, "`", "previous-view", keywords="zoom back undo view")
+    @also(ZOOM_MENU(30))
+    def _go_back(self) -> None:
+        """Show again what was seen before the last zoom or pan."""
+        if not self._past.go_back():
+            self._context.session.refuse("Nothing else was seen before.")
+
+    @action("nextView", "Next View", VIEW_PAST, "Shift+`")
+    def _go_on(self) -> None:
+        """Show again what was seen before Previous View."""
+        if not self._past.go_on():
+            self._context.session.refuse("Nothing else was seen after this.")
