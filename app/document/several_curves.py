@@ -16,7 +16,7 @@ from .curve_tree import OUTSIDE, Container, whole_nodes
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
 from .shape_edits import contained, with_own_names
-from .shapes import whole_shapes
+from .shapes import tidy_shapes, whole_shapes
 from .transforms import Linear, transform_points
 from .words import points
 
@@ -133,6 +133,12 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
         document = remove_curve(document, curve)
     refuse_locked(before, document)
     return document
+
+
+def alone(document: Document, curves: Collection[int]) -> Document:
+    """Return some curves of a document in a document of their own, which has no page."""
+    chosen = tuple(document.curves[place] for place in sorted(curves))
+    return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
 
 
 def in_order(document: Document, order: Sequence[int]) -> Document:

@@ -45,6 +45,11 @@ class Selection:
         """The selected point if exactly one is selected."""
         return next(iter(self.points)) if len(self.points) == 1 else None
 
+    @property
+    def chosen(self) -> frozenset[int]:
+        """The curves that are worked on as wholes, with all of their shapes; none while one is edited."""
+        return self.whole if len(self.curves) > 1 else frozenset()
+
     def highlight(self, *, whole_curves: bool = False) -> Highlight:
         """Return the selected points, or else the chosen curves with all of their shapes.
 

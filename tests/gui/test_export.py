@@ -245,7 +245,30 @@ def test_the_curves_are_copied_as_pictures(editor):
     root = ElementTree.fromstring(bytes(data.data("image/svg+xml").data()))
     assert len(list(root.iter(f"{SVG}path"))) == 1
     assert data.hasImage()
-    assert "Copied the curves as an image" in editor.status
+    assert "Copied the drawing as an image" in editor.status
+
+
+def test_the_drawing_is_copied_as_svg(editor):
+    editor.trigger("copySvg")
+    editor.wait_for_work()
+    data = QGuiApplication.clipboard().mimeData()
+    root = ElementTree.fromstring(bytes(data.data("image/x-inkscape-svg").data()))
+    assert len(list(root.iter(f"{SVG}path"))) == 1
+    assert data.data("image/svg+xml") == data.data("image/x-inkscape-svg")
+    assert data.text() == bytes(data.data("image/svg+xml").data()).decode()
+    assert editor.status == "Copied the drawing as SVG."
+
+
+@pytest.mark.parametrize("name", ["copySvg", "copyImage", "copyPathData"])
+def test_of_several_chosen_curves_these_are_copied(waves, name):
+    editor = waves("ABC")
+    editor.session.selected.set_curves({0, 2})
+    editor.trigger(name)
+    editor.wait_for_work()
+    assert editor.status.startswith("Copied 2 curves as ")
+    data = QGuiApplication.clipboard().mimeData()
+    svg = bytes(data.data("image/svg+xml").data()).decode() or data.text()
+    assert svg.count("M ") == 2
 
 
 def test_the_path_data_are_copied(editor):

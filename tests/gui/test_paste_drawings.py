@@ -293,3 +293,71 @@ def test_the_point_table_still_pastes_numbers(three):
     assert three.curve.points[-1].position == (7, 8)
     QTest.keyClick(three.window.canvas, Qt.Key.Key_V, CTRL | SHIFT)
     assert len(three.session.document.curves) == 4
+
+
+# Shapes and groups
+
+
+RING = f"""<svg xmlns="{SVG}"><g id="logo">
+<path id="ring" fill="#009e73" fill-rule="evenodd" d="M0 0h6v6h-6zM2 2h2v2h-2z"/>
+<path id="stem" d="M3 6v4" stroke="#000"/></g></svg>"""
+
+
+def looks(curves):
+    return [(curve.name, curve.shape, curve.groups) for curve in curves]
+
+
+def test_shapes_and_groups_come_along_under_names_of_their_own(three):
+    three.paste_text(RING)
+    paste(three)
+    first = pasted(three)
+    assert len(first) == 3
+    assert len({curve.groups for curve in first}) == 1
+    assert first[0].shape == first[1].shape != ""
+    paste(three)
+    second = pasted(three)
+    assert {curve.groups for curve in second}.isdisjoint({curve.groups for curve in first})
+    assert second[0].shape != first[0].shape
+    assert [curve.style for curve in second] == [curve.style for curve in first]
+
+
+@pytest.mark.parametrize("keys", [Qt.Key.Key_C, Qt.Key.Key_X])
+def test_a_shape_goes_as_a_whole(three, keys):
+    three.paste_text(RING)
+    paste(three)
+    ring = pasted(three)[1]
+    place = three.session.document.curves.index(ring)
+    three.session.selected.activate(place)
+    before = looks(three.session.document.curves)
+    three.key(keys, CTRL)
+    assert len(three.session.document.curves) == (6 if keys == Qt.Key.Key_C else 4)
+    three.session.selected.activate(0)
+    paste(three, CTRL | ALT)
+    shape = pasted(three)
+    assert len(shape) == 2
+    assert shape[0].shape == shape[1].shape != ""
+    assert (shape[0].shape == ring.shape) is (keys == Qt.Key.Key_X)
+    three.trigger("undo")
+    assert looks(three.session.document.curves) == (
+        before if keys == Qt.Key.Key_C else [each for each in before if each[1] != ring.shape]
+    )
+
+
+def test_without_its_last_points_a_hole_goes_and_the_shape_stays(three):
+    three.paste_text(RING)
+    paste(three)
+    three.session.selected.activate(three.session.document.curves.index(pasted(three)[1]))
+    three.trigger("selectAll")
+    three.key(Qt.Key.Key_Delete)
+    assert len(three.session.document.curves) == 5
+
+
+def test_points_of_a_shape_are_copied_as_a_curve(three):
+    three.paste_text(RING)
+    paste(three)
+    three.session.selected.activate(three.session.document.curves.index(pasted(three)[0]))
+    three.select([0, 1, 2])
+    three.key(Qt.Key.Key_C, CTRL)
+    paste(three, CTRL | SHIFT)
+    assert three.curve.shape == ""
+    assert len(three.curve.points) == 3

@@ -17,7 +17,7 @@ from ...storage.format_error import FormatError
 from ...view_model.pasting import points_of_rows
 from ...view_model.point_columns import known_titles
 from ...widgets.number_text import decimal_mark
-from .offer import SVG_TYPES
+from ...workbench.clipboard import SVG_TYPES
 
 if TYPE_CHECKING:
     from ...exchange.svg.fragments import Fragment

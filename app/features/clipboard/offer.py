@@ -14,9 +14,7 @@ from ...exchange.errors import ExchangeError
 from ...exchange.options import Options
 from ...qt.overrides import Guarded
 from ...storage.format import encode
-
-SVG_TYPES = ("image/x-inkscape-svg", "image/svg+xml")
-"""MIME types of SVG; where a program offers both, the first says more."""
+from ...workbench.clipboard import SVG_TYPES
 
 TEXT = "text/plain"
 _PNG, _IMAGE = "image/png", "application/x-qt-image"

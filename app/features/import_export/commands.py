@@ -1,4 +1,4 @@
-"""Import and export: what comes in from other files, what goes out to them and to the clipboard."""
+"""Import and export: what comes in from other files, and what goes out to them."""
 
 from __future__ import annotations
 
@@ -8,14 +8,11 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QFileDialog
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.needs import Need
-from ...actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
+from ...actions.sections import FILE_EXCHANGE
 from ...document.model import Document
 from ...document.several_curves import add_imported
 from ...document.words import count_of, listed, number
@@ -25,11 +22,11 @@ from ...exchange.options import Options
 from ...exchange.reading import import_file
 from ...exchange.writing import export
 from ...storage.files import StorageError, read
-from ...tasks.progress import Report, part
-from ...workbench.clipboard import put_on_clipboard
+from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from ...workbench.document_files import file_stem
 from .. import import_export
+from .copy_commands import CopyCommands
 from .import_series import ImportSeries
 
 if TYPE_CHECKING:
@@ -43,13 +40,6 @@ if TYPE_CHECKING:
     from .import_table_dialog import ImportTableDialog
 
 # Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
-
-_SVG_TYPE = "image/svg+xml"
-_COPY_WIDTH = 1600
-
-_ANY_CURVE = Need(
-    "a curve through two points or more", lambda now: now.view.curve is not None or len(now.session.views) > 1
-)
 
 
 class ExchangeCommands:
@@ -262,44 +252,6 @@ class ExchangeCommands:
         self._session.say(f"Wrote {path.name}, {what}.")
         self._work.warn_of(written.remarks)
 
-    # To the clipboard
-
-    @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
-    def _copy_image(self) -> None:
-        """Copy all curves as a picture without paper, PNG and SVG."""
-        document, unit = self._session.document, self._preferences.unit_name
-
-        def work(report: Report) -> tuple[bytes, bytes]:
-            options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
-            png = exchange.png_file(document, options).data
-            return png, exchange.svg_of(document, Options(unit=unit, report=part(report, 0.5, 1.0))).data
-
-        self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
-
-    def _put_image(self, pictures: tuple[bytes, bytes]) -> None:
-        png, svg = pictures
-        data = QMimeData()
-        data.setData("image/png", png)
-        data.setData(_SVG_TYPE, svg)
-        data.setImageData(QImage.fromData(png))
-        put_on_clipboard(data)
-        self._session.say("Copied the curves as an image: PNG without paper, and SVG.")
-
-    @action("copyPathData", "Copy as SVG Path", EDIT_COPY_AS, needs=_ANY_CURVE)
-    def _copy_path_data(self) -> None:
-        """Copy all curves as the path data of an SVG."""
-        document = self._session.document
-
-        def work(report: Report) -> Written:
-            return exchange.svg_path_data(document, Options(report=report))
-
-        def done(written: Written) -> None:
-            QGuiApplication.clipboard().setText(written.text)
-            self._session.say("Copied the curves as SVG path data.")
-            self._work.warn_of(written.remarks)
-
-        self._work.start("Writing path data", work, done, Path("The path data"), "copied")
-
 
 @dataclass(frozen=True)
 class _OpenTable:
@@ -316,4 +268,4 @@ def _filters() -> str:
     return ";;".join([everything, *kinds, "All files (*)"])
 
 
-COMMAND_SETS = (ExchangeCommands,)
+COMMAND_SETS = (ExchangeCommands, CopyCommands)
