@@ -85,5 +85,5 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         return near[:: max(len(near) // _MOST_RINGS, 1)]
 
 
-def _ring(painter: QPainter, radius: float) -> None:
+def _ring(painter: QPainter, radius: float, _form: int) -> None:
     painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)

@@ -315,6 +315,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
         "points": facts.points,
         "closed": facts.closed,
         "corners": facts.corners,
+        "smooth": facts.smooth,
         "visible": facts.visible,
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
@@ -381,8 +382,9 @@ def _length_text(value: float, bound: float) -> str:
 
 def _points_text(facts: CurveFacts) -> str:
     corners = f"{facts.corners} of them " + ("a corner" if facts.corners == 1 else "corners")
-    parts = [str(facts.points), *(["closed"] if facts.closed else []), *([corners] if facts.corners else [])]
-    return ", ".join(parts)
+    parts = [str(facts.points), "closed" * facts.closed, corners * bool(facts.corners)]
+    parts.append(f"{facts.smooth} of them smooth, with two speeds" * bool(facts.smooth))
+    return ", ".join(filter(None, parts))
 
 
 def _rule_text(facts: CurveFacts) -> str:

@@ -90,6 +90,9 @@ class Point(Value, frozen=True, gc=False):
         Whether the curve may have a corner here: the derivatives above are then those before the point.
     velocity_after, acceleration_after, jerk_after
         The derivatives after a corner; None where a rule estimates them.
+    tied
+        Whether the velocities before and after a corner, both set, go the same way and keep doing so: the
+        curve is smooth there, and its handles have lengths of their own.
     """
 
     x: float
@@ -102,6 +105,7 @@ class Point(Value, frozen=True, gc=False):
     acceleration_after: Vector | None = None
     jerk: Vector | None = None
     jerk_after: Vector | None = None
+    tied: bool = False
 
     @property
     def position(self) -> Vector:
@@ -120,7 +124,7 @@ class Point(Value, frozen=True, gc=False):
 
     def without_corner(self) -> Point:
         """Return the point with the derivatives before it on both sides."""
-        return replace(self, corner=False, **{each.after: None for each in DERIVATIVES})
+        return replace(self, corner=False, tied=False, **{each.after: None for each in DERIVATIVES})
 
     def with_derivatives(self, before: Sequence[Vector | None], after: Sequence[Vector | None]) -> Point:
         """Return the point with derivatives before and, at a corner, after it, by their orders from 1 on."""

@@ -1,5 +1,7 @@
 """Plain numbers: what NumPy has computed becomes Python's own float before a document holds it.
 
+A tie that no longer holds goes here, too: whatever has changed a velocity, the door is passed by all.
+
 `repr` of a ``numpy.float64`` is no number, msgspec does not write one, and arithmetic with one warns where a
 float raises. Each is a surprise far from where the number came from.
 """
@@ -16,6 +18,7 @@ from msgspec.structs import replace
 
 from .derivatives import VECTORS
 from .model import Curve, Document, Point, Vector, vectors_of
+from .ties import holds
 from .value import Value
 
 Values = TypeVar("Values", bound=Value)
@@ -85,6 +88,7 @@ def _is_plain(point: Point) -> bool:
         x is float is y
         and (t is float or point.t is None)
         and type(point.corner) is bool
+        and (point.tied is False or (point.tied is True and holds(point)))
         and all(vector is None or _is_plain_vector(vector) for vector in vectors_of(point))
     )
 
@@ -99,7 +103,8 @@ def _plain_point(point: Point) -> Point:
         for _, name in VECTORS
         if (vector := getattr(point, name)) is not None
     }
-    return replace(_with_plain(point, ("x", "y", "t"), ("corner",)), **vectors)
+    changed = replace(_with_plain(point, ("x", "y", "t"), ("corner", "tied")), **vectors)
+    return replace(changed, tied=changed.tied and holds(changed))
 
 
 def _with_plain(values: Values, numbers: Iterable[str], flags: Iterable[str] = ()) -> Values:

@@ -17,7 +17,7 @@ from .edits import EditError, move_points
 from .model import Curve, Document, Vector
 from .shape_edits import contained, with_own_names
 from .shapes import tidy_shapes, whole_shapes
-from .transforms import Linear, transform_points
+from .transforms import Affine, transform_points
 from .words import points
 
 
@@ -102,7 +102,7 @@ def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     return group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
 
 
-def mapped(document: Document, group: PointGroup, by: Linear) -> Document:
+def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
     return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..document.model import Curve
 from ..document.selection import followed_curves, followed_points, returned_curves, returned_points
 from ..document.shapes import whole_shapes
+from ..view_model.pivot import Pivot
 from .highlight import Highlight
 
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ class Selection:
         The point under the pointer, or -1.
     scrub
         The t of the scrub line, or None.
+    pivot
+        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
     """
 
     def __init__(self, session: Session) -> None:
@@ -37,6 +40,7 @@ class Selection:
         self.curves = frozenset({0})
         self.hovered = -1
         self.scrub: float | None = None
+        self.pivot: Pivot | None = None
         # The place that was asked for: the scrub line stands there as far as the curve goes.
         self._scrub_asked: float | None = None
 
@@ -99,6 +103,12 @@ class Selection:
     def keep_scrub(self) -> None:
         """Put the scrub line where it was asked for, as far as the present curve goes."""
         self.set_scrub(self._scrub_asked)
+
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place, or about the middle (None)."""
+        before, self.pivot = self.pivot, pivot
+        if (before and before.place) != (pivot and pivot.place):
+            self._session.pivot_changed.emit()
 
     # Curves
 

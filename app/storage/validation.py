@@ -19,6 +19,7 @@ from ..document.model import (
     Vector,
 )
 from ..document.shapes import shape_problem
+from ..document.ties import holds
 from .format_error import FormatError, quoted
 from .number_check import check_number
 from .style_check import validate_style
@@ -32,9 +33,9 @@ def validate(document: Document) -> None:
     A document has at least one curve. Every number is finite, its magnitude at most `MAX_MAGNITUDE`.
     A parametrization has start < end and alpha in [0, 1]. The parameters that the points carry increase
     strictly in the order of the points, also where a rule is in force and they are only remembered; under
-    the manual parametrization every point carries one. A curve may have one point or none. An image has a
-    path to a file of this computer, a positive size and an opacity in [0, 1]. The curves of a shape follow
-    each other and look the same.
+    the manual parametrization every point carries one. Tied velocities are both there, and parallel. A curve
+    may have one point or none. An image has a path to a file of this computer, a positive size and an opacity
+    in [0, 1]. The curves of a shape follow each other and look the same.
     """
     if not document.curves:
         raise FormatError("curves must hold at least one curve")
@@ -108,11 +109,23 @@ def _validate_curve(curve: Curve, place: str) -> None:
             f"{place}.parametrization.end must be greater than {rule.start!r}, the start, not {rule.end!r}"
         )
     validate_style(curve.style, f"{place}.style")
+    _validate_ties(curve, place)
     if not _all_within(curve.points):
         for index, point in enumerate(curve.points):
             for key, value in _numbers(point):
                 check_number(value, f"{place}.points[{index}].{key}")
     _validate_parameters(curve, place)
+
+
+def _validate_ties(curve: Curve, place: str) -> None:
+    """Raise FormatError unless tied velocities are both there, in one direction."""
+    if not any(map(attrgetter("tied"), curve.points)):
+        return
+    for index, point in enumerate(curve.points):
+        if point.tied and not (type(point.tied) is bool and holds(point)):
+            raise FormatError(
+                f"{place}.points[{index}].tied needs a corner, velocity and velocity_after in one direction"
+            )
 
 
 def _numbers(point: Point) -> Iterator[tuple[str, float]]:

@@ -63,6 +63,11 @@ class Toolbox:
         return self._above or self._chosen
 
     @property
+    def target(self) -> TransformTarget:
+        """What transforms act on, and their pivot."""
+        return self._target
+
+    @property
     def context(self) -> ToolContext:
         """The context of the last event, as things are now."""
         return ToolContext(
