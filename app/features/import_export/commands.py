@@ -57,6 +57,7 @@ class ExchangeCommands:
         context.session.opened.connect(self._count_document)
         context.session.document_changed.connect(self._show_in_dialog)
         context.session.active_changed.connect(self._show_in_dialog)
+        context.session.selected_curves_changed.connect(self._show_in_dialog)
 
     # In
 
@@ -190,34 +191,45 @@ class ExchangeCommands:
 
     @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
     def _ask_and_export(self) -> None:
-        """Export a picture, splines, code or numbers."""
+        """Export a picture, splines, code or numbers, of all curves or of the chosen ones."""
         if self._dialog is None:
             self._dialog = import_export.export_dialog.ExportDialog(
-                exchange.choice.choice_from(self._preferences.export_choice), self._context.window
+                self._usual_choice(), self._context.window
             )
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._release_dialog)
         self._show_in_dialog()
         self._dialog.bring_up()
 
+    def _usual_choice(self) -> ExportChoice:
+        """Return the choice of the last time, of this document or of any; where some are chosen, of these."""
+        remembered, session = exchange.choice, self._session
+        usual = remembered.choice_of(session.files.last_export)
+        usual = usual or remembered.choice_from(self._preferences.export_choice)
+        return usual.of_chosen() if session.selected.chosen else usual
+
     def _release_dialog(self) -> None:
         self._dialog = None
 
     def _show_in_dialog(self) -> None:
         if self._dialog is not None:
-            preferences, session = self._preferences, self._session
+            session = self._session
             self._dialog.show_document(
                 session.document,
                 session.active_index,
-                preferences.unit_name,
-                with_estimates=preferences.with_estimates,
+                session.selected.chosen,
+                with_estimates=self._preferences.with_estimates,
             )
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
+        session, last = self._session, self._session.files.last_export
         self._preferences.export_choice = exchange.choice.text_of(choice)
-        start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
+        usual = (
+            last.name if last.ending == choice.ending and last.name else file_stem(session) + choice.ending
+        )
         kind = f"{choice.format.title} (*{choice.ending})"
-        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", str(start), kind)
+        start = str(self._preferences.last_folder / usual)
+        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", start, kind)
         if not name:
             return
         path = with_ending(Path(name), choice.ending)
@@ -226,17 +238,22 @@ class ExchangeCommands:
             there = StorageError("It is there already; choose it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
-        preferences = self._preferences
-        with_estimates = preferences.with_estimates
-        active, unit = self._session.active_index, preferences.unit_name
-        self.export(path, choice.options(active, unit, with_estimates=with_estimates))
+        session.files.note_export(exchange.choice.note_of(choice, path.name))
+        order = choice.order(
+            session.document,
+            session.active_index,
+            session.selected.chosen,
+            with_estimates=self._preferences.with_estimates,
+        )
+        self.export(path, order.options, order.document)
 
-    def export(self, path: Path, options: Options | None = None) -> None:
-        """Write the document in the format that the ending names, and say how exactly."""
-        document, unit = self._session.document, self._preferences.unit_name
+    def export(self, path: Path, options: Options | None = None, document: Document | None = None) -> None:
+        """Write the document, or a part of it, in the format that the ending names; say how exactly."""
+        document = document or self._session.document
+        options = options or Options(unit=document.unit)
 
         def work(report: Report) -> Written:
-            return export(document, path, (options or Options(unit=unit)).reporting(report))
+            return export(document, path, options.reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
