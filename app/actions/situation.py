@@ -47,6 +47,11 @@ class Situation:
         return bool(highlight.curves) and (len(curves) > 1 or bool(curves[0].points))
 
     @property
+    def chosen(self) -> frozenset[int]:
+        """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
+        return self.session.selected.chosen
+
+    @property
     def has_copied_derivatives(self) -> bool:
         """Whether there are derivatives on the clipboard; another program may have to be asked for that."""
         return self._clipboard.holds_derivatives

@@ -1,4 +1,4 @@
-"""Curves that come from elsewhere: in the unit of the document, and where the pointer is."""
+"""Curves that come from elsewhere: in front of what is edited, and where the pointer is."""
 
 from __future__ import annotations
 
@@ -6,16 +6,14 @@ import math
 from collections.abc import Collection, Sequence
 
 import msgspec
-import numpy as np
 from msgspec.structs import replace
 
-from ..document.curve_edits import with_each
 from ..document.curve_tree import Container
 from ..document.model import Curve, Document, Vector
-from ..document.several_curves import add_curves, mapped, moved, whole_curves
+from ..document.several_curves import add_curves, is_blank, moved, whole_curves
 from ..document.shape_edits import place_above
 from ..document.shapes import shape_of
-from ..document.transforms import scaling
+from .bounds import around
 from .curve_view import view_of
 
 
@@ -40,9 +38,9 @@ def with_curves(document: Document, curves: Sequence[Curve], active: int) -> Arr
     They come in front of the shape and the groups that it is in, and are in none of them. A lone curve
     without points is what a new document begins with; it gives way.
     """
-    is_blank = len(document.curves) == 1 and not document.curves[0].points
-    first = 0 if is_blank else place_above(document, active)
-    base = replace(document, curves=()) if is_blank else document
+    blank = is_blank(document)
+    first = 0 if blank else place_above(document, active)
+    base = replace(document, curves=()) if blank else document
     return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
 
 
@@ -53,37 +51,16 @@ def with_part(document: Document, part: Curve, active: int) -> Arrival:
     return Arrival(added, range(first, first + 1))
 
 
-def scaled(document: Document, curves: Collection[int], factor: float) -> Document:
-    """Return the document with some of its curves, and the width of their lines, so many times as large."""
-    if factor == 1.0:
-        return document
-    larger = mapped(document, whole_curves(document, curves), scaling(factor, factor, (0.0, 0.0)))
-    return with_each(larger, curves, lambda curve: _with_line(curve, factor))
-
-
-def _with_line(curve: Curve, factor: float) -> Curve:
-    width = curve.style.width
-    return curve if width is None else replace(curve, style=replace(curve.style, width=width * factor))
-
-
 def centred_at(document: Document, curves: Collection[int], place: Vector, pixel: float) -> Document:
     """Return the document with some of its curves moved so that their middle is at a place.
 
     It is there to a `pixel`, by a clean number: the coordinates get no digits that nobody sees.
     """
-    middle = _middle_of([document.curves[curve] for curve in sorted(curves)])
-    if middle is None or not all(map(math.isfinite, (*place, *middle))):
+    group = whole_curves(document, curves)
+    views = [view_of(document.curves[curve]) for curve in curves]
+    bounds = around([view.extent[1] for view in views if len(view.points)])
+    if bounds is None or not all(map(math.isfinite, (*place, *bounds.centre))):
         return document
     decimals = -math.floor(math.log10(pixel))
-    across, up = (round(to - at, decimals) for to, at in zip(place, middle, strict=True))
-    return moved(document, whole_curves(document, curves), (across, up))
-
-
-def _middle_of(curves: Sequence[Curve]) -> Vector | None:
-    """Return the middle of the box around curves; None where there is no point."""
-    boxes = [view_of(curve).extent[1] for curve in curves if curve.points]
-    if not boxes:
-        return None
-    low, high = np.min(boxes, axis=(0, 1)), np.max(boxes, axis=(0, 1))
-    x, y = (low + (high - low) / 2).tolist()
-    return x, y
+    across, up = (round(to - at, decimals) for to, at in zip(place, bounds.centre, strict=True))
+    return moved(document, group, (across, up))

@@ -21,7 +21,6 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, format_of
 from app.exchange.options import Options
 from app.exchange.reading import import_file
-from app.exchange.svg.our_own import STROKE
 from app.exchange.svg.writer import svg_of
 from app.exchange.units import MILLIMETRES, known_unit
 from app.exchange.writing import export
@@ -52,7 +51,7 @@ def test_an_svg_has_true_size(unit):
 
 
 def test_millimetres_are_called_so():
-    frame = trimmed(drawing_of(SEVENTY), STROKE).frame
+    frame = trimmed(drawing_of(SEVENTY)).frame
     assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, Options(unit="mm")).text
 
 
@@ -96,7 +95,7 @@ def test_a_pdf_has_true_size(unit, tmp_path):
     document = BAR if unit == "mm" else Document((make_curve(((0.0, 0.0), (9.0, 0.0))),))
     export(document, tmp_path / "a.pdf", Options(unit=unit))
     data = (tmp_path / "a.pdf").read_bytes()
-    frame, scale = trimmed(drawing_of(document), STROKE).frame, MILLIMETRES[unit] * 72 / 25.4
+    frame, scale = trimmed(drawing_of(document)).frame, MILLIMETRES[unit] * 72 / 25.4
     wide, high = page_of(data)
     # Whole points that have room for all: it was 720 wide.
     assert 0 <= wide - frame.width * scale < 1

@@ -17,9 +17,10 @@ from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
 from ...document.several_curves import named
+from ...document.shape_edits import place_above
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
-from ...view_model.arrivals import centred_at, scaled, with_curves
+from ...view_model.arrivals import centred_at, with_curves
 from ...view_model.pasting import (
     appended,
     appended_with_parameters,
@@ -113,18 +114,18 @@ class PasteCommands:
 
     def _add(self, new: Document, place: Vector | None, remarks: Sequence[str] = ()) -> None:
         session, canvas = self._session, self._context.central.canvas
-        added = with_curves(session.committed, new.curves, session.active_index)
+        curves = exchange.rescaled.in_unit(new, session.committed.unit).curves
+        added = with_curves(session.committed, curves, session.active_index)
         places, name = added.places, named(added.document, added.places)
 
-        def edit(document: Document) -> Document:
-            result = scaled(added.document, places, _factor(new.unit, document.unit))
+        def edit(_document: Document) -> Document:
             if place is None:
-                return result
-            return centred_at(result, places, place, canvas.camera.pixel_size)
+                return added.document
+            return centred_at(added.document, places, place, canvas.camera.pixel_size)
 
         if not session.change(f"Paste {name}", edit, active=places.start):
             return
-        session.selected.set_curves(places)
+        session.selected.choose(places)
         if not canvas.framing.shows_curves(places):
             self._context.actions["fitView"].trigger()
         is_one = name == added.document.curves[places.start].name
@@ -135,6 +136,10 @@ class PasteCommands:
 
     def _append(self, pasted: PointsContent) -> None:
         session, view = self._session, self._session.active_view
+        if not session.selected.is_editing:
+            # No curve is there to go on with.
+            self._add_curve(pasted)
+            return
         count = len(view.source.points)
         if pasted.like is None and pasted.points[0].t is not None:
             curve = appended_with_parameters(view, pasted.points, pasted.first_row)
@@ -149,7 +154,8 @@ class PasteCommands:
             session.say(f"Pasted {count_of(len(pasted.points), 'point')}{pasted.note}.")
 
     def _add_curve(self, pasted: PointsContent) -> None:
-        session, place = self._session, self._session.active_index + 1
+        session = self._session
+        place = place_above(session.document, session.active_index)
         name = curve_edits.free_name(session.document)
         if pasted.like is not None:
             curve = copied_as_new_curve(pasted.like, name)
@@ -166,12 +172,3 @@ class PasteCommands:
         """Fit the view if points that were pasted lie outside it."""
         if not self._context.central.canvas.framing.shows_all_points:
             self._context.actions["fitView"].trigger()
-
-
-def _factor(unit: str, into: str) -> float:
-    """Return how large a length of one in a unit is in another; 1 where one of them is none of length."""
-    if unit == into:
-        return 1.0
-    units = exchange.units
-    known, wanted = units.known_unit(unit), units.known_unit(into)
-    return units.MILLIMETRES[known] / units.MILLIMETRES[wanted] if known and wanted else 1.0
