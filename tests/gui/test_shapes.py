@@ -438,15 +438,18 @@ def test_within_the_shape_that_is_edited_a_rubber_band_begins(ring):
 
 
 @pytest.mark.parametrize("how", ["pen", "pencil", "paste"])
-def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, how):
+def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, qtbot, how):
     ring.session.selected.activate(0)
     if how == "pen":
         ring.trigger("addTool")
         ring.click((4.2, 2.0))
     elif how == "pencil":
         ring.trigger("pencilTool")
-        ring.drag((4.2, -2.0), (4.3, 2.0))
-        ring.wait_for_work()
+        ring.press((4.2, -2.0))
+        for y in (-1.0, 0.0, 1.0, 2.0):
+            ring.move((4.2 + 0.1 * y * y, y))
+        ring.release((4.6, 2.0))
+        qtbot.waitUntil(lambda: len(names(ring)) == 4)
     else:
         ring.paste_text("0 5\n1 6\n2 5")
         ring.key(Qt.Key.Key_V, CTRL | SHIFT)
