@@ -198,7 +198,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
         warnings=(*warnings, *_amplification(growth)),
         closed=curve.is_closed,
         corners=len(shape.view.corners),
-        smooth=len(shape.view.two_sided) - len(shape.view.corners),
+        smooth=len(shape.view.two_sided) - len(shape.view.corners) if shape.view.arrays.ties.any() else 0,
     )
 
 

@@ -102,6 +102,12 @@ class Preferences:
     transform_box = SwitchOfAction("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
 
+    as_printed = SwitchOfAction("view/as_printed", default=False)
+    """Whether the canvas shows light paper and the very colours that were chosen."""
+
+    recent_colours = SavedText("style/recent_colours")
+    """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
+
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 

@@ -60,6 +60,7 @@ REMEMBERED = {
     "transform_box",
     "with_estimates",
     "theme_mode",
+    "as_printed",
 }
 
 
