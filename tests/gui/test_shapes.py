@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 
+from app.appearance.theme import LIGHT
+from app.cli import main
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, Style
 from app.families import HERMITE
@@ -147,6 +150,40 @@ def test_combined_curves_are_one_shape_whose_hole_is_a_hole(rings):
     assert chosen(rings) == {"Outer", "Inner"}
     rings.trigger("undo")
     assert shapes(rings) == ["", "", ""]
+
+
+def seen(editor, x, y):
+    """The colour of the canvas at a place of the plane."""
+    canvas = editor.window.canvas
+    editor.settle()
+    return QColor(canvas.viewport().grab().toImage().pixel(canvas.to_pixel(x, y))).name()
+
+
+@pytest.mark.parametrize("edited", ["Outer", "Inner", "Side"])
+def test_the_hole_is_seen_whatever_is_edited(ring, edited):
+    fold(ring, "Shape 1")
+    click_row(ring, edited)
+    assert (seen(ring, 2.2, 0.3), seen(ring, 0.3, 0.2)) == ("#cc3311", LIGHT.paper.name())
+    ring.trigger("breakApart") if edited != "Side" else ring.trigger("undo")
+    assert seen(ring, 0.3, 0.2) == "#cc3311"
+
+
+def test_the_hole_is_one_in_pictures_and_one_path_in_svg(ring, tmp_path):
+    saved = tmp_path / "ring.curve.json"
+    ring.session.save(saved)
+    png, svg = tmp_path / "ring.png", tmp_path / "ring.svg"
+    assert [main(["render", str(saved), "-o", str(path)]) for path in (png, svg)] == [0, 0]
+    picture = QImage(str(png))
+    scale = picture.height() / 7.2
+
+    def colour(x, y):
+        return QColor(picture.pixel(int((x + 3.6) * scale), int((3.6 - y) * scale))).name()
+
+    # The ring is 6 high, and the margin a tenth of that; Inner and Outer cross y = 0 at 1.5 and 3.
+    assert [colour(x, 0.1) for x in (-2.9, -1.6, 1.6, 2.9)] == ["#cc3311"] * 4
+    assert "#cc3311" not in {colour(x, 0.1) for x in (-3.1, -1.4, 0.0, 1.4, 3.1)}
+    text = svg.read_text()
+    assert (text.count("<path"), text.count('fill-rule="evenodd"')) == (2, 1)
 
 
 def test_what_runs_the_other_way_keeps_its_rule(rings):
