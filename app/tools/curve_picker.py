@@ -58,9 +58,9 @@ class CurvePicker:
             what = f"{_verb(host)} “{_name(context, hit)}”"
             locked = Hint(f"Click to {what} (locked) · Shift+click: choose it too", grab=True)
             return Hint(refusal) if is_chosen else locked
-        click = _words_of_click(context, hit, is_chosen=is_chosen)
         if hit.inside and (host.selected.is_editing or context.pointer.shift):
-            return Hint(f"{click[:1].upper()}{click[1:]} · Drag: select with a rubber band", grab=True)
+            return Hint(f"{_words_within(context, hit)} · Drag: select with a rubber band", grab=True)
+        click = _words_of_click(context, hit, is_chosen=is_chosen)
         drag = hints.to_move(group.quoted, context.pointer, snaps=context.settings.snapping.on)
         return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
@@ -92,6 +92,15 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
         return f"Shift: one axis, a click takes it out · {click}"
     later = "" if is_editing else ", double-click to edit it"
     return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
+
+
+def _words_within(context: ToolContext, hit: Hit) -> str:
+    """Return what a click in what a curve fills does, where a drag is a rubber band."""
+    name = _name(context, hit)
+    if not context.pointer.shift:
+        return f"Click to edit “{name}” · Shift+click: choose it too"
+    is_chosen = hit.index in context.host.selected.chosen
+    return f"Click to take “{name}” out" if is_chosen else f"Click to choose “{name}” too"
 
 
 def _name(context: ToolContext, hit: Hit) -> str:
