@@ -63,6 +63,7 @@ class CurveListCommands:
     def _connect(self, panel: CurveList) -> None:
         session = self._session
         panel.view.activated_row.connect(session.selected.activate)
+        panel.view.chosen_entry.connect(session.selected.choose)
         panel.view.rows_selected.connect(session.selected.set_curves)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._set_name)

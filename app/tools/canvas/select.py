@@ -7,8 +7,9 @@ from msgspec.structs import replace
 from ...document import words
 from ...document.model import Vector
 from ...document.several_curves import PointGroup
+from ...document.shape_edits import next_pressed
 from .. import hints
-from ..curve_picker import CurvePicker, chosen_curves, edit_curve
+from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
@@ -32,24 +33,52 @@ class SelectTool(Tool):
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means."""
-        hit, grip = context.hit, self._grip_at(context)
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
-        elif hit is not None and hit.part is Part.OTHER_CURVE:
+            return
+        if self._picker.enter(context):
+            context = context.with_hit()
+        hit, grip = context.hit, self._grip_at(context)
+        if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
-        elif hit is not None and hit.part is not Part.CURVE:
+        elif hit is not None and hit.part not in (Part.CURVE, Part.OTHER_CURVE):
             press_on_part(context, hit)
         elif grip is not None:
             self._press_on_grip(context, grip)
+        elif hit is not None and hit.inside:
+            self._press_within(context, hit)
         elif hit is not None:
             self._press_on_curve(context, hit)
-        elif (group := self._inside(context)) is not None:
+        else:
+            self._press_beside(context)
+
+    def _press_within(self, context: ToolContext, area: Hit) -> None:
+        """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
+        if not self._is_pressed_within(context):
+            self._press_beside(context)
+        elif not context.host.selected.is_editing and not context.pointer.shift:
+            self._picker.press(context, area)
+        else:
+            self.gesture = self._band(context)(
+                context, lambda context: click_curve(context, area), is_on_curve=True
+            )
+
+    def _press_beside(self, context: ToolContext) -> None:
+        """Begin to move what the box is around, or a rubber band."""
+        if (group := self._inside(context)) is not None:
             moving = context.target.moving(group, context.pointer)
             context.drags.press(context.pointer, moving, lambda: self._deselect(context))
-        elif context.host.selected.is_editing:
-            self.gesture = Marquee(context, self._picker.unpick)
         else:
-            self.gesture = CurveMarquee(context, self._picker.unpick)
+            self.gesture = self._band(context)(context, self._picker.unpick)
+
+    def _is_pressed_within(self, context: ToolContext) -> bool:
+        """Whether a press in what another curve fills is about that, and not about the box around points."""
+        is_choosing = not context.host.selected.is_editing and not context.pointer.shift
+        return is_choosing or self._inside(context) is None
+
+    @staticmethod
+    def _band(context: ToolContext) -> type[Marquee]:
+        return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
         """Edit the curve that is chosen with Enter."""
@@ -64,7 +93,7 @@ class SelectTool(Tool):
         host = context.host
         if host.selected.is_editing:
             return super().walk(context, step)
-        host.selected.choose(((host.active_index + step) % len(host.views),))
+        host.selected.choose(next_pressed(host.document, host.selected.choice, step))
         host.say(f"{chosen_curves(host)}.")
         return True
 
@@ -102,11 +131,13 @@ class SelectTool(Tool):
         snaps = context.settings.snapping.on
         if self._is_on_pivot(context):
             return PIVOT_HINT
-        if hit is not None and hit.part is Part.OTHER_CURVE:
-            return self._picker.hint(context, hit)
-        if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
+        is_other = hit is not None and hit.part is Part.OTHER_CURVE
+        is_below = hit is None or hit.inside or hit.part is Part.CURVE
+        if grip is not None and group is not None and is_below:
             return hints.on_grip(grip, group, context.target.refusal_of(group))
-        if hit is None and (inside := self._inside(context)) is not None:
+        if hit is not None and is_other and (not hit.inside or self._is_pressed_within(context)):
+            return self._picker.hint(context, hit)
+        if (hit is None or hit.inside) and (inside := self._inside(context)) is not None:
             return hints.inside_box(inside, context.pointer, snaps=snaps)
         if hit is None and (idle := self._picker.idle_hint(context)) is not None:
             return idle
