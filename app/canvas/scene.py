@@ -196,7 +196,7 @@ class CanvasScene:
         polyline = self.curve.polyline(shown)
         hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
         if hit is None and tool.finds_other_curves:
-            return self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
+            return self.curves.hit(pixel, shown)
         return hit
 
     @property

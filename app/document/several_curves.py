@@ -200,12 +200,21 @@ def add_curves(
 def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     """Return the document with the curves of another, and the place of the first of them.
 
-    A lone curve without points is what a new document begins with; it gives way. The other's picture to
-    trace comes along where there is none yet.
+    A lone curve without points is what a new document begins with; it gives way, and with it the unit and
+    the page. The other's picture to trace comes along where there is none yet.
     """
-    begun = document.curves if len(document.curves) > 1 or document.curves[0].points else ()
+    begun = document.curves if not is_blank(document) else ()
     curves = (*begun, *with_own_names(new.curves, replace(document, curves=begun)))
-    return replace(document, curves=curves, image=document.image or new.image), len(begun)
+    image = document.image or new.image
+    if begun:
+        return replace(document, curves=curves, image=image), len(begun)
+    unit, page = new.unit or document.unit, new.page or document.page
+    return replace(document, curves=curves, image=image, unit=unit, page=page), 0
+
+
+def is_blank(document: Document) -> bool:
+    """Whether a document is what File > New opens: one curve without points."""
+    return len(document.curves) == 1 and not document.curves[0].points
 
 
 def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:

@@ -50,6 +50,8 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the mouse has the reference image instead of the points.
     grid, basis, side_panel, lessons
         Whether the grid, the basis functions, the panels at the side and the lessons are shown.
+    thin_lines, as_printed
+        Whether curves are thin lines without fills; whether paper and colours are as they print.
     presentation
         Whether everything but canvas and basis functions is hidden.
     scale
@@ -80,6 +82,8 @@ class WindowState(msgspec.Struct, frozen=True):
     basis: bool = True
     side_panel: bool = True
     lessons: bool = False
+    thin_lines: bool = False
+    as_printed: bool = False
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False

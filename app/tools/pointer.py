@@ -47,6 +47,8 @@ class Hit(msgspec.Struct, frozen=True):
         picture to trace: 0 to 3, counterclockwise from the lower left.
     over
         For a handle: the point that it lies over, −1 for none.
+    inside
+        For another curve: whether it is hit within what it fills, and not on its line.
     """
 
     part: Part
@@ -57,6 +59,7 @@ class Hit(msgspec.Struct, frozen=True):
     kind: int = 0
     knot: int = -1
     over: int = -1
+    inside: bool = False
 
 
 class Pointer(msgspec.Struct, frozen=True):

@@ -50,7 +50,8 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
             return IDENTITY
         if self.group != now.group or before.shape != after.shape:
             return None
-        return self._as_boxes(_map_between(before, after), now)
+        by = _map_between(before, after)
+        return by if by is IDENTITY else self._as_boxes(by, now)
 
     def _as_boxes(self, by: Affine, now: Anchor) -> Affine:
         """Return a map along the axes as that of the bounds: where a curve is stretched they are exact."""

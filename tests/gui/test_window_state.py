@@ -62,6 +62,7 @@ REMEMBERED = {
     "scale_strokes",
     "with_estimates",
     "theme_mode",
+    "as_printed",
 }
 
 
