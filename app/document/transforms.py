@@ -166,6 +166,12 @@ class Reference(NamedEnum):
     EDITED = "edited", "The one edited", "Align chosen curves to the one that was chosen first and is edited"
     LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
     DRAWING = "drawing", "The drawing", "Align chosen curves to the box around all curves"
+    PAGE = "page", "The page", "Align chosen curves to the page of the document"
+
+    @property
+    def is_around(self) -> bool:
+        """Whether it is there without the chosen curves, so that one of them can be aligned to it."""
+        return self in (Reference.DRAWING, Reference.PAGE)
 
 
 class Spacing(NamedEnum):

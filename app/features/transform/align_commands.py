@@ -61,8 +61,8 @@ _DISTRIBUTIONS = tuple(
 
 
 def _can_align(now: Situation) -> bool:
-    is_to_drawing = now.state.align_to is Reference.DRAWING and not now.selection
-    return len(now.selection) > 1 or len(now.selected) > 1 or is_to_drawing
+    is_one_enough = now.state.align_to.is_around and not now.selection
+    return len(now.selection) > 1 or len(now.selected) > 1 or is_one_enough
 
 
 TWO = Need("two selected points or chosen curves, or more", _can_align)
