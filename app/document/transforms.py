@@ -117,6 +117,13 @@ def decimal_product(a: float, b: float) -> float:
     return float(Decimal(repr(a)) * Decimal(repr(b)))
 
 
+def clean_step(least: float) -> float:
+    """Return the smallest of 1, 2 and 5 times a power of ten that is not below `least`, which is positive."""
+    power = math.floor(math.log10(least))
+    steps = (float(f"{digit}e{power}") for digit in (1, 2, 5, 10))
+    return next((step for step in steps if step >= least), float(f"2e{power + 1}"))
+
+
 def _middle(values: Sequence[float]) -> float:
     return min(values) / 2 + max(values) / 2
 

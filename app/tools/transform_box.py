@@ -59,6 +59,11 @@ class TransformBox(Bounds, frozen=True):
         pad = PADDING / scale
         return (self.low[0] - pad, self.low[1] - pad), (self.high[0] + pad, self.high[1] + pad)
 
+    def holds(self, pointer: Pointer) -> bool:
+        """Whether a pointer lies inside, as the box is drawn."""
+        (x, y), (low, high) = pointer.position, self.padded(pointer.scale)
+        return low[0] <= x <= high[0] and low[1] <= y <= high[1]
+
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale a side without length."""
         low, high = self.padded(scale)
