@@ -48,7 +48,7 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         before, after = self.points, now.points
         if before.shape == after.shape and np.array_equal(before, after):
             return IDENTITY
-        if self.group != now.group or before.shape != after.shape:
+        if self.group.parts != now.group.parts or before.shape != after.shape:
             return None
         by = _map_between(before, after)
         return by if by is IDENTITY else self._as_boxes(by, now)

@@ -55,7 +55,7 @@ def undo_text(editor):
 
 
 @pytest.mark.parametrize("action", ACTIONS)
-@pytest.mark.parametrize("to", ["EachOther", "Edited", "Largest", "Drawing"])
+@pytest.mark.parametrize("to", ["EachOther", "First", "Largest", "Drawing"])
 def test_curves_are_aligned_by_their_extents(four, action, to):
     four.session.selected.set_curves({0, 1, 2}, 1)
     before = boxes(four)
@@ -64,7 +64,7 @@ def test_curves_are_aligned_by_their_extents(four, action, to):
     after = boxes(four)
     box = {
         "EachOther": whole(before[:3]),
-        "Edited": before[1],
+        "First": before[1],
         "Largest": before[1],
         "Drawing": whole(before),
     }
@@ -103,7 +103,7 @@ def test_the_page_is_aligned_to_where_there_is_one(four):
 
 
 def test_one_curve_is_aligned_to_the_drawing(four):
-    four.session.selected.set_curves({1})
+    four.session.selected.choose({1})
     assert not four.action("alignCentre").isEnabled()
     four.trigger("alignToDrawing")
     before = whole(boxes(four))
@@ -146,7 +146,7 @@ def test_a_shape_is_aligned_as_one(four):
             ),
         ),
     )
-    four.session.selected.set_curves({0, 2}, 0)
+    four.session.selected.choose({0, 2})
     before = boxes(four)
     four.trigger("alignBottom")
     after = boxes(four)
@@ -188,3 +188,16 @@ def test_the_buttons_of_the_panel_align(four):
     QTest.mouseClick(four.window.findChild(QToolButton, "alignBottomButton"), Qt.MouseButton.LeftButton)
     low = boxes(four)[:, 0, 1]
     assert low == pytest.approx(4 * [low[0]], abs=CLOSE)
+
+
+def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):
+    four.session.selected.choose({2})
+    four.click(
+        tuple(four.session.views[3].curve.evaluate(0.4).tolist()), keys=Qt.KeyboardModifier.ShiftModifier
+    )
+    assert four.session.selected.chosen == {2, 3}
+    before = boxes(four)
+    four.trigger("alignToFirst")
+    four.trigger("alignBottom")
+    assert boxes(four)[[2, 3], 0, 1] == pytest.approx(2 * [before[2, 0, 1]], abs=CLOSE)
+    four.trigger("alignToEachOther")

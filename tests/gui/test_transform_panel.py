@@ -110,7 +110,7 @@ def test_it_follows_the_selection_and_drags(leaf):
 def test_without_points_there_is_nothing_to_set(leaf):
     leaf.session.new()
     leaf.settle()
-    assert label(leaf, "transformWhat") == "Nothing yet"
+    assert label(leaf, "transformWhat") == "Nothing chosen"
     assert not any(field(leaf, name).isEnabled() for name in ("X", "Width", "Angle", "Turn"))
 
 
@@ -357,6 +357,6 @@ def test_the_reference_of_alignment_is_chosen_here_and_in_the_menu(leaf):
     box = leaf.window.findChild(QComboBox, "alignReference")
     assert box.currentText() == "Each other"
     QTest.keyClick(box, Key.Key_Down)
-    assert leaf.action("alignToEdited").isChecked()
+    assert leaf.action("alignToFirst").isChecked()
     leaf.trigger("alignToEachOther")
     assert box.currentText() == "Each other"

@@ -108,9 +108,8 @@ class TransformPanelCommands(QObject):
 
     def _situation(self) -> Situated:
         target, session = self._target, self._session
-        group = target.for_keys
-        if not any(indices for _, indices in group.parts):
-            return transform.panel.Situated("nothing yet", None, (0.0, 0.0), None, 0.0, "", "")
+        if target.is_nothing:
+            return transform.panel.Situated("nothing chosen", None, (0.0, 0.0), None, 0.0, "", "")
         bounds, pivot = target.bounds, target.centre
         places = [at for at in NINE if bounds.place(*at) == pivot]
         return transform.panel.Situated(
