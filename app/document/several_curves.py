@@ -189,17 +189,13 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
     return max(0, min(before, len(document.curves) - len(curves) - 1))
 
 
-def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Added:
-    """Add copies of curves right in front of them, in their order, in these colours, visible and free.
+def add_copies(document: Document, curves: Collection[int]) -> Added:
+    """Add copies of curves right in front of them, in their order, as they look, visible and free.
 
     Copies of whole shapes and groups are shapes and groups of their own.
     """
     last = whole_nodes(document.curves, curves)[-1]
-    inside = contained(document.curves, curves, last.around)
-    copies = [
-        replace(curve, style=replace(curve.style, stroke=colour))
-        for curve, colour in zip(inside.values(), colours, strict=True)
-    ]
+    copies = list(contained(document.curves, curves, last.around).values())
     at = last.places.stop
     return Added(add_curves(document, copies, at, last.around), range(at, at + len(copies)))
 
