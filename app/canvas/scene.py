@@ -25,6 +25,7 @@ from .annotations import Annotations
 from .control_polygon_layer import ControlPolygonLayer
 from .curve_layer import CurveLayer
 from .grid_layer import GridLayer
+from .guides_layer import GuidesLayer
 from .hit_test import hit_test
 from .image_layer import ImageLayer
 from .label_place import Surroundings, number_box, segments_near
@@ -59,6 +60,8 @@ class CanvasScene:
         The curves that are not edited; those of them that are selected together with it.
     polygon, curve, points
         The curve that is edited, and its control polygon if it does not pass its points.
+    guides
+        The guides.
     annotations
         What explains it: figures, ghosts, other versions, the legend.
     marks, pen
@@ -78,6 +81,7 @@ class CanvasScene:
         self.polygon = ControlPolygonLayer(plot)
         self.curve = CurveLayer(plot)
         self.annotations = Annotations(plot, self)
+        self.guides = GuidesLayer(plot)
         self.points = PointLayer(plot)
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
@@ -184,6 +188,7 @@ class CanvasScene:
     def show_marks(self, marks: GestureMarks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""
         self.marks.render(marks)
+        self.guides.light(marks.guide)
         self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
@@ -196,7 +201,9 @@ class CanvasScene:
         polyline = self.curve.polyline(shown)
         hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
         if hit is None and tool.finds_other_curves:
-            return self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
+            hit = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
+        if hit is None and tool.finds_guides:
+            hit = self.guides.hit(pixel, shown)
         return hit
 
     @property

@@ -11,6 +11,6 @@
 - ``several_curves``: of several curves at once, and curves from elsewhere.
 - ``straight_edits``: segments made straight.
 - ``selection``: selected curves and points followed through a change.
-- ``image_edits``: of the picture to trace.
+- ``image_edits``: of the picture to trace.  ``guide_edits``: of the guides.
 - ``expression``: numbers as people type them.
 """

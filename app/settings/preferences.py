@@ -102,6 +102,9 @@ class Preferences:
     transform_box = SwitchOfAction("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
 
+    rulers = SwitchOfAction("view/rulers", default=True)
+    """Whether the axes of the canvas are rulers."""
+
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 

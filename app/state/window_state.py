@@ -49,6 +49,8 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the mouse has the reference image instead of the points.
     grid, basis, side_panel, lessons
         Whether the grid, the basis functions, the panels at the side and the lessons are shown.
+    rulers, guides_shown, guides_locked
+        Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
     presentation
         Whether everything but canvas and basis functions is hidden.
     scale
@@ -75,6 +77,9 @@ class WindowState(msgspec.Struct, frozen=True):
     basis: bool = True
     side_panel: bool = True
     lessons: bool = False
+    rulers: bool = True
+    guides_shown: bool = True
+    guides_locked: bool = False
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False
@@ -94,6 +99,11 @@ class WindowState(msgspec.Struct, frozen=True):
     file: FileSituation = FileSituation()
     is_working: bool = False
     image_problem: str = ""
+
+    @property
+    def shows_rulers(self) -> bool:
+        """Whether the axes of the canvas are rulers now: not in a presentation."""
+        return self.rulers and not self.presentation
 
     def uses(self, tool: ToolRecord) -> bool:
         """Whether the mouse has this tool; while it moves the image, it has none for points."""

@@ -25,6 +25,10 @@ class Drag(msgspec.Struct, frozen=True):
         """The name of the step in the history."""
         raise NotImplementedError
 
+    def name_at(self, pointer: Pointer) -> str:
+        """Return the name of the step that ends here."""
+        return self.name
+
     @property
     def keys(self) -> str:
         """Effects of the modifier keys, for the status line."""

@@ -210,7 +210,7 @@ class DragMachine:
         if press is None:
             return
         if press.moving and press.drag is not None and press.last is not None:
-            is_done = self._host.commit(press.last, press.drag.name, active=press.active)
+            is_done = self._host.commit(press.last, press.drag.name_at(pointer), active=press.active)
             if is_done and press.on_done is not None:
                 press.on_done()
         elif not press.moving and press.on_click is not None:

@@ -16,6 +16,7 @@ from .snappers import Snappers
 from .target import TransformTarget
 from .tool import Tool, ToolContext, ToolRecord, ToolSettings
 from .transform import TransformKind
+from .transform_box import TransformBox
 from .transform_tool import TransformTool
 
 HitTest = Callable[[Pointer, Tool], Hit | None]
@@ -61,6 +62,11 @@ class Toolbox:
     def tool(self) -> Tool:
         """The tool in use."""
         return self._above or self._chosen
+
+    @property
+    def box(self) -> TransformBox | None:
+        """The box around what is selected, None for less than two points."""
+        return self._target.box
 
     @property
     def context(self) -> ToolContext:
@@ -123,6 +129,11 @@ class Toolbox:
             return False
         self._above = TransformTool(kind, context)
         return True
+
+    def begin_with(self, make: Callable[[ToolContext], Tool], pointer: Pointer) -> None:
+        """Begin a gesture of a tool that lies above the one that is chosen until the gesture has ended."""
+        self.cancel()
+        self._above = make(self._at(pointer))
 
     # Events
 

@@ -53,7 +53,8 @@ class CentralArea:
         pane = QWidget(self.splitter)
         self.canvas = Canvas(Toolbox(session, SELECT), pane)
         self.message_bar = MessageBar(self.canvas.viewport())
-        self.canvas.framing.covered_top = lambda: self.message_bar.covered
+        self.message_bar.clear_top = lambda: self.canvas.rulers.thickness
+        self.canvas.framing.covered_top = lambda: self.message_bar.covered - self.canvas.rulers.thickness
         self.under_canvas = QVBoxLayout(pane)
         self.under_canvas.setContentsMargins(0, 0, 0, 0)
         self.under_canvas.setSpacing(0)

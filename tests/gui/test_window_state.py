@@ -58,6 +58,7 @@ REMEMBERED = {
     "unit_name",
     "pencil",
     "transform_box",
+    "rulers",
     "with_estimates",
     "theme_mode",
 }

@@ -8,6 +8,7 @@ from ...document import words
 from .. import hints
 from ..curve_picker import CurvePicker
 from ..drags import BendCurve
+from ..guides import GuidePicker
 from ..marks import GestureMarks
 from ..marquee import Marquee
 from ..parts import GESTURES, press_on_part, unless_locked
@@ -16,15 +17,19 @@ from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
 
+_BELOW_GRIPS = (Part.CURVE, Part.GUIDE)
+"""What a grip of the box comes before."""
+
 
 class SelectTool(Tool):
     """Tool that selects, drags and bends."""
 
     cursor = Cursor.ARROW
     finds_other_curves = True
+    finds_guides = True
 
     def __init__(self) -> None:
-        self._picker = CurvePicker()
+        self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
 
     def press(self, context: ToolContext) -> None:
@@ -33,10 +38,12 @@ class SelectTool(Tool):
         hit, grip = context.hit, self._grip_at(context)
         if hit is not None and hit.part is Part.OTHER_CURVE:
             self._picker.press(context, hit)
-        elif hit is not None and hit.part is not Part.CURVE:
+        elif hit is not None and hit.part not in _BELOW_GRIPS:
             press_on_part(context, hit)
         elif grip is not None:
             self._press_on_grip(context, grip)
+        elif hit is not None and hit.part is Part.GUIDE:
+            self._guides.press(context, hit)
         elif hit is not None:
             self._press_on_curve(context, hit)
         elif self._picker.entered:
@@ -59,6 +66,14 @@ class SelectTool(Tool):
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
+    def claims(self, key: str) -> bool:
+        """Whether a key is for the guide under the pointer."""
+        return self._guides.claims(key)
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Remove the guide under the pointer with Delete."""
+        return self._guides.key(context, key)
+
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
         super().end()
@@ -69,10 +84,13 @@ class SelectTool(Tool):
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
+        self._guides.hover(context, hit if grip is None else None)
         if hit is not None and hit.part is Part.OTHER_CURVE:
             return self._picker.hint(context, hit)
-        if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
+        if grip is not None and group is not None and (hit is None or hit.part in _BELOW_GRIPS):
             return hints.on_grip(grip, group, context.target.refusal_of(group))
+        if (on_guide := self._guides.hint(context)) is not None:
+            return on_guide
         if hit is None and (idle := self._picker.idle_hint(context)) is not None:
             return idle
         return hints.to_select(
@@ -87,6 +105,7 @@ class SelectTool(Tool):
             box=self._box(context) if is_idle else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
+            guide=self._guides.lit,
         )
 
     @staticmethod
@@ -121,6 +140,7 @@ SELECT = ToolRecord(
             selected=True,
             curves=True,
         ),
+        GestureRow("Drag a guide", "move it; back to the ruler removes it"),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
         GestureRow("Escape", "select nothing", selected=True),
         GestureRow("Press another curve", "edit it; drag to bend it or move a point"),
