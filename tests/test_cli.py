@@ -326,7 +326,9 @@ def test_convert_says_what_it_leaves_out(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text('<svg><text/><path d="M0 0L1 1"/></svg>', encoding="utf-8")
     assert main(["convert", str(path), str(tmp_path / "a.py")]) == 0
-    assert capsys.readouterr().err == "curvebench: <text> is not read.\n"
+    assert capsys.readouterr().err == (
+        "curvebench: <text> (element 2): text is no curve; left out, but as paths it would come in.\n"
+    )
 
 
 def test_convert_refuses_in_one_line(tmp_path, capsys):

@@ -7,6 +7,7 @@ from typing import Final
 
 from PySide6.QtGui import QColor
 
+from ..document.style import NO_PAINT
 from ..view_model.palette import OKABE_ITO, colour_on, point_palette
 from .theme import Theme
 
@@ -24,8 +25,15 @@ CURVE_COLOURS: Final = {
 
 
 def curve_colour(code: str, theme: Theme) -> QColor:
-    """Return the colour of a curve in this theme: as chosen, or moved until it can be seen on the paper."""
-    return QColor(colour_on(theme.paper.name(), code)) if code else QColor(theme.curve)
+    """Return the colour of a line in this theme: as chosen, or moved until it can be seen on the paper."""
+    if code in ("", NO_PAINT):
+        return QColor(theme.curve)
+    return QColor(code if theme.is_as_printed else colour_on(theme.paper.name(), code))
+
+
+def fill_colour(code: str, theme: Theme) -> QColor:
+    """Return the colour of an area in this theme: as chosen, for an area is seen by what lies around it."""
+    return QColor(theme.curve) if code in ("", NO_PAINT) else QColor(code)
 
 
 def line_colour(code: str, theme: Theme) -> QColor:

@@ -1,4 +1,4 @@
-"""Small discs and squares in the colour of a curve or a point."""
+"""Small discs in the colour of a curve."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ _SIDE = 16
 
 
 @lru_cache(maxsize=512)
-def swatch(colour: str, size: int, *, square: bool = False) -> QPixmap:
-    """Return a disc, or a square, of `size` pixels in the middle of a picture."""
+def swatch(colour: str, size: int) -> QPixmap:
+    """Return a disc of `size` pixels in the middle of a picture."""
     pixmap = QPixmap(2 * _SIDE, 2 * _SIDE)
     pixmap.setDevicePixelRatio(2)
     pixmap.fill(Qt.GlobalColor.transparent)
@@ -22,7 +22,6 @@ def swatch(colour: str, size: int, *, square: bool = False) -> QPixmap:
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QColor(colour))
     margin = (_SIDE - size) / 2
-    draw = painter.drawRect if square else painter.drawEllipse
-    draw(QRectF(margin, margin, size, size))
+    painter.drawEllipse(QRectF(margin, margin, size, size))
     painter.end()
     return pixmap

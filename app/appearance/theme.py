@@ -26,7 +26,7 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     """
     The colours of one appearance.
 
-    Compared by identity: a QColor has no hash, and there are two themes.
+    Compared by identity: a QColor has no hash, and there are three themes.
 
     Attributes
     ----------
@@ -46,6 +46,8 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
         Selection, focus and the checked state.
     warning : QColor
         Orange; always shown together with a sign or a word.
+    is_as_printed : bool
+        Whether lines have the colours that were chosen, also such as can hardly be seen on the paper.
     """
 
     name: str
@@ -60,6 +62,7 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     handle: QColor
     accent: QColor
     warning: QColor
+    is_as_printed: bool = False
 
 
 def mix(over: QColor, under: QColor, share: float) -> QColor:
@@ -92,6 +95,8 @@ def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
 
 LIGHT: Final = _theme("light", surface="#f0f1f3", muted="#5b636d", warning="#b25000")
 DARK: Final = _theme("dark", surface="#22272d", muted="#9aa3ad", warning="#ffab52")
+PRINTED: Final = msgspec.structs.replace(LIGHT, is_as_printed=True)
+"""The paper of a picture that is printed, whatever the theme."""
 
 
 def theme_of(palette: QPalette) -> Theme:
@@ -262,15 +267,12 @@ QToolBar QToolBarExtension {
 }
 QMainWindow::separator, QSplitter::handle { background: $line; width: 1px; height: 1px }
 QMainWindow::separator:hover, QSplitter::handle:hover { background: $accent }
-QDockWidget {
-    titlebar-close-icon: url("$icons/close-$name.svg");
-    titlebar-normal-icon: url("$icons/float-$name.svg")
-}
-QDockWidget::title { background: $surface; padding: 7px 10px; text-align: left }
-QDockWidget::close-button, QDockWidget::float-button {
-    background: none; border: none; border-radius: 4px; padding: 1px; icon-size: 28px
-}
-QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: $pressed }
+DockTitle { background: $surface }
+DockTitle QToolButton { background: none; border: 1px solid transparent; border-radius: 4px; padding: 3px }
+DockTitle QToolButton:hover { background: $hover }
+DockTitle QToolButton:checked { background: $checked; border-color: $accent }
+DockTitle QToolButton:pressed { background: $pressed }
+DockTitle QToolButton:focus { border-color: $accent }
 QPushButton, QComboBox, QToolButton[autoRaise="false"] {
     background: $raised; border: 1px solid $edge; border-radius: 3px; color: $ink; padding: 3px 8px
 }
@@ -348,7 +350,7 @@ def style_sheet_of(theme: Theme) -> str:
         "$rim": rim(theme),
         "$lifted": mix(theme.ink, _role_colours(theme)[QPalette.ColorRole.Button], 0.06),
     }
-    folder = resource("icons", "styled", f"close-{theme.name}.svg").parent
+    folder = resource("icons", "styled", f"arrow-{theme.name}.svg").parent
     sheet = _STYLE_SHEET.replace("$icons", folder.as_posix()).replace("$name", theme.name)
     for word, colour in colours.items():
         sheet = sheet.replace(word, colour.name())

@@ -4,6 +4,7 @@
   shown.
 - ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``control_polygon_layer``: the curve
   that is edited.
+- ``drawn_curves``: all curves in the order in which they print.  ``looks``: how they look.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.
 - ``grid_layer``, ``unit_layer``, ``guides_layer``: grid, unit and guides.

@@ -15,9 +15,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.curve_view import CurveView, Polyline
-
-TOLERANCE = 0.1
-"""Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
+from .looks import Shape, is_plain, line_of, paint_shape
 
 CASING = 1.0
 """Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
@@ -28,7 +26,28 @@ FAINT_WIDTH = 1.5
 WORTH_A_WORD = 1.0
 """Pixels by which a line may be off before the canvas says so."""
 
-_GHOST_MS, _WIDTH = 900, 2.0
+_GHOST_MS, _WIDTH, _EDIT_WIDTH = 900, 2.0, 1.0
+
+
+class EditedShapeLayer(Layer):
+    """Layer of the shape that is edited, as it prints; plain and faint lines are the `CurveLayer`'s."""
+
+    z = -0.9
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._shape: Shape = ()
+
+    def render(self, shape: Shape) -> None:
+        """Draw the curves of the shape from the next paint on; without any, nothing."""
+        if shape != self._shape:
+            self._shape = shape
+            self.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the shape."""
+        if self._shape:
+            paint_shape(painter, self._shape, shown, self.theme, _WIDTH * self.scale)
 
 
 class CurveLayer(Layer):
@@ -47,7 +66,7 @@ class CurveLayer(Layer):
         self._view: CurveView | None = None
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._ghost: FloatArray | None = None
-        self._ghost_held = self._is_cased = False
+        self._ghost_held = self._is_cased = self._is_thin = self._is_covered = False
         # The pen of the last frame, and what it was made for.
         self._made_for: tuple[object, ...] = ()
         self._made = QPen()
@@ -108,11 +127,15 @@ class CurveLayer(Layer):
             self._error_of = (polyline.deviation, shown)
             self.error = polyline.reached * max(shown.sx, shown.sy)
         self._stroke.show(polyline.points, shown)
-        if self._is_cased:
+        if self._is_cased and self._paints_line(view):
             painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
             self._stroke.draw(painter)
-        painter.setPen(self._pen(view))
-        self._stroke.draw(painter)
+        if self._paints_line(view):
+            painter.setPen(self._pen(view))
+            self._stroke.draw(painter)
+        elif self._is_covered or not view.source.style.has_stroke:
+            painter.setPen(self._line(self.theme.accent, _EDIT_WIDTH))
+            self._stroke.draw(painter)
         if self.said:
             self._paint_word(painter, shown)
 
@@ -130,14 +153,26 @@ class CurveLayer(Layer):
         self._is_cased = cased
         self.update()
 
+    def set_thin(self, thin: bool) -> None:
+        """Draw a plain line, whatever the style."""
+        self._is_thin = thin
+        self.update()
+
+    def set_covered(self, covered: bool) -> None:
+        """Show where a curve runs that prints below others."""
+        self._is_covered = covered
+        self.update()
+
+    def _paints_line(self, view: CurveView) -> bool:
+        return self._is_thin or is_faint(view) or is_plain(view.source.style)
+
     def _pen(self, view: CurveView) -> QPen:
-        # The last good curve, of points or rules that are no more, and a hidden one that is edited.
-        is_faint = not (view.is_current and view.source.visible)
-        wanted = (is_faint, view.source.style.colour, self.theme, self.scale)
+        faint = is_faint(view)
+        wanted = (faint, view.source.style.colour, self.theme, self.scale)
         if wanted != self._made_for:
             self._made_for = wanted
-            colour = self.theme.handle if is_faint else curve_colour(view.source.style.colour, self.theme)
-            self._made = self._line(colour, FAINT_WIDTH if is_faint else _WIDTH)
+            colour = self.theme.handle if faint else curve_colour(view.source.style.colour, self.theme)
+            self._made = self._line(colour, FAINT_WIDTH if faint else _WIDTH)
         return self._made
 
     def _line(self, colour: QColor, width: float) -> QPen:
@@ -151,6 +186,6 @@ class CurveLayer(Layer):
         self._ghost_stroke.draw(painter)
 
 
-def line_of(view: CurveView, shown: PixelMap) -> Polyline:
-    """Return a curve as a polyline of the plane, exact enough to be drawn."""
-    return view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+def is_faint(view: CurveView) -> bool:
+    """Whether a curve steps back: the last good one of points or rules that are no more, or a hidden one."""
+    return not (view.is_current and view.source.visible)

@@ -21,7 +21,7 @@ from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.analysis.figures import Figure, Shape
 from ..view_model.line_styles import Mark
-from .curve_layer import TOLERANCE
+from .looks import TOLERANCE
 
 if TYPE_CHECKING:
     from ..view_model.analysis.ghosts import GhostView

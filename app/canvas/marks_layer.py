@@ -21,6 +21,9 @@ from .label_place import Surroundings, free_corner
 _NOTHING = GestureMarks()
 
 _GRIP, _FAR = 3.5, 1e6
+_PIVOT_ARM = 6.5
+"""Pixels from the pivot to the ends of its cross."""
+
 _ARM = 9
 """Length of the arms of the cross where something is caught."""
 
@@ -68,7 +71,11 @@ class MarksLayer(Layer):
         marks = self.marks
         painter.setFont(self.fonts.times(0.95 * self.scale))
         if marks.box is not None:
-            self._paint_box(painter, shown, marks.box)
+            self._paint_box(painter, shown, marks.box, has_grips=True)
+        if marks.frame is not None:
+            self._paint_box(painter, shown, marks.frame, has_grips=False)
+        if marks.pivot is not None:
+            self._paint_pivot(painter, *shown.point(*marks.pivot))
         if marks.band is not None:
             self._paint_band(painter, shown, *marks.band)
         if marks.axis is not None:
@@ -87,7 +94,7 @@ class MarksLayer(Layer):
 
     # Box and band
 
-    def _paint_box(self, painter: QPainter, shown: PixelMap, box: TransformBox) -> None:
+    def _paint_box(self, painter: QPainter, shown: PixelMap, box: TransformBox, *, has_grips: bool) -> None:
         low, high = box.padded(shown.sx)
         frame = _rectangle(shown, low, high)
         if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
@@ -96,7 +103,7 @@ class MarksLayer(Layer):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
         painter.drawRect(frame)
-        for grip, place in box.grips(shown.sx):
+        for grip, place in box.grips(shown.sx) if has_grips else ():
             pixel = QPointF(*shown.point(*place))
             if grip.rotates:
                 painter.setPen(self._pen())
@@ -112,6 +119,19 @@ class MarksLayer(Layer):
             painter.drawEllipse(square.adjusted(-0.5, -0.5, 0.5, 0.5))
         else:
             painter.drawRect(square)
+
+    def _paint_pivot(self, painter: QPainter, x: float, y: float) -> None:
+        """Draw a cross in a ring, with paper below its lines: it often lies on a curve."""
+        if not _is_drawable(x, y):
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        centre, arm = QPointF(x, y), _PIVOT_ARM * self.scale
+        for pen in (QPen(self.theme.paper, 3.5 * self.scale), self._pen(1.2)):
+            painter.setPen(pen)
+            painter.drawEllipse(centre, 0.6 * arm, 0.6 * arm)
+            painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0))
+            painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm))
 
     def _paint_band(self, painter: QPainter, shown: PixelMap, start: Vector, end: Vector) -> None:
         fill = QColor(self.theme.accent)

@@ -24,8 +24,9 @@ from ..plotting.plot_widget import PlotWidget
 from ..tools.pointer import Hit, Part
 from ..view_model.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE
-from .curve_layer import CASING, FAINT_WIDTH, line_of
+from .curve_layer import CASING, FAINT_WIDTH
 from .hit_test import CURVE_REACH, PixelOutline
+from .looks import Shape, is_plain, line_of, paint_shape
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
@@ -37,7 +38,7 @@ _AT_ONCE = 400
 
 
 class OtherCurvesLayer(Layer):
-    """Layer of the visible curves that are neither edited nor selected; it finds which of them a pixel is on.
+    """Layer of the visible curves that are not edited, as they print; it finds which of them a pixel is on.
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are.
@@ -48,10 +49,12 @@ class OtherCurvesLayer(Layer):
     shows_hidden = False
     join = Qt.PenJoinStyle.BevelJoin
 
-    def __init__(self, plot: PlotWidget) -> None:
-        super().__init__(plot)
+    def __init__(self, plot: PlotWidget, *, z: float | None = None) -> None:
+        super().__init__(plot, z=z)
         self._is_cased = False
+        self._is_thin = False
         self._views: list[tuple[int, CurveView]] = []
+        self._shapes: list[Shape] = []
         self._picture: _Picture | None = None
         self._seconds = 0.0
         self._is_resting = False
@@ -64,18 +67,22 @@ class OtherCurvesLayer(Layer):
         self.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
-        """Draw those of `views` at these places from the next paint on."""
+        """Draw those of `views` at these places from the next paint on, and find them."""
         shown = [
             (place, views[place])
             for place in places
             if (views[place].source.visible or self.shows_hidden) and views[place].has_curve
         ]
-        if shown == self._views:
-            return
-        self._views = shown
-        self._picture = self._outline = None
-        self.set_visible(bool(shown))
-        self.update()
+        self.render_shapes([(view,) for _, view in shown], shown)
+
+    def render_shapes(self, shapes: list[Shape], found: list[tuple[int, CurveView]]) -> None:
+        """Draw shapes from the next paint on; find these curves, each with its place."""
+        if found != self._views:
+            self._views, self._outline = found, None
+        if shapes != self._shapes:
+            self._shapes, self._picture = shapes, None
+            self.set_visible(bool(shapes))
+            self.update()
 
     def set_cased(self, cased: bool) -> None:
         """Keep the lines apart from what lies below them, a picture to trace, or not."""
@@ -83,12 +90,18 @@ class OtherCurvesLayer(Layer):
             self._is_cased, self._picture = cased, None
             self.update()
 
+    def set_thin(self, thin: bool) -> None:
+        """Draw plain lines, whatever the styles."""
+        if thin != self._is_thin:
+            self._is_thin, self._picture = thin, None
+            self.update()
+
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible.
 
         Where that takes long, the old one is moved along while the view moves, and made anew when it rests.
         """
-        if not self._views:
+        if not self._shapes:
             return
         ratio = painter.device().devicePixelRatioF()
         key = (self.theme, self.scale, ratio)
@@ -101,21 +114,21 @@ class OtherCurvesLayer(Layer):
         if picture is None or picture.key != key or picture.shown != shown:
             picture = self._picture = _Picture(transparent(shown.width, shown.height, ratio), shown, key)
             self._painted, self._seconds, self._is_resting = 0, 0.0, False
-        if self._painted < len(self._views):
+        if self._painted < len(self._shapes):
             self._paint_more(picture)
         painter.drawPixmap(0, 0, picture.pixmap)
 
     def _paint_more(self, picture: _Picture) -> None:
         """Paint the next curves into the picture; thousands take several steps."""
         began = perf_counter()
-        some = self._views[self._painted : self._painted + _AT_ONCE]
+        some = self._shapes[self._painted : self._painted + _AT_ONCE]
         painter = QPainter(picture.pixmap)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        self.paint_curves(painter, picture.shown, [view for _, view in some])
+        self.paint_shapes(painter, picture.shown, some)
         painter.end()
         self._painted += len(some)
         self._seconds += perf_counter() - began
-        if self._painted < len(self._views):
+        if self._painted < len(self._shapes):
             self._next.start()
 
     def _may_wait(self, shown: PixelMap) -> bool:
@@ -128,16 +141,23 @@ class OtherCurvesLayer(Layer):
         self._is_resting = True
         self.update()
 
-    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
-        """Paint the curves into the picture."""
+    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+        """Paint the shapes into the picture."""
         stroke = Stroke()
-        for view in views:
-            stroke.show(line_of(view, shown).points, shown)
-            if self._is_cased:
-                painter.setPen(self._line(self.theme.paper, FAINT_WIDTH + 2 * CASING))
-                stroke.draw(painter)
-            painter.setPen(self._line(self._colour(view), FAINT_WIDTH))
+        for shape in shapes:
+            if self._is_thin or is_plain(shape[0].source.style):
+                for view in shape:
+                    self._paint_line(painter, stroke, view, shown)
+            else:
+                paint_shape(painter, shape, shown, self.theme, FAINT_WIDTH * self.scale)
+
+    def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
+        stroke.show(line_of(view, shown).points, shown)
+        if self._is_cased:
+            painter.setPen(self._line(self.theme.paper, FAINT_WIDTH + 2 * CASING))
             stroke.draw(painter)
+        painter.setPen(self._line(self._colour(view), FAINT_WIDTH))
+        stroke.draw(painter)
 
     def _colour(self, view: CurveView) -> QColor:
         return curve_colour(view.source.style.colour, self.theme)
@@ -159,10 +179,10 @@ class FileLayer(OtherCurvesLayer):
 
     z = -2.0
 
-    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint dashed lines into the picture that is kept: dashes are slow to make."""
         painter.setPen(pen_of(FILE_STYLE, self.theme, self.scale))
-        for view in views:
+        for (view,) in shapes:
             draw_line(painter, pixels_of(view, shown), FILE_STYLE.dashes, shown)
 
 

@@ -11,7 +11,7 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.curve_view import CurveView
-from .curve_layer import line_of
+from .looks import line_of
 
 
 class PenLayer(Layer):

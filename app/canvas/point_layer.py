@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from operator import is_
 from typing import NamedTuple
 
 import msgspec
@@ -23,16 +24,15 @@ from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import Handle, handles_of
+from ..view_model.point_kinds import kinds_of
 from .handle_marks import paint_handles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 from .point_ink import PointInk
+from .point_marks import REACH, paint_mark
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
-_CORNER = 5.0
-"""Half the side of the square of a corner, in pixels."""
-
 _DISCS_MS = 200
 """Milliseconds for which discs keep their size while points move."""
 
@@ -72,7 +72,7 @@ class _NumberLabel(NamedTuple):
 
 
 class PointLayer(Layer):
-    """Layer of the points of the active curve; corners are squares, over the discs."""
+    """Layer of the points of the active curve, each with the mark of its kind."""
 
     z = 10.0
 
@@ -89,7 +89,10 @@ class PointLayer(Layer):
         self.weights: FloatArray | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
-        self._stamps = Stamps(lambda painter, radius: painter.drawEllipse(QPointF(0, 0), radius, radius))
+        self._stamps = Stamps(self._stamp, REACH)
+        # What the marks are, and the numbers in points that say so.
+        self._kinds: IntArray = np.empty(0, dtype=np.intp)
+        self._kinds_of: tuple[object, ...] = ()
         self._discs_now = Discs(RADIUS, 0.0)
         self._discs_asked: tuple[object, ...] = ()
         # Where numbers were written last, in pixels, and how many characters they have.
@@ -98,7 +101,6 @@ class PointLayer(Layer):
         # Paints once more when a drag has ended, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
         self._soon.timeout.connect(self.refresh)
-        self._corners = Layer(plot, self._paint_corners, z=11.0)
         self._ink_of: tuple[object, ...] = ()
         self._roles_of: tuple[object, ...] = ()
         self._pixels_of: tuple[CurveView | None, PixelMap | None] = (None, None)
@@ -108,10 +110,7 @@ class PointLayer(Layer):
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
         self._view = view
-        for layer in (self, self._corners):
-            layer.set_opacity(opacity_of(view))
-        # A layer that draws nothing would cost every frame its share.
-        self._corners.set_visible(bool(view.corners))
+        self.set_opacity(opacity_of(view))
         self.refresh()
 
     def refresh(self) -> None:
@@ -129,6 +128,7 @@ class PointLayer(Layer):
         colours = point_colours(len(view.points), self.theme)
         self._locate(view, shown)
         self._have_ink()
+        self._have_kinds(view)
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
             self._paint_weights(painter, pixels, visible, colours)
@@ -143,6 +143,16 @@ class PointLayer(Layer):
         if made_of != self._ink_of:
             self._ink_of = made_of
             self._ink = PointInk(*made_of[:3], over_picture=self.over_picture)
+
+    def _have_kinds(self, view: CurveView) -> None:
+        """Tell the kinds of the points; under a drag they stay, and so do these arrays."""
+        source, arrays = view.source, view.arrays
+        made_of = (source.family, source.is_closed, arrays.corners, arrays.ties, arrays.given)
+        if len(made_of) == len(self._kinds_of) and all(map(is_, made_of, self._kinds_of)):
+            return
+        self._kinds_of, kinds = made_of, kinds_of(view)
+        if not np.array_equal(kinds, self._kinds):
+            self._kinds = kinds
 
     def _locate(self, view: CurveView, shown: PixelMap) -> None:
         """Find the pixels of all points, and which of them are on screen."""
@@ -180,15 +190,18 @@ class PointLayer(Layer):
         discs = self._discs_of(pixels, visible)
         roles = self._have_roles(len(pixels), visible, crowded=discs.crowded)
         calm = roles.calm
-        self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
+        kinds = self._kinds
+        self._stamps.draw(
+            painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim, kinds
+        )
         if roles.hovered:
             painter.setPen(self._ink.rim)
         for index in roles.hovered:
             painter.setBrush(colours[index])
-            radius = (RADIUS + _GROWTH) * self.scale
-            painter.drawEllipse(QPointF(*pixels[index].tolist()), radius, radius)
+            radius, place = (RADIUS + _GROWTH) * self.scale, QPointF(*pixels[index].tolist())
+            paint_mark(painter, place, radius, kinds[index], self.theme.paper)
         for index in roles.selected:
-            self._paint_selected(painter, QPointF(*pixels[index].tolist()), colours[index])
+            self._paint_selected(painter, QPointF(*pixels[index].tolist()), colours[index], kinds[index])
         if discs.crowded:
             self._paint_note(painter, shown=painter.clipBoundingRect())
 
@@ -236,27 +249,17 @@ class PointLayer(Layer):
         plate.moveBottomLeft(shown.bottomLeft() + QPointF(6, -6))
         write_on_plate(painter, plate, self.note, self.theme.paper, self.theme.muted)
 
-    def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor) -> None:
+    def _stamp(self, painter: QPainter, radius: float, kind: int) -> None:
+        paint_mark(painter, QPointF(0, 0), radius, kind, self.theme.paper)
+
+    def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor, kind: int) -> None:
         radius = _SELECTED_RADIUS * self.scale
         painter.setBrush(colour)
         painter.setPen(self._ink.rim)
-        painter.drawEllipse(place, radius, radius)
+        paint_mark(painter, place, radius, kind, self.theme.paper)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(self._ink.ring)
         painter.drawEllipse(place, radius + 3 * self.scale, radius + 3 * self.scale)
-
-    def _paint_corners(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw a square in place of the disc where the curve may turn sharply."""
-        view = self._view
-        assert view is not None
-        self._have_ink()
-        painter.setPen(self._ink.rim)
-        colours, half = point_colours(len(view.points), self.theme), _CORNER * self.scale
-        for index in view.corners:
-            x, y = shown.point(*view.points[index].tolist())
-            if is_near(x, y):
-                painter.setBrush(colours[index])
-                painter.drawRect(QRectF(x - half, y - half, 2 * half, 2 * half))
 
     # Numbers
 

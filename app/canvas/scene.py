@@ -23,17 +23,15 @@ from ..view_model.basis_view import weights_at
 from ..view_model.curve_view import CurveView
 from .annotations import Annotations
 from .control_polygon_layer import ControlPolygonLayer
-from .curve_layer import CurveLayer
+from .drawn_curves import DrawnCurves
 from .grid_layer import GridLayer
 from .guides_layer import GuidesLayer
 from .hit_test import hit_test
 from .image_layer import ImageLayer
 from .label_place import Surroundings, number_box, segments_near
 from .marks_layer import MarksLayer
-from .other_curves_layer import OtherCurvesLayer
 from .pen_layer import PenLayer
 from .point_layer import PointLayer
-from .selected_curves_layer import SelectedCurvesLayer
 from .unit_layer import UnitLayer
 
 if TYPE_CHECKING:
@@ -56,6 +54,8 @@ class CanvasScene:
         The picture to trace.
     grid, units
         The grid behind the drawing; the unit at the axes.
+    curves
+        All curves, in the order in which they print.
     others, selected
         The curves that are not edited; those of them that are selected together with it.
     polygon, curve, points
@@ -76,10 +76,13 @@ class CanvasScene:
         self.image = ImageLayer(plot)
         self.grid = GridLayer(plot)
         self.units = UnitLayer(plot)
-        self.others = OtherCurvesLayer(plot)
-        self.selected = SelectedCurvesLayer(plot)
+        self.curves = DrawnCurves(plot)
+        self.others, self.selected, self.curve = (
+            self.curves.others,
+            self.curves.selected,
+            self.curves.curve,
+        )
         self.polygon = ControlPolygonLayer(plot)
-        self.curve = CurveLayer(plot)
         self.annotations = Annotations(plot, self)
         self.guides = GuidesLayer(plot)
         self.points = PointLayer(plot)
@@ -103,9 +106,7 @@ class CanvasScene:
     def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
         """Show the other curves of the document behind the one that is edited; some are selected with it."""
         self.views = views
-        others = [place for place in range(len(views)) if place != active]
-        self.others.render(views, [place for place in others if place not in selected])
-        self.selected.render(views, [place for place in others if place in selected])
+        self.curves.render(views, active, selected)
         self._show_marks_now()
 
     def set_selection(self, selection: frozenset[int]) -> None:
@@ -122,8 +123,7 @@ class CanvasScene:
     def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Show a picture behind the curves; without `pixels` the frame where it belongs."""
         self.image.render(image, pixels)
-        for layer in (self.curve, self.others):
-            layer.set_cased(pixels is not None)
+        self.curves.set_cased(pixels is not None)
         self.points.over_picture = pixels is not None
 
     # Ghost

@@ -6,61 +6,84 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtGui import QPainter
+
+from curvecore.arrays import FloatArray
 
 from ..appearance.theme import mix
 from ..plotting.drawing import Stroke
 from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
+from ..plotting.stamps import RingStamps
 from ..view_model.curve_view import CurveView
-from .curve_layer import FAINT_WIDTH, line_of
+from .curve_layer import FAINT_WIDTH
+from .looks import Shape, is_plain, line_of
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
-_WIDTH, _HALO = 2.0, 7.0
+_WIDTH, _HALO, _OVER_PRINT = 2.0, 7.0, 1.0
 _HALO_SHARE = 0.28
 _HALOS_UP_TO = 12
 """Curves from which on there are rings alone: wide lines would take half of the time of a drag of thirty."""
 
-_RADIUS = 3.5
+_RADIUS, _RIM = 3.5, 1.5
 _MOST_RINGS = 400
 """Points in sight of one curve above which only as many are ringed: more would be a band."""
 
 
 class SelectedCurvesLayer(OtherCurvesLayer):
-    """Layer of selected curves, painted like the others from a picture that is kept while they stay.
+    """Layer that marks selected curves, painted like the others from a picture that is kept while they stay.
 
     Hidden ones are faint, as the active curve is: they are moved with the others.
     """
 
+    z = -0.7
+
     shows_hidden = True
     join = Qt.PenJoinStyle.RoundJoin
 
-    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
-        """Paint halos, lines and rings into the picture."""
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._rings = RingStamps(_ring)
+
+    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+        """Paint halos, lines and rings into the picture; over a shape that prints otherwise, a thin line."""
+        views = [view for shape in shapes for view in shape]
         # No opacity: where the pieces of a line meet, their caps would be seen.
         halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
         stroke = Stroke()
         for view in views:
             painter.setOpacity(opacity_of(view))
             stroke.show(line_of(view, shown).points, shown)
-            if len(self._views) <= _HALOS_UP_TO:
+            is_line = self._is_thin or is_plain(view.source.style)
+            if is_line and len(self._views) <= _HALOS_UP_TO:
                 painter.setPen(self._line(halo, _HALO))
                 stroke.draw(painter)
             painter.setOpacity(1.0)
-            line = (self._colour(view), _WIDTH) if view.source.visible else (self.theme.handle, FAINT_WIDTH)
+            if not view.source.visible:
+                line = (self.theme.handle, FAINT_WIDTH)
+            else:
+                line = (self._colour(view), _WIDTH) if is_line else (self.theme.accent, _OVER_PRINT)
             painter.setPen(self._line(*line))
             stroke.draw(painter)
-            painter.setOpacity(opacity_of(view))
-            self._paint_rings(painter, shown, view)
+        self._paint_rings(painter, shown, views)
 
-    def _paint_rings(self, painter: QPainter, shown: PixelMap, view: CurveView) -> None:
+    def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Ring the points of all curves over all lines: in one call for those of one opacity."""
+        for opacity in {opacity_of(view) for view in views}:
+            near = [self._near(view, shown) for view in views if opacity_of(view) == opacity]
+            painter.setOpacity(opacity)
+            self._rings.draw_rings(
+                painter, np.concatenate(near), self.theme, _RADIUS * self.scale, _RIM * self.scale
+            )
+
+    def _near(self, view: CurveView, shown: PixelMap) -> FloatArray:
+        """Return the pixels of the points in sight, (k, 2); of very many some."""
         pixels, margin = shown.points(view.points), 2 * _RADIUS * self.scale
-        is_near = np.all(
-            (pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin)), axis=1
-        )
-        near = pixels[is_near]
-        near = near[:: max(len(near) // _MOST_RINGS, 1)]
-        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
-        painter.setBrush(self.theme.paper)
-        for x, y in near.tolist():
-            painter.drawEllipse(QPointF(x, y), _RADIUS * self.scale, _RADIUS * self.scale)
+        is_near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
+        near: FloatArray = pixels[is_near]
+        return near[:: max(len(near) // _MOST_RINGS, 1)]
+
+
+def _ring(painter: QPainter, radius: float, _form: int) -> None:
+    painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)

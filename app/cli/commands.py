@@ -201,7 +201,7 @@ def _convert(options: argparse.Namespace) -> int:
         )
         written = export(document, options.output, wanted)
     said = (f"“{fit.curve.name}”: {fit.words}" for fit in fits)
-    _tell((*source.remarks, *_on_groups(source, options.only), *said, *written.remarks))
+    _tell((*source.sentences, *_on_groups(source, options.only), *said, *written.remarks))
     off = max((fit.deviation for fit in fits), default=0.0)
     total = exchange.parts.rounded_up(source.deviation + off + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
@@ -248,7 +248,7 @@ def _fitted(
 def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
     """Return what could be taken alone, where there are more curves than somebody may have meant."""
     count = len(source.document.curves)
-    if only or not source.groups or count <= _MANY_CURVES:
+    if only or not source.has_groups or count <= _MANY_CURVES:
         return ()
     return (f"These are {count} curves; --only NAME takes those of a group. There is {source.contents()}.",)
 
@@ -315,6 +315,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
         "points": facts.points,
         "closed": facts.closed,
         "corners": facts.corners,
+        "smooth": facts.smooth,
         "visible": facts.visible,
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
@@ -381,8 +382,9 @@ def _length_text(value: float, bound: float) -> str:
 
 def _points_text(facts: CurveFacts) -> str:
     corners = f"{facts.corners} of them " + ("a corner" if facts.corners == 1 else "corners")
-    parts = [str(facts.points), *(["closed"] if facts.closed else []), *([corners] if facts.corners else [])]
-    return ", ".join(parts)
+    parts = [str(facts.points), "closed" * facts.closed, corners * bool(facts.corners)]
+    parts.append(f"{facts.smooth} of them smooth, with two speeds" * bool(facts.smooth))
+    return ", ".join(filter(None, parts))
 
 
 def _rule_text(facts: CurveFacts) -> str:

@@ -63,7 +63,8 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
         "--unit",
         type=_unit,
         metavar="U",
-        help=f"what a length of one is ({', '.join(MILLIMETRES)}): without --width an SVG or PDF then has "
+        help=f"what a length of one is ({', '.join(MILLIMETRES)}), if the document does not say it: without "
+        "--width an SVG or PDF then has "
         "true size; TikZ has, and a PNG by its pixels per inch; a DXF names it",
     )
     add(
@@ -308,7 +309,7 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
         style=STYLES[options.theme] if options.theme else None,
         points=options.points,
         scale=options.scale,
-        unit=options.unit or "",
+        unit=options.unit or document.unit,
         transparent=options.transparent,
         handles=options.handles,
         grid=options.grid,

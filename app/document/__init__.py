@@ -9,7 +9,9 @@
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``several_curves``: of several curves at once, and curves from elsewhere.
-- ``straight_edits``: segments made straight.
+- ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
+- ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
+- ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
 - ``image_edits``: of the picture to trace.  ``guide_edits``: of the guides.
 - ``expression``: numbers as people type them.

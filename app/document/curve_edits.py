@@ -5,8 +5,9 @@ Pure functions ``(Document, …) -> Document`` like those of ``edits``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import count
+import re
+from collections.abc import Callable, Collection, Sequence
+from itertools import chain, count
 
 from msgspec.structs import replace
 
@@ -15,6 +16,8 @@ from .edits import EditError, freeze_parameters, interval, refuse_equal_paramete
 from .model import Curve, Document, Parametrization, Point, Vector, empty_document
 from .style import PLAIN_STYLE
 from .words import enumerated
+
+_COPY = re.compile(r" copy( \d+)?$")
 
 
 def add_curve(document: Document, index: int, curve: Curve) -> Document:
@@ -33,10 +36,23 @@ def remove_curve(document: Document, curve: int) -> Document:
     return replace(document, curves=rest or empty_document().curves)
 
 
+def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
+    """Return the document with some of its curves changed."""
+    new = (edit(curve) if place in curves else curve for place, curve in enumerate(document.curves))
+    return replace(document, curves=tuple(new))
+
+
 def free_name(document: Document) -> str:
     """Return a name for a new curve that no other has."""
     taken = {curve.name for curve in document.curves}
     return next(name for number in count(1) if (name := f"Curve {number}") not in taken)
+
+
+def free_copy_name(name: str, taken: Collection[str]) -> str:
+    """Return the name, or that of a copy, which is not `taken`: "Leaf", "Leaf copy", "Leaf copy 2"."""
+    stem = _COPY.sub("", name)
+    later = (f"{stem} copy {number}" for number in count(2))
+    return next(each for each in chain((name, f"{stem} copy"), later) if each not in taken)
 
 
 def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:

@@ -17,11 +17,13 @@ from .derivatives import DERIVATIVES, VECTORS, EstimateRule
 
 # Who edits needs these with the edits.
 from .kept_handles import stretched as stretched  # noqa: PLC0414
+from .kept_handles import stretched_beside as stretched_beside  # noqa: PLC0414
 from .kept_handles import with_handles_kept
 from .limits import EditError as EditError  # noqa: PLC0414
 from .limits import checked as checked  # noqa: PLC0414
 from .limits import checked_vector, not_after
 from .model import Curve, Document, ParametrizationKind, Point, Vector
+from .ties import with_derivative
 from .words import number
 
 LEAST_TO_CLOSE = 3
@@ -142,14 +144,13 @@ def set_derivative(
 ) -> Document:
     """Fix the derivative of an order at point `index`, per unit of t, or leave it to the rule (None).
 
-    At a corner the one before the point, or the one `ahead` of it.
+    At a corner the one before the point, or the one `ahead` of it; where the two are tied, the other velocity
+    turns along.
     """
-    each = DERIVATIVES[order - 1]
     if vector is not None:
-        vector = checked_vector(vector, f"the {each.name} of point {index}")
-    point = document.curves[curve].points[index]
-    side = each.after if point.corner and ahead else each.name
-    return _with_point(document, curve, index, replace(point, **{side: vector}))
+        vector = checked_vector(vector, f"the {DERIVATIVES[order - 1].name} of point {index}")
+    changed = with_derivative(document.curves[curve], index, order, vector, ahead=ahead)
+    return _with_point(document, curve, index, changed)
 
 
 def make_corner(
@@ -157,7 +158,7 @@ def make_corner(
 ) -> Document:
     """Let the curve have a corner at point `index`, with these velocities (None: estimated)."""
     point = document.curves[curve].points[index]
-    corner = replace(point.as_corner(), velocity=before, velocity_after=after)
+    corner = replace(point.as_corner(), velocity=before, velocity_after=after, tied=False)
     return _with_point(document, curve, index, corner)
 
 
@@ -368,7 +369,9 @@ def estimate_derivatives(
     document: Document, curve: int, indices: Collection[int], orders: Collection[int] = ALL_ORDERS
 ) -> Document:
     """Leave the derivatives of these orders of the points at `indices` to the rules."""
-    cleared = dict.fromkeys(name for order, name in VECTORS if order in orders)
+    cleared: dict[str, object] = dict.fromkeys(name for order, name in VECTORS if order in orders)
+    if 1 in orders:
+        cleared["tied"] = False
     points = document.curves[curve].points
     return _with_points(
         document,

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from .derivatives import DERIVATIVES
 from .limits import checked_vector
 from .model import Curve, Point, Vector
+from .ties import with_derivative
 
 
 class JetValue(msgspec.Struct, frozen=True):
@@ -25,17 +26,20 @@ class JetValue(msgspec.Struct, frozen=True):
 
 
 def with_jet_values(curve: Curve, values: Iterable[JetValue]) -> Curve:
-    """Return `curve` with these values set; derivatives among them are explicit from then on."""
+    """Return `curve` with these values set; derivatives among them are explicit from then on.
+
+    Of a tied point the velocity on the other side turns along.
+    """
     points = list(curve.points)
     for each in values:
-        points[each.index] = _with_value(points[each.index], each)
+        points[each.index] = _with_value(curve, points[each.index], each)
     return replace(curve, points=tuple(points))
 
 
-def _with_value(point: Point, given: JetValue) -> Point:
+def _with_value(curve: Curve, point: Point, given: JetValue) -> Point:
     if given.order == 0:
         x, y = checked_vector(given.value, f"the position of point {given.index}")
         return replace(point, x=x, y=y)
     each = DERIVATIVES[given.order - 1]
     vector = checked_vector(given.value, f"the {each.name} of point {given.index}")
-    return replace(point, **{each.after if point.corner and given.ahead else each.name: vector})
+    return with_derivative(curve, given.index, given.order, vector, ahead=given.ahead, point=point)

@@ -4,7 +4,8 @@ A velocity is per unit of t; what a person sees and drags of it is the handle, h
 the parameters by distance, every h is a share of the whole length, so one moved point changes them all, and
 with them the handles of finished parts far away. The derivatives that the person set are rescaled here for
 the new h: what lies between points that stay keeps its shape, and so does what moves together; handles beside
-a distance that changes stay as long as they were where nothing else hangs on them.
+a distance that changes stay as long as they were where nothing else hangs on them. Straight segments stay
+straight, and what is tied to one at its ends turns with it.
 """
 
 from __future__ import annotations
@@ -18,7 +19,9 @@ from msgspec.structs import replace
 
 from .derivatives import DERIVATIVES, VECTORS
 from .limits import checked_vector
+from .lines import ends_of, lines_to_keep, with_lines
 from .model import Curve, Point
+from .ties import along_lines
 
 _NOISE = 1e-12
 """A change of h that is rounding."""
@@ -27,10 +30,24 @@ _NOISE = 1e-12
 def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = ()) -> Curve:
     """Return `after`, whose points are elsewhere or fewer, with derivatives set for the new spacing.
 
-    Those of the points `together` went with them.
+    Those of the points `together` went with them. Segments that were straight are so still.
     """
+    if not before.has_derivatives:
+        return after
+    spaced = _for_new_spacing(before, after, together)
+    lines = lines_to_keep(before, after) if len(before.points) == len(after.points) else ()
+    if not lines:
+        return spaced
+    straight = with_lines(spaced, lines)
+    points = list(straight.points)
+    for index in {end for each in lines for end in ends_of(straight, each.segment)}:
+        points[index] = along_lines(straight, index)
+    return replace(straight, points=tuple(points))
+
+
+def _for_new_spacing(before: Curve, after: Curve, together: Collection[int]) -> Curve:
     exponent = after.parametrization.exponent
-    if exponent is None or not before.has_derivatives:
+    if exponent is None:
         return after
     old, new = _spacings(before, exponent), _spacings(after, exponent)
     whole = sum(old), sum(new)
@@ -43,7 +60,8 @@ def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = (
         for index in growth.points:
             behind, ahead = growth.beside(after.points[index], index)
             factors[index] = far * behind, far * ahead
-    return replace(after, points=tuple(map(_for_spacing, after.points, factors)))
+    pairs = zip(after.points, factors, strict=True)
+    return replace(after, points=tuple(stretched_beside(point, *each) for point, each in pairs))
 
 
 def _moved(before: Curve, after: Curve, together: Collection[int]) -> frozenset[int]:
@@ -101,9 +119,9 @@ def _spacings(curve: Curve, exponent: float) -> list[float]:
     return [math.dist(a.position, b.position) ** exponent for a, b in pairwise(points)]
 
 
-def _for_spacing(point: Point, factors: tuple[float, float]) -> Point:
+def stretched_beside(point: Point, behind: float, ahead: float) -> Point:
     """Rescale derivatives for spacings that grow by these factors, those after a corner by the second."""
-    behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in factors)
+    behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in (behind, ahead))
     if behind == ahead:
         return stretched(point, behind)
     after = stretched(point, ahead)

@@ -90,6 +90,9 @@ class Point(Value, frozen=True, gc=False):
         Whether the curve may have a corner here: the derivatives above are then those before the point.
     velocity_after, acceleration_after, jerk_after
         The derivatives after a corner; None where a rule estimates them.
+    tied
+        Whether the velocities before and after a corner, both set, go the same way and keep doing so: the
+        curve is smooth there, and its handles have lengths of their own.
     """
 
     x: float
@@ -102,6 +105,7 @@ class Point(Value, frozen=True, gc=False):
     acceleration_after: Vector | None = None
     jerk: Vector | None = None
     jerk_after: Vector | None = None
+    tied: bool = False
 
     @property
     def position(self) -> Vector:
@@ -120,7 +124,7 @@ class Point(Value, frozen=True, gc=False):
 
     def without_corner(self) -> Point:
         """Return the point with the derivatives before it on both sides."""
-        return replace(self, corner=False, **{each.after: None for each in DERIVATIVES})
+        return replace(self, corner=False, tied=False, **{each.after: None for each in DERIVATIVES})
 
     def with_derivatives(self, before: Sequence[Vector | None], after: Sequence[Vector | None]) -> Point:
         """Return the point with derivatives before and, at a corner, after it, by their orders from 1 on."""
@@ -295,6 +299,23 @@ class Guide(Value, frozen=True):
     position: float
 
 
+class Page(Value, frozen=True, omit_defaults=False):
+    """The part of the plane that pictures show.
+
+    Attributes
+    ----------
+    x, y
+        Where its lower left corner lies.
+    width, height
+        Its size.
+    """
+
+    x: float
+    y: float
+    width: float
+    height: float
+
+
 class Document(Value, frozen=True):
     """Everything that is saved.
 
@@ -310,6 +331,8 @@ class Document(Value, frozen=True):
         Distance of the grid's lines; 0 where it adapts to the zoom.
     guides
         Lines to draw along.
+    page
+        What pictures of it show; None for what its curves take.
     """
 
     curves: tuple[Curve, ...]
@@ -317,6 +340,7 @@ class Document(Value, frozen=True):
     unit: str = ""
     grid_spacing: float = 0.0
     guides: tuple[Guide, ...] = ()
+    page: Page | None = None
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""

@@ -1,5 +1,7 @@
 """Plain numbers: what NumPy has computed becomes Python's own float before a document holds it.
 
+A tie that no longer holds goes here, too: whatever has changed a velocity, the door is passed by all.
+
 `repr` of a ``numpy.float64`` is no number, msgspec does not write one, and arithmetic with one warns where a
 float raises. Each is a surprise far from where the number came from.
 """
@@ -16,6 +18,7 @@ from msgspec.structs import replace
 
 from .derivatives import VECTORS
 from .model import Curve, Document, Point, Vector, vectors_of
+from .ties import holds
 from .value import Value
 
 Values = TypeVar("Values", bound=Value)
@@ -23,6 +26,7 @@ Values = TypeVar("Values", bound=Value)
 _FLAGS = ("closed", "visible", "locked")
 _OF_RULE = ("alpha", "start", "end")
 _OF_IMAGE = ("x", "y", "width", "height", "opacity")
+_OF_PAGE = ("x", "y", "width", "height")
 _OF_STYLE = ("width", "miter_limit", "dash_offset", "stroke_opacity", "fill_opacity", "opacity")
 
 
@@ -43,6 +47,8 @@ def plain(document: Document, before: Document | None = None) -> Document:
     document = _with_plain(document, ("grid_spacing",))
     if before is None or document.guides is not before.guides:
         document = _with_each(document, "guides", lambda guide: _with_plain(guide, ("position",)))
+    if document.page is not None and (page := _with_plain(document.page, _OF_PAGE)) is not document.page:
+        document = replace(document, page=page)
     if image is document.image and not any(map(is_not, curves, document.curves)):
         return document
     return replace(document, curves=curves, image=image)
@@ -82,6 +88,7 @@ def _is_plain(point: Point) -> bool:
         x is float is y
         and (t is float or point.t is None)
         and type(point.corner) is bool
+        and (point.tied is False or (point.tied is True and holds(point)))
         and all(vector is None or _is_plain_vector(vector) for vector in vectors_of(point))
     )
 
@@ -96,7 +103,8 @@ def _plain_point(point: Point) -> Point:
         for _, name in VECTORS
         if (vector := getattr(point, name)) is not None
     }
-    return replace(_with_plain(point, ("x", "y", "t"), ("corner",)), **vectors)
+    changed = replace(_with_plain(point, ("x", "y", "t"), ("corner", "tied")), **vectors)
+    return replace(changed, tied=changed.tied and holds(changed))
 
 
 def _with_plain(values: Values, numbers: Iterable[str], flags: Iterable[str] = ()) -> Values:

@@ -5,24 +5,31 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection, Sequence
-from itertools import chain, count
+from typing import NamedTuple
 
 import msgspec
 from msgspec.structs import replace
 
-from .curve_edits import locked_sentence, refuse_locked, remove_curve
+from .curve_edits import free_copy_name, locked_sentence, refuse_locked, remove_curve, with_each
+from .curve_tree import OUTSIDE, Container, whole_nodes
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
+from .shape_edits import contained, with_own_names
 from .shapes import whole_shapes
-from .transforms import Linear, transform_points
+from .transforms import Affine, transform_points
 from .words import points
+
+
+class Added(NamedTuple):
+    """A document with curves added, and their places in it."""
+
+    document: Document
+    places: range
+
 
 PointsEdit = Callable[[Document, int, Collection[int]], Document]
 """An edit of some points of one curve."""
-
-_COPY = re.compile(r" copy( \d+)?$")
 
 
 class PointGroup(msgspec.Struct, frozen=True):
@@ -95,7 +102,7 @@ def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     return group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
 
 
-def mapped(document: Document, group: PointGroup, by: Linear) -> Document:
+def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
     return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
 
@@ -119,12 +126,6 @@ def with_appearance(
     )
 
 
-def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
-    """Return the document with some of its curves changed."""
-    new = (edit(curve) if place in curves else curve for place, curve in enumerate(document.curves))
-    return replace(document, curves=tuple(new))
-
-
 def remove_curves(document: Document, curves: Collection[int]) -> Document:
     """Remove curves; where none is left, an empty one is."""
     before = document
@@ -132,28 +133,6 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
         document = remove_curve(document, curve)
     refuse_locked(before, document)
     return document
-
-
-def move_curves(document: Document, curves: Collection[int], curve: int, to: int) -> Document:
-    """Bring `curves` together, in their order, to where `curve`, one of them, has the place `to` alone.
-
-    Later curves are drawn over earlier ones.
-    """
-    order = [place for place in range(len(document.curves)) if place != curve]
-    before = [place for place in order[:to] if place not in curves]
-    behind = [place for place in order[to:] if place not in curves]
-    return in_order(document, [*before, *sorted(curves), *behind])
-
-
-def step_curves(document: Document, curves: Collection[int], step: int) -> Document:
-    """Move each of `curves` by one place to the front (step 1) or back (−1), as far as there is one."""
-    order = list(range(len(document.curves)))
-    ways = range(len(order) - 1, -1, -1) if step > 0 else range(len(order))
-    for place in ways:
-        to = place + step
-        if order[place] in curves and 0 <= to < len(order) and order[to] not in curves:
-            order[place], order[to] = order[to], order[place]
-    return in_order(document, order)
 
 
 def in_order(document: Document, order: Sequence[int]) -> Document:
@@ -172,19 +151,30 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
     return max(0, min(before, len(document.curves) - len(curves) - 1))
 
 
-def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Document:
-    """Add copies after the last of `curves`, in their order, in these colours, visible and free."""
+def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Added:
+    """Add copies of curves right in front of them, in their order, in these colours, visible and free.
+
+    Copies of whole shapes and groups are shapes and groups of their own.
+    """
+    last = whole_nodes(document.curves, curves)[-1]
+    inside = contained(document.curves, curves, last.around)
     copies = [
-        replace(document.curves[curve], style=replace(document.curves[curve].style, stroke=colour))
-        for curve, colour in zip(sorted(curves), colours, strict=True)
+        replace(curve, style=replace(curve.style, stroke=colour))
+        for curve, colour in zip(inside.values(), colours, strict=True)
     ]
-    return add_curves(document, copies, max(curves) + 1)
+    at = last.places.stop
+    return Added(add_curves(document, copies, at, last.around), range(at, at + len(copies)))
 
 
-def add_curves(document: Document, curves: Sequence[Curve], at: int) -> Document:
-    """Add curves from elsewhere at place `at` of the order, visible and free, under names of their own."""
-    fresh = renamed(curves, {curve.name for curve in document.curves})
-    return replace(document, curves=(*document.curves[:at], *fresh, *document.curves[at:]))
+def add_curves(
+    document: Document, curves: Sequence[Curve], at: int, container: Container = OUTSIDE
+) -> Document:
+    """Add curves from elsewhere at place `at` of the order, visible and free, under names of their own.
+
+    Of the shapes and groups that they are in, that which they come into keeps its name.
+    """
+    own = with_own_names(renamed(curves, {curve.name for curve in document.curves}), document, container)
+    return replace(document, curves=(*document.curves[:at], *own, *document.curves[at:]))
 
 
 def add_imported(document: Document, new: Document) -> tuple[Document, int]:
@@ -194,7 +184,7 @@ def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     trace comes along where there is none yet.
     """
     begun = document.curves if len(document.curves) > 1 or document.curves[0].points else ()
-    curves = (*begun, *new.curves)
+    curves = (*begun, *with_own_names(new.curves, replace(document, curves=begun)))
     return replace(document, curves=curves, image=document.image or new.image), len(begun)
 
 
@@ -202,16 +192,15 @@ def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
     """Return the curves, visible and free, under names not `taken`: "Leaf", "Leaf copy", "Leaf copy 2"."""
     used, fresh = set(taken), []
     for curve in curves:
-        stem = _COPY.sub("", curve.name)
-        later = (f"{stem} copy {number}" for number in count(2))
-        name = next(each for each in chain((curve.name, f"{stem} copy"), later) if each not in used)
+        name = free_copy_name(curve.name, used)
         used.add(name)
         fresh.append(replace(curve, name=name, visible=True, locked=False))
     return fresh
 
 
 def named(document: Document, curves: Collection[int]) -> str:
-    """Return the curve's name, or "3 curves"."""
+    """Return the name of the curve, or of the shape or group that they are, or "3 curves"."""
     if len(curves) == 1:
         return document.curves[next(iter(curves))].name
-    return f"{len(curves)} curves"
+    nodes = whole_nodes(document.curves, curves)
+    return nodes[0].name if len(nodes) == 1 else f"{len(curves)} curves"

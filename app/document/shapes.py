@@ -5,15 +5,18 @@ A curve whose `shape` is empty is a shape of its own.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
-from itertools import count
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import count, takewhile
 
 from msgspec.structs import replace
 
 from .model import Curve, Document
 
-_SHARED = ("style", "groups", "visible", "locked")
+SHARED = ("style", "groups", "visible", "locked")
 """Values that all curves of a shape have in common."""
+
+_DEEPEST = 50
+"""Groups that may be within each other."""
 
 
 def shape_of(document: Document, curve: int) -> range:
@@ -39,28 +42,70 @@ def shapes(document: Document) -> Iterator[range]:
 
 def whole_shapes(document: Document, curves: Collection[int]) -> frozenset[int]:
     """Return curves with all others of their shapes."""
-    return frozenset(each for curve in curves for each in shape_of(document, curve))
+    found: set[int] = set()
+    for curve in curves:
+        if curve not in found:
+            found.update(shape_of(document, curve))
+    return frozenset(found)
 
 
-def tidy_shapes(document: Document) -> Document:
-    """Return the document with shapes that look the same all over, under names of their own.
+def tidy_shapes(document: Document, before: Document | None = None) -> Document:
+    """Return the document with shapes that look the same all over, and all under names of their own.
 
-    Edits may leave one curve of a shape, tear a shape apart, or change how one of its curves looks; the first
-    one of a shape then says what holds for all.
+    Edits may leave one curve of a shape, tear a shape or a group apart, or change how one of the curves of a
+    shape looks; the first one of a shape then says what holds for all. `before` is tidy, and what is known of
+    it is not looked for again.
     """
-    if not any(curve.shape for curve in document.curves):
+    if before is not None and _look_the_same(before.curves, document.curves):
         return document
+    if not any(curve.shape or curve.groups for curve in document.curves):
+        return document
+    curves = list(_with_own_groups(_with_whole_shapes(document)))
+    if all(new is old for new, old in zip(curves, document.curves, strict=True)):
+        return document
+    return replace(document, curves=tuple(curves))
+
+
+def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+    """Whether nothing that shapes and groups are made of is another, nor at another place."""
+    fields = (*SHARED, "shape")
+    return len(before) == len(after) and all(
+        new is old or all(getattr(new, field) == getattr(old, field) for field in fields)
+        for new, old in zip(after, before, strict=True)
+    )
+
+
+def _with_whole_shapes(document: Document) -> Iterator[Curve]:
+    """Yield the curves, those of a shape with what its first one has, under a name that no other has."""
     used: set[str] = set()
-    curves: list[Curve] = []
     for places in shapes(document):
         parts = document.curves[places.start : places.stop]
         name = _free(parts[0].shape, used) if len(parts) > 1 else ""
         used.add(name)
-        shared = {field: getattr(parts[0], field) for field in _SHARED} | {"shape": name}
-        curves += [_with_values(part, shared) for part in parts]
-    if all(new is old for new, old in zip(curves, document.curves, strict=True)):
-        return document
-    return replace(document, curves=tuple(curves))
+        shared = {field: getattr(parts[0], field) for field in SHARED} | {"shape": name}
+        for part in parts:
+            yield with_values(part, shared)
+
+
+def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
+    """Yield the curves, those of each group in one that no others name, and in no more than there may be."""
+    used: set[str] = set()
+    before: tuple[str, ...] = ()
+    names: list[str] = []
+    for curve in curves:
+        groups = tuple(filter(None, curve.groups))[:_DEEPEST]
+        names = names[: len(shared_start(groups, before))]
+        for name in groups[len(names) :]:
+            names.append(_free(name, used))
+            used.add(names[-1])
+        before = groups
+        yield with_values(curve, {"groups": tuple(names)})
+
+
+def shared_start(*groups: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the names that all begin with."""
+    pairs = takewhile(lambda names: len(set(names)) == 1, zip(*groups, strict=False))
+    return tuple(names[0] for names in pairs)
 
 
 def _free(name: str, used: Collection[str]) -> str:
@@ -69,7 +114,7 @@ def _free(name: str, used: Collection[str]) -> str:
     return name if name not in used else next(each for each in names if each not in used)
 
 
-def _with_values(curve: Curve, values: dict[str, object]) -> Curve:
+def with_values(curve: Curve, values: Mapping[str, object]) -> Curve:
     """Return the curve with these values: itself where it has them."""
     is_so = all(getattr(curve, field) == value for field, value in values.items())
     return curve if is_so else replace(curve, **values)
@@ -83,8 +128,12 @@ def shape_problem(document: Document) -> str:
     place = next(
         i for i, pair in enumerate(zip(tidy.curves, document.curves, strict=True)) if pair[0] is not pair[1]
     )
-    fields = (*_SHARED, "shape")
-    field = next(f for f in fields if getattr(tidy.curves[place], f) != getattr(document.curves[place], f))
-    if field != "shape":
+    good, bad = tidy.curves[place], document.curves[place]
+    if good.shape != bad.shape:
+        return f"curves[{place}].shape must name two or more curves that follow each other, and no others"
+    field = next(each for each in SHARED if getattr(good, each) != getattr(bad, each))
+    if place and good.shape and good.shape == tidy.curves[place - 1].shape:
         return f"curves[{place}].{field} must be that of the curve before it, which is of the same shape"
-    return f"curves[{place}].shape must name two or more curves that follow each other, and no others"
+    return (
+        f"curves[{place}].groups must name {_DEEPEST} groups at most, each of curves that follow each other"
+    )

@@ -9,7 +9,9 @@ from msgspec.structs import replace
 from ..families import Family, titles_with_derivatives
 from .edits import EditError
 from .jet_edits import JetValue, with_jet_values
+from .lines import ends_of, is_line
 from .model import Curve, Document, Point
+from .ties import untied
 
 
 def why_not_straight(family: Family) -> str:
@@ -31,7 +33,8 @@ def straighten(
 
     Segment i leads from point i to the next one; in a closed curve the last leads back to point 0. The points
     at its ends become corners, unless they are ends of an open curve: the sides within the segment get
-    its mean velocity and no higher derivative, the others keep what was set there.
+    its mean velocity and no higher derivative, the others keep what was set there. A point whose velocities
+    are tied stays smooth, and turns to the line; between two lines of different directions it cannot.
 
     Parameters
     ----------
@@ -54,14 +57,9 @@ def straighten(
         raise EditError("There is no such segment.")
     points = list(old.points)
     for index in corners_of(old, segments):
-        points[index] = _cornered(points[index])
+        points[index] = _cornered(old, index, segments)
     values = [value for segment in segments for value in _along_chord(old, segment, parameters)]
     return document.with_curve(curve, with_jet_values(replace(old, points=tuple(points)), values))
-
-
-def ends_of(curve: Curve, segment: int) -> tuple[int, int]:
-    """Return the points at which a segment begins and ends."""
-    return segment, (segment + 1) % len(curve.points)
 
 
 def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
@@ -70,7 +68,11 @@ def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
     return sorted(index for index in ends if curve.is_closed or 0 < index < len(curve.points) - 1)
 
 
-def _cornered(point: Point) -> Point:
+def _cornered(curve: Curve, index: int, segments: Collection[int]) -> Point:
+    point, behind = curve.points[index], (index - 1) % len(curve.points)
+    lines = [each in segments or is_line(curve, each) for each in (behind, index)]
+    if all(lines):
+        point = untied(point)
     return point if point.corner else point.as_corner()
 
 

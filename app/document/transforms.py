@@ -1,4 +1,4 @@
-"""Edits of several points at once: move, scale, rotate, align, distribute, step along a grid.
+"""Edits of several points at once: move, scale, rotate, mirror, align, distribute, step along a grid.
 
 Like all edits these are pure. A handle that the person set turns and grows with its point, so that a rigid
 motion of all points carries the whole curve along, and one of some of them changes only what lies between.
@@ -19,10 +19,11 @@ from .derivatives import VECTORS
 from .edits import EditError, placed, with_each_changed, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector
+from .ties import tied
 
 
-class Linear(msgspec.Struct, frozen=True):
-    """A linear map about a centre, kept as its difference from the identity.
+class Affine(msgspec.Struct, frozen=True):
+    """An affine map, kept as its difference from the identity.
 
     That difference makes what should not move stay to the last bit.
 
@@ -30,8 +31,8 @@ class Linear(msgspec.Struct, frozen=True):
     ----------
     xx, xy, yx, yy
         The matrix minus the identity, row by row.
-    centre
-        The point that stays.
+    centre, shift
+        A point, and how far the map moves it.
     """
 
     xx: float
@@ -39,10 +40,12 @@ class Linear(msgspec.Struct, frozen=True):
     yx: float
     yy: float
     centre: Vector
+    shift: Vector = (0.0, 0.0)
 
     def point(self, p: Vector) -> Vector:
         """Return where the map puts a point."""
-        return self._applied(p, (p[0] - self.centre[0], p[1] - self.centre[1]))
+        way = (p[0] - self.centre[0], p[1] - self.centre[1])
+        return self._applied((p[0] + self.shift[0], p[1] + self.shift[1]), way)
 
     def vector(self, v: Vector) -> Vector:
         """Return what the map makes of a derivative."""
@@ -52,33 +55,45 @@ class Linear(msgspec.Struct, frozen=True):
         return (start[0] + self.xx * v[0] + self.xy * v[1], start[1] + self.yx * v[0] + self.yy * v[1])
 
 
-def scaling(x: float, y: float, centre: Vector) -> Linear:
+IDENTITY = Affine(0.0, 0.0, 0.0, 0.0, (0.0, 0.0))
+
+
+def scaling(x: float, y: float, centre: Vector) -> Affine:
     """Return the map that scales by `x` and `y` about `centre`."""
-    return Linear(x - 1.0, 0.0, 0.0, y - 1.0, centre)
+    return Affine(x - 1.0, 0.0, 0.0, y - 1.0, centre)
 
 
-def rotation(degrees: float, centre: Vector) -> Linear:
+def flipping(axis: int, centre: Vector) -> Affine:
+    """Return the mirror image along x (axis 0: left and right change places) or y, about `centre`."""
+    return scaling(*((-1.0, 1.0) if axis == 0 else (1.0, -1.0)), centre)
+
+
+def rotation(degrees: float, centre: Vector) -> Affine:
     """Return the rotation by `degrees`, counterclockwise, about `centre`; exact for quarter turns."""
     quarters, rest = divmod(degrees, 90.0)
     if rest == 0.0:
         cos, sin = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarters % 4)]
     else:
         cos, sin = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-    return Linear(cos - 1.0, -sin, sin, cos - 1.0, centre)
+    return Affine(cos - 1.0, -sin, sin, cos - 1.0, centre)
 
 
-def transform_points(document: Document, curve: int, indices: Collection[int], by: Linear) -> Document:
+def transform_points(document: Document, curve: int, indices: Collection[int], by: Affine) -> Document:
     """Map the points at `indices` and the handles set there."""
     return with_each_changed(document, curve, indices, lambda point: _mapped(point, by))
 
 
-def _mapped(point: Point, by: Linear) -> Point:
+def _mapped(point: Point, by: Affine) -> Point:
     vectors = {
         name: checked_vector(by.vector(vector), "a derivative")
         for _, name in VECTORS
         if (vector := getattr(point, name)) is not None
     }
-    return replace(placed(point, by.point(point.position)), **vectors)
+    mapped = replace(placed(point, by.point(point.position)), **vectors)
+    if mapped.tied and mapped.velocity and mapped.velocity_after:
+        # Parallel they are still, but for roundings, which many transforms would add up.
+        return tied(mapped, mapped.velocity, mapped.velocity_after)
+    return mapped
 
 
 def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:

@@ -18,8 +18,8 @@ from curvecore.arrays import FloatArray
 
 from .errors import ExchangeError
 
-PIECES_OF_A_TURN = 8
-"""Pieces of a whole turn, if no tolerance is given: within 4.3e-6 of the radius."""
+PIECES_OF_A_TURN = 4
+"""Pieces of a whole turn, if no tolerance is given, as in drawing programs: within 2.8e-4 of the radius."""
 
 MOST_PIECES = 1000
 
@@ -103,10 +103,15 @@ def arc_between(
 
 
 def pieces_of_arc(
-    radius: float, sweep: float, tolerance: float | None = None, most: int = MOST_PIECES
+    radius: float,
+    sweep: float,
+    tolerance: float | None = None,
+    most: int = MOST_PIECES,
+    *,
+    turn: int = PIECES_OF_A_TURN,
 ) -> int:
-    """Return the number of cubic pieces that an arc over `sweep` needs, at most so many."""
-    count = max(1, math.ceil(abs(sweep) / math.tau * PIECES_OF_A_TURN - 1e-9))
+    """Return the number of cubic pieces that an arc over `sweep` needs, at least `turn` of a turn."""
+    count = max(1, math.ceil(abs(sweep) / math.tau * turn - 1e-9))
     while tolerance is not None and radius * error_of_arc(sweep / count) > tolerance and count < most:
         count += 1
     return count

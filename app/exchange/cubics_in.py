@@ -28,9 +28,11 @@ from ..document.model import (
     Point,
     Vector,
 )
-from ..document.style import Style
+from ..document.shapes import tidy_shapes
+from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
 from .errors import ExchangeError
+from .missed import Missed
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""
@@ -60,25 +62,29 @@ class Imported:
         Largest distance of its curves from what the file describes, but for rounding.
     remarks
         One sentence for everything that was left out.
-    groups
-        For every curve the names of the groups that it lies in, from the outermost on; empty where a file
-        knows none.
+    missed
+        The elements of a drawing that come in otherwise than they are drawn.
     """
 
     document: Document
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
-    groups: tuple[tuple[str, ...], ...] = ()
+    missed: tuple[Missed, ...] = ()
 
     @property
-    def _chains(self) -> tuple[tuple[str, ...], ...]:
-        return self.groups or ((),) * len(self.document.curves)
+    def sentences(self) -> tuple[str, ...]:
+        """All that is to be said of what did not come in as it is."""
+        return (*(each.sentence for each in self.missed), *self.remarks)
+
+    @property
+    def has_groups(self) -> bool:
+        """Whether any curve lies in a group."""
+        return any(curve.groups for curve in self.document.curves)
 
     def only(self, taken: Sequence[bool]) -> Imported:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
         curves = tuple(compress(self.document.curves, taken))
-        document = msgspec.structs.replace(self.document, curves=curves)
-        return replace(self, document=document, groups=tuple(compress(self.groups, taken)))
+        return replace(self, document=tidy_shapes(msgspec.structs.replace(self.document, curves=curves)))
 
     def called(self, names: Sequence[str]) -> Imported:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
@@ -88,7 +94,7 @@ class Imported:
         ExchangeError
             If there is none, with the names that there are.
         """
-        own = [(*chain, curve.name) for chain, curve in zip(self._chains, self.document.curves, strict=True)]
+        own = [(*curve.groups, curve.shape, curve.name) for curve in self.document.curves]
         taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
@@ -96,12 +102,22 @@ class Imported:
 
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""
-        curves = self.document.curves
-        names = [chain[:_OUTER] or (curve.name,) for chain, curve in zip(self._chains, curves, strict=True)]
+        names = [curve.groups[:_OUTER] or (curve.name,) for curve in self.document.curves]
         counts = Counter(name for mine in names for name in dict.fromkeys(mine))
         shown = [f"{name} ({count})" if count > 1 else name for name, count in counts.items()]
         more = len(shown) - _MOST_NAMES
         return ", ".join([*shown[:_MOST_NAMES], *([f"and {more} more"] if more > 0 else [])])
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a path shares with all others of its shape; see `Curve`."""
+
+    style: Style = PLAIN_STYLE
+    shape: str = ""
+    groups: tuple[str, ...] = ()
+    visible: bool = True
+    locked: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,24 +126,23 @@ class ImportedPath:
 
     Attributes
     ----------
-    name, colour
+    name
         As in `Curve`.
+    look
+        All else that a curve takes from it.
     pieces
         (k, 4, 2); each begins where the one before ends.
     closed
         Whether the last piece ends where the first begins, on purpose.
     deviation
         Largest distance from what the file describes.
-    groups
-        As in `Imported`.
     """
 
     name: str
-    colour: str
+    look: Look
     pieces: FloatArray
     closed: bool
     deviation: float = 0.0
-    groups: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -136,19 +151,25 @@ class PointsAlone:
 
     Attributes
     ----------
-    name, colour, closed
-        As in `Curve`.
+    name, look
+        As in `ImportedPath`.
     points
         In order, without the first once more at the end.
+    closed
+        As in `Curve`.
     """
 
     name: str
-    colour: str
+    look: Look
     points: tuple[Vector, ...]
     closed: bool
 
 
-def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ...] = ()) -> Imported:
+def imported(
+    paths: Sequence[ImportedPath | PointsAlone],
+    remarks: tuple[str, ...] = (),
+    missed: tuple[Missed, ...] = (),
+) -> Imported:
     """Return the curves of paths as a document.
 
     Raises
@@ -156,11 +177,10 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
     ExchangeError
         If there is none, or if its numbers are beyond what a document may hold.
     """
-    curves, groups, deviation = [], list[tuple[str, ...]](), 0.0
+    curves, deviation = list[Curve](), 0.0
     for path in paths:
         if isinstance(path, PointsAlone):
             curves.append(_through(path))
-            groups.append(())
             continue
         _check_numbers(path)
         # Without those that are no more than a point.
@@ -170,11 +190,11 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ..
             continue
         curve, moved = _curve(path, pieces)
         curves.append(curve)
-        groups.append(path.groups)
         deviation = max(deviation, path.deviation + moved)
     if not curves:
-        raise ExchangeError(" ".join(["There is no curve in the file.", *remarks]))
-    return Imported(Document(tuple(curves)), deviation, remarks, tuple(groups) if any(groups) else ())
+        sentences = (*(each.sentence for each in missed), *remarks)
+        raise ExchangeError(" ".join(["There is no curve in the file.", *sentences]))
+    return Imported(tidy_shapes(Document(tuple(curves))), deviation, remarks, missed)
 
 
 def lines(points: FloatArray) -> FloatArray:
@@ -186,9 +206,24 @@ def lines(points: FloatArray) -> FloatArray:
 
 def _through(path: PointsAlone) -> Curve:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
-    points = tuple(Point(x, y) for x, y in path.points)
+    return _made(path, Parametrization(), tuple(Point(x, y) for x, y in path.points))
+
+
+def _made(
+    path: ImportedPath | PointsAlone, parametrization: Parametrization, points: tuple[Point, ...]
+) -> Curve:
+    look = path.look
     return Curve(
-        path.name, HERMITE, Parametrization(), points, closed=path.closed, style=Style(stroke=path.colour)
+        path.name,
+        HERMITE,
+        parametrization,
+        points,
+        closed=path.closed,
+        style=look.style,
+        shape=look.shape,
+        groups=look.groups,
+        visible=look.visible,
+        locked=look.locked,
     )
 
 
@@ -213,8 +248,7 @@ def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
         raise ExchangeError(f"“{path.name}” has pieces of too different lengths.")
     h = np.diff(t)[:, None]
     points = _points(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
-    rule = Parametrization(ParametrizationKind.MANUAL)
-    curve = Curve(path.name, HERMITE, rule, points, closed=path.closed, style=Style(stroke=path.colour))
+    curve = _made(path, Parametrization(ParametrizationKind.MANUAL), points)
     return curve, _INFLUENCE * joints.moved
 
 

@@ -65,6 +65,8 @@ class CurveFacts:
         Whether the curve returns to its first point, and whether it is drawn.
     corners
         How many points it may turn sharply at.
+    smooth
+        How many points it has one direction at, and a speed of its own on each side.
     degree
         Of the polynomial, or of each piece.
     kind
@@ -101,6 +103,7 @@ class CurveFacts:
     warnings: tuple[str, ...] = ()
     closed: bool = False
     corners: int = 0
+    smooth: int = 0
     visible: bool = True
     settings: Mapping[FamilySetting, SettingValue] = field(default_factory=dict)
 
@@ -191,6 +194,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
         warnings=(*warnings, *_amplification(growth)),
         closed=curve.is_closed,
         corners=len(shape.view.corners),
+        smooth=len(shape.view.two_sided) - len(shape.view.corners),
     )
 
 

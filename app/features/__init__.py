@@ -16,6 +16,7 @@ FEATURES = (
     "snapping",
     "import_export",
     "curves",
+    "shapes",
     "tangents",
     "rules",
     "own_families",

@@ -39,23 +39,23 @@ def visible_segments(points: FloatArray, width: float, height: float) -> FloatAr
     return cut_segments(np.hstack([points[:-1], points[1:]]), width, height)
 
 
-def cut_segments(segments: FloatArray, width: float, height: float) -> FloatArray:
+def cut_segments(segments: FloatArray, width: float, height: float, margin: float = MARGIN) -> FloatArray:
     """Cut segments (m, 4) = x1, y1, x2, y2 in pixels to what lies near the visible area, as above."""
     starts, ends = segments[:, :2], segments[:, 2:]
     low, high = np.minimum(starts, ends), np.maximum(starts, ends)
-    limit = np.array([width + MARGIN, height + MARGIN])
-    near = np.all((high >= -MARGIN) & (low <= limit), axis=1)
+    limit = np.array([width + margin, height + margin])
+    near = np.all((high >= -margin) & (low <= limit), axis=1)
     segments = segments[near]
-    is_long = np.any((segments < -MARGIN) | (segments > np.tile(limit, 2)), axis=1)
+    is_long = np.any((segments < -margin) | (segments > np.tile(limit, 2)), axis=1)
     if is_long.any():
         kept = np.ones(len(segments), dtype=bool)
-        segments[is_long], kept[is_long] = _clipped(segments[is_long], limit)
+        segments[is_long], kept[is_long] = _clipped(segments[is_long], -margin, limit)
         segments = segments[kept]
     return segments
 
 
-def _clipped(segments: FloatArray, limit: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Cut segments (m, 4) to the box from −MARGIN to `limit`, and tell which of them meet it.
+def _clipped(segments: FloatArray, low: float, limit: FloatArray) -> tuple[FloatArray, BoolArray]:
+    """Cut segments (m, 4) to the box from `low` to `limit`, and tell which of them meet it.
 
     Liang and Barsky, ACM Transactions on Graphics 3 (1984) 1–22, from the end that is nearer: seen from one
     at 1e20 pixels, all that lies in the box is at one place.
@@ -66,9 +66,9 @@ def _clipped(segments: FloatArray, limit: FloatArray) -> tuple[FloatArray, BoolA
     # Halved, because the difference of two huge numbers must not overflow.
     half = end / 2 - start / 2
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        to_low = (-MARGIN - start) / half / 2
+        to_low = (low - start) / half / 2
         to_high = (limit - start) / half / 2
-    inside = (start >= -MARGIN) & (start <= limit)
+    inside = (start >= low) & (start <= limit)
     parallel = half == 0
     enter = np.where(parallel, np.where(inside, 0.0, np.inf), np.minimum(to_low, to_high))
     leave = np.where(parallel, np.where(inside, 1.0, -np.inf), np.maximum(to_low, to_high))
@@ -77,7 +77,7 @@ def _clipped(segments: FloatArray, limit: FloatArray) -> tuple[FloatArray, BoolA
     meets = enter.max(axis=1) <= np.minimum(leave.min(axis=1), 1.0)
     cut = np.hstack([start + 2 * first[:, None] * half, start + 2 * last[:, None] * half])
     # Rounding at 1e300 may leave the box; what is left of it must not.
-    cut = np.clip(cut, -MARGIN, np.tile(limit, 2))
+    cut = np.clip(cut, low, np.tile(limit, 2))
     return np.where(comes[:, None], _turned(cut), cut), meets & (leave.min(axis=1) >= 0)
 
 
@@ -97,9 +97,16 @@ class Stroke:
     Within a piece Qt joins the segments, so that no joint shows; the pieces are short, because the time Qt's
     stroker takes for one polyline grows faster than its length. A crowd, such as a polynomial that crosses
     the area a thousand times, is drawn as separate segments: without joints Qt takes a sixth of the time.
+
+    Parameters
+    ----------
+    margin
+        Pixels beyond the area to which it is cut; one cut farther away is so wide that its joints are seen,
+        and is never drawn as a crowd.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, margin: float = MARGIN) -> None:
+        self._margin = margin
         self._pieces: list[QPolygonF] = []
         self._crowd = Crowd()
         self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
@@ -113,7 +120,7 @@ class Stroke:
 
     def fill(self, points: FloatArray, width: float, height: float) -> None:
         """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
-        runs, crowd = _near(points, width, height)
+        runs, crowd = _near(points, width, height, self._margin)
         if len(crowd) or len(self._crowd):
             self._crowd.fill(crowd, width, height)
         pieces = [run[i : i + _PIECE + 1] for run in runs for i in range(0, len(run) - 1, _PIECE)]
@@ -138,18 +145,20 @@ class Stroke:
 _NO_SEGMENTS = np.empty((0, 4))
 
 
-def _near(points: FloatArray, width: float, height: float) -> tuple[list[FloatArray], FloatArray]:
+def _near(
+    points: FloatArray, width: float, height: float, margin: float
+) -> tuple[list[FloatArray], FloatArray]:
     """Return what lies near the area: vertices (k, 2) from end to end, or the segments (m, 4) of a crowd."""
     if len(points) < 2:
         return [], _NO_SEGMENTS
-    limit = np.array([width + MARGIN, height + MARGIN])
-    is_inside = bool(((points >= -MARGIN) & (points <= limit)).all())
+    limit = np.array([width + margin, height + margin])
+    is_inside = bool(((points >= -margin) & (points <= limit)).all())
     if is_inside and len(points) <= _CROWD_FROM:
         return [points], _NO_SEGMENTS
-    segments = visible_segments(points, width, height)
-    if len(segments) > _CROWD_FROM and _length(segments) > _CROWDED:
+    segments = cut_segments(np.hstack([points[:-1], points[1:]]), width, height, margin)
+    if margin == MARGIN and len(segments) > _CROWD_FROM and _length(segments) > _CROWDED:
         return [], segments
-    return [points] if is_inside else _runs(segments), _NO_SEGMENTS
+    return [points] if is_inside else runs_of(segments), _NO_SEGMENTS
 
 
 def _length(segments: FloatArray) -> float:
@@ -157,7 +166,7 @@ def _length(segments: FloatArray) -> float:
     return float(np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1]).sum())
 
 
-def _runs(segments: FloatArray) -> list[FloatArray]:
+def runs_of(segments: FloatArray) -> list[FloatArray]:
     """Return the vertices of segments (m, 4), split where they do not continue each other."""
     if not len(segments):
         return []

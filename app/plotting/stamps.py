@@ -1,14 +1,14 @@
-"""Many marks in one call: one for each colour is drawn once, then stamped."""
+"""Many marks in one call: one for each colour and form is drawn once, then stamped."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from curvecore.arrays import FloatArray, IntArray
 
@@ -21,7 +21,7 @@ _COLOURS = 256
 _COLUMNS = 16
 
 _FEW, _PLACES = 64, 4
-"""Colours up to which each mark is kept at so many places within a pixel, along x and y: an eye cannot tell
+"""Looks up to which each mark is kept at so many places within a pixel, along x and y: an eye cannot tell
 it from one drawn where it belongs. Of more, on whole pixels."""
 
 
@@ -31,11 +31,17 @@ class Stamps:
     Parameters
     ----------
     shape
-        Draws one mark of a given radius around (0, 0), with the painter's pen and brush.
+        Draws one mark of a given radius and form around (0, 0), with the painter's pen and brush.
+    reach
+        How far a mark of radius 1 reaches.
     """
 
-    def __init__(self, shape: Callable[[QPainter, float], None]) -> None:
-        self._shape = shape
+    def __init__(self, shape: Callable[[QPainter, float, int], None], reach: float = 1.0) -> None:
+        self._shape, self._reach = shape, reach
+        self._forms = np.empty(0, dtype=np.intp)
+        # The colours and forms that there are, and which of them each point has.
+        self._looks: list[tuple[int, int]] = []
+        self._look_of = np.empty(0, dtype=np.intp)
         self._made_of: tuple[object, ...] = ()
         self._sheet = QPixmap()
         self._cell = 0
@@ -53,24 +59,28 @@ class Stamps:
         theme: Theme,
         radius: float,
         rim: float,
+        forms: IntArray | None = None,
     ) -> None:
-        """Draw the marks of points `indices` of `count` at `places` (k, 2), in pixels, rimmed like paper."""
+        """Draw the marks of points `indices` of `count` at `places` (k, 2), in pixels, rimmed like paper.
+
+        `forms` (count,) says which form each point has; they stay the same array where they do not change.
+        """
         ratio = painter.device().devicePixelRatioF()
-        is_new = self._prepare(count, theme, radius, rim, ratio)
+        is_new = self._prepare(count, theme, radius, rim, ratio, forms)
         if is_new or not (
             (indices is self._indices or np.array_equal(indices, self._indices))
             and places.tobytes() == self._places.tobytes()
         ):
             self._places, self._indices = places, indices
-            self._fill(places, indices, count, ratio)
+            self._fill(places, indices, ratio)
         fragments, length = self._arguments
         painter.drawPixmapFragments(fragments, length, self._sheet)
 
-    def _fill(self, places: FloatArray, indices: IntArray, count: int, ratio: float) -> None:
-        finer = _places_within_a_pixel(count)
+    def _fill(self, places: FloatArray, indices: IntArray, ratio: float) -> None:
+        finer = _places_within_a_pixel(len(self._looks))
         steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
         whole, within = np.divmod(steps, finer)
-        cells = (cells_of(indices, count) * finer + within[:, 1]) * finer + within[:, 0]
+        cells = (self._look_of[indices] * finer + within[:, 1]) * finer + within[:, 0]
         self._fragments.resize(len(indices))
         data = self._fragments.ndarray()
         data[:, :2] = whole / ratio
@@ -82,35 +92,68 @@ class Stamps:
         data[:, 9] = 1.0
         self._arguments = self._fragments.drawargs()
 
-    def _prepare(self, count: int, theme: Theme, radius: float, rim: float, ratio: float) -> bool:
+    def _prepare(
+        self, count: int, theme: Theme, radius: float, rim: float, ratio: float, forms: IntArray | None
+    ) -> bool:
         """Have a sheet of the marks; return whether it is another one than before."""
+        if forms is None:
+            forms = self._forms if len(self._forms) == count else np.zeros(count, dtype=np.intp)
         wanted = (count, theme, radius, rim, ratio)
-        if wanted == self._made_of:
+        if wanted == self._made_of and (forms is self._forms or np.array_equal(forms, self._forms)):
             return False
-        self._made_of = wanted
+        self._made_of, self._forms = wanted, forms
+        # Form by form of each colour that is there: most points look alike but for their colours.
+        most = int(forms.max(initial=0)) + 1
+        looks, self._look_of = np.unique(
+            cells_of(np.arange(count), count) * most + forms, return_inverse=True
+        )
+        self._looks = [divmod(look, most) for look in looks.tolist()]
         self._draw_sheet(min(count, _COLOURS), theme, radius, rim, ratio)
         return True
 
     def _draw_sheet(self, colours: int, theme: Theme, radius: float, rim: float, ratio: float) -> None:
-        finer = _places_within_a_pixel(colours)
+        finer = _places_within_a_pixel(len(self._looks))
         # Even, so that whole pixels lie on whole pixels.
-        self._cell = 2 * math.ceil((radius + rim) * ratio) + 4
-        rows = -(-colours * finer * finer // _COLUMNS)
+        self._cell = 2 * math.ceil((radius * self._reach + rim) * ratio) + 4
+        rows = -(-len(self._looks) * finer * finer // _COLUMNS)
         self._sheet = QPixmap(_COLUMNS * self._cell, rows * self._cell)
         self._sheet.fill(Qt.GlobalColor.transparent)
         painter = QPainter(self._sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        painter.setPen(QPen(theme.paper, rim * ratio) if rim else Qt.PenStyle.NoPen)
+        painter.setPen(QPen(self._rim(theme), rim * ratio) if rim else Qt.PenStyle.NoPen)
         within = [(x / finer, y / finer) for y in range(finer) for x in range(finer)]
-        for number, colour in enumerate(point_colours(colours, theme)):
-            painter.setBrush(colour)
+        of_colours = self._colours(colours, theme)
+        for number, (colour, form) in enumerate(self._looks):
+            painter.setBrush(of_colours[colour])
             for cell, (x, y) in enumerate(within, number * len(within)):
                 left, top = cell % _COLUMNS * self._cell, cell // _COLUMNS * self._cell
                 centre = QPointF(left + self._cell / 2 + x, top + self._cell / 2 + y)
                 painter.translate(centre)
-                self._shape(painter, radius * ratio)
+                self._shape(painter, radius * ratio, form)
                 painter.translate(-centre)
         painter.end()
+
+    def _colours(self, count: int, theme: Theme) -> Sequence[QColor]:
+        return point_colours(count, theme)
+
+    def _rim(self, theme: Theme) -> QColor:
+        return theme.paper
+
+
+class RingStamps(Stamps):
+    """Marks of paper within a rim of the accent, all alike."""
+
+    def draw_rings(
+        self, painter: QPainter, places: FloatArray, theme: Theme, radius: float, rim: float
+    ) -> None:
+        """Draw rings at `places` (k, 2), in pixels."""
+        self.draw(painter, places, np.zeros(len(places), dtype=np.intp), 1, theme, radius, rim)
+
+    def _colours(self, count: int, theme: Theme) -> Sequence[QColor]:
+        return [theme.paper] * count
+
+    def _rim(self, theme: Theme) -> QColor:
+        return theme.accent
 
 
 def _places_within_a_pixel(count: int) -> int:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from ..document.model import Curve
 from ..document.selection import followed_curves, followed_points, returned_curves, returned_points
+from ..document.shapes import whole_shapes
+from ..view_model.pivot import Pivot
 
 if TYPE_CHECKING:
     from .session import Session
@@ -27,6 +29,8 @@ class Selection:
         The point under the pointer, or -1.
     scrub
         The t of the scrub line, or None.
+    pivot
+        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
     """
 
     def __init__(self, session: Session) -> None:
@@ -35,6 +39,7 @@ class Selection:
         self.curves = frozenset({0})
         self.hovered = -1
         self.scrub: float | None = None
+        self.pivot: Pivot | None = None
         # The place that was asked for: the scrub line stands there as far as the curve goes.
         self._scrub_asked: float | None = None
 
@@ -42,6 +47,11 @@ class Selection:
     def point(self) -> int | None:
         """The selected point if exactly one is selected."""
         return next(iter(self.points)) if len(self.points) == 1 else None
+
+    @property
+    def whole(self) -> frozenset[int]:
+        """The selected curves, with all others of their shapes."""
+        return whole_shapes(self._session.document, self.curves)
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select the points at `indices` of the active curve, those that exist."""
@@ -78,6 +88,12 @@ class Selection:
     def keep_scrub(self) -> None:
         """Put the scrub line where it was asked for, as far as the present curve goes."""
         self.set_scrub(self._scrub_asked)
+
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place, or about the middle (None)."""
+        before, self.pivot = self.pivot, pivot
+        if (before and before.place) != (pivot and pivot.place):
+            self._session.pivot_changed.emit()
 
     # Curves
 

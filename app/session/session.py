@@ -53,6 +53,8 @@ class Session(QObject):
         The pointer is over another point (its index, or -1), on the canvas or in the basis panel.
     scrub_changed
         The scrub line was moved to another t, or put away (None).
+    pivot_changed
+        Another pivot was chosen, or it has gone along with what it was chosen for.
     file_changed
         The path or the modified mark is another one.
     opened
@@ -89,6 +91,7 @@ class Session(QObject):
     selected_curves_changed = Signal(object)
     hovered_changed = Signal(int)
     scrub_changed = Signal(object)
+    pivot_changed = Signal()
     file_changed = Signal()
     opened = Signal()
     left = Signal(object)
@@ -226,7 +229,7 @@ class Session(QObject):
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        document = tidy_shapes(plain(document, self._shown))
+        document = tidy_shapes(plain(document, self._shown), self._shown)
         if document is self._shown:
             return True
         if reason := why_locked(self._committed, document):
@@ -245,7 +248,7 @@ class Session(QObject):
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a locked curve is another one, or no file could hold it."""
-        document = tidy_shapes(plain(document, self._shown))
+        document = tidy_shapes(plain(document, self._shown), self._shown)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
@@ -313,6 +316,7 @@ class Session(QObject):
         self.selected.set_points([])
         self.selected.set_curves((self.active_index,))
         self.selected.set_scrub(None)
+        self.selected.set_pivot(None)
         # Another document's curves are nobody's last good shape.
         self._views.take()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import chain
 from operator import attrgetter
 
@@ -12,12 +12,14 @@ from ..document.model import (
     MAX_MAGNITUDE,
     Curve,
     Document,
+    Page,
     ParametrizationKind,
     Point,
     ReferenceImage,
     Vector,
 )
 from ..document.shapes import shape_problem
+from ..document.ties import holds
 from .format_error import FormatError, quoted
 from .number_check import check_number
 from .style_check import validate_style
@@ -31,9 +33,9 @@ def validate(document: Document) -> None:
     A document has at least one curve. Every number is finite, its magnitude at most `MAX_MAGNITUDE`.
     A parametrization has start < end and alpha in [0, 1]. The parameters that the points carry increase
     strictly in the order of the points, also where a rule is in force and they are only remembered; under
-    the manual parametrization every point carries one. A curve may have one point or none. An image has a
-    path to a file of this computer, a positive size and an opacity in [0, 1]. The curves of a shape follow
-    each other and look the same.
+    the manual parametrization every point carries one. Tied velocities are both there, and parallel. A curve
+    may have one point or none. An image has a path to a file of this computer, a positive size and an opacity
+    in [0, 1]. The curves of a shape follow each other and look the same.
     """
     if not document.curves:
         raise FormatError("curves must hold at least one curve")
@@ -68,14 +70,21 @@ def _validate_plane(document: Document) -> None:
         raise FormatError(f"grid_spacing must be 0 or greater, not {document.grid_spacing!r}")
     for index, guide in enumerate(document.guides):
         check_number(guide.position, f"guides[{index}].position")
+    if document.page is not None:
+        _validate_box(document.page, "page", ("x", "y", "width", "height"))
+
+
+def _validate_box(box: ReferenceImage | Page, place: str, keys: Sequence[str]) -> None:
+    """Raise FormatError unless these values are numbers, and the size is positive."""
+    for key in keys:
+        check_number(getattr(box, key), f"{place}.{key}")
+    for key in ("width", "height"):
+        if not getattr(box, key) > 0:
+            raise FormatError(f"{place}.{key} must be greater than 0, not {getattr(box, key)!r}")
 
 
 def _validate_image(image: ReferenceImage) -> None:
-    for key in ("x", "y", "width", "height", "opacity"):
-        check_number(getattr(image, key), f"image.{key}")
-    for key in ("width", "height"):
-        if not getattr(image, key) > 0:
-            raise FormatError(f"image.{key} must be greater than 0, not {getattr(image, key)!r}")
+    _validate_box(image, "image", ("x", "y", "width", "height", "opacity"))
     if not 0 <= image.opacity <= 1:
         raise FormatError(f"image.opacity must lie between 0 and 1, not {image.opacity!r}")
     if not image.path.strip() or not image.path.isprintable():
@@ -100,11 +109,23 @@ def _validate_curve(curve: Curve, place: str) -> None:
             f"{place}.parametrization.end must be greater than {rule.start!r}, the start, not {rule.end!r}"
         )
     validate_style(curve.style, f"{place}.style")
+    _validate_ties(curve, place)
     if not _all_within(curve.points):
         for index, point in enumerate(curve.points):
             for key, value in _numbers(point):
                 check_number(value, f"{place}.points[{index}].{key}")
     _validate_parameters(curve, place)
+
+
+def _validate_ties(curve: Curve, place: str) -> None:
+    """Raise FormatError unless tied velocities are both there, in one direction."""
+    if not any(map(attrgetter("tied"), curve.points)):
+        return
+    for index, point in enumerate(curve.points):
+        if point.tied and not (type(point.tied) is bool and holds(point)):
+            raise FormatError(
+                f"{place}.points[{index}].tied needs a corner, velocity and velocity_after in one direction"
+            )
 
 
 def _numbers(point: Point) -> Iterator[tuple[str, float]]:

@@ -17,7 +17,7 @@ from ..cli.display import has_display
 from ..document.model import Curve, ParametrizationKind, Vector
 from ..families import FAMILIES, Family
 from ..features.curve_list.commands import CurveListCommands
-from ..features.curve_list.view import Spot, spot_rect
+from ..features.curve_list.rows import Spot, spot_rect
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..view_model.handles import Handle

@@ -11,6 +11,7 @@ import msgspec
 from ..document.edits import EditError
 from ..document.model import Document, Vector
 from ..view_model.curve_view import CurveView
+from ..view_model.pivot import Pivot
 from .drag import Drag
 from .pointer import ORIGIN, Pointer
 
@@ -27,6 +28,7 @@ class SelectionHost(Protocol):
     points: frozenset[int]
     curves: frozenset[int]
     scrub: float | None
+    pivot: Pivot | None
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select points."""
@@ -39,6 +41,9 @@ class SelectionHost(Protocol):
 
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line."""
+
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place."""
 
     def activate(self, index: int) -> None:
         """Edit another curve."""
@@ -56,6 +61,10 @@ class EditingHost(Protocol):
     @property
     def document(self) -> Document:
         """The current document."""
+
+    @property
+    def is_previewing(self) -> bool:
+        """Whether a gesture in flight shows another document."""
 
     @property
     def views(self) -> list[CurveView]:

@@ -15,6 +15,8 @@ from ..view_model.bend import Bend
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import derivative_from_handle
 from ..view_model.hold import BendWith
+from ..view_model.point_kinds import is_breakable
+from ..view_model.smoothness import with_corners
 from .drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
 from .pointer import Hit, Pointer
 from .snapping import Snapper
@@ -125,46 +127,67 @@ def what_handle_sets(hit: Hit, view: CurveView) -> str:
 
 
 def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
-    side = "" if index not in view.corners else ", ahead" if ahead else ", behind"
+    side = "" if index not in view.two_sided else ", ahead" if ahead else ", behind"
     return f"point {index}{side}"
 
 
+def handle_keys(hit: Hit, view: CurveView, snap: str = "snap, or not") -> str:
+    """Return what modifiers change of the drag of a handle."""
+    breaks = "Alt: break the handles apart · " if is_breakable(view, hit.index) else ""
+    return f"Shift: steps of 15° · {breaks}Shift+Alt: length only · Ctrl: {snap}"
+
+
 class DragHandle(CurveDrag, frozen=True):
-    """Drag of the handle of a derivative."""
+    """Drag of the handle of a derivative; what is tied to it goes along, unless Alt breaks the tie."""
 
     hit: Hit
     start: Vector
     snapper: Snapper
+    # The document with a corner at the point, once Alt has been held.
+    _broken: list[Document] = msgspec.field(default_factory=list)
 
     @property
     def name(self) -> str:
         """The name of the step."""
         return f"Set {what_handle_sets(self.hit, self.view)}"
 
-    keys = "Shift: steps of 15° · Alt: length only · Ctrl: snap, or not"
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        return handle_keys(self.hit, self.view)
 
     def readout(self, pointer: Pointer) -> str:
         """Return the derivative by its length and direction."""
         what = what_handle_sets(self.hit, self.view)
-        return f"{what[0].upper()}{what[1:]}: {words.polar(self._derivative_at(pointer))}"
+        broken = ", a corner now" if self._breaks(pointer) else ""
+        return f"{what[0].upper()}{what[1:]}: {words.polar(self._derivative_at(pointer))}{broken}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Keep the offset between pointer and handle that the press had."""
-        which = self.hit.index, self.hit.kind
+        which, document = (self.hit.index, self.hit.kind), self.document
+        if self._breaks(pointer):
+            if not self._broken:
+                cornered = with_corners(self.view, [self.hit.index])
+                self._broken.append(document.with_curve(self.curve, cornered))
+            document = self._broken[0]
         derivative = self._derivative_at(pointer)
-        return edits.set_derivative(self.document, self.curve, *which, derivative, ahead=self.hit.ahead)
+        return edits.set_derivative(document, self.curve, *which, derivative, ahead=self.hit.ahead)
+
+    def _breaks(self, pointer: Pointer) -> bool:
+        """Whether the handle goes its own way, and the point becomes a corner."""
+        return pointer.alt and not pointer.shift and is_breakable(self.view, self.hit.index)
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
         tip = self._snapped(plus(self.hit.position, pointer.way_from(self.start)), pointer)
         which = self.hit.index, self.hit.kind
         free = derivative_from_handle(self.view, *which, tip, ahead=self.hit.ahead)
         before = self.view.derivative_of(*which, ahead=self.hit.ahead)
-        if pointer.alt and before is not None and any(before):
+        if pointer.alt and pointer.shift and before is not None and any(before):
             return _along_direction(free, before)
         return in_steps(free) if pointer.shift else free
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
-        if pointer.shift or pointer.alt:
+        if pointer.shift:
             # An angle or a direction that is held leaves nothing to be drawn elsewhere.
             self.snapper.reset()
             return tip

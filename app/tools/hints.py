@@ -6,7 +6,7 @@ from ..document import words
 from ..document.edits import LEAST_TO_CLOSE
 from ..document.several_curves import PointGroup
 from ..view_model.curve_view import CurveView
-from .drags import bend_keys, what_handle_sets
+from .drags import bend_keys, handle_keys, what_handle_sets
 from .pen_drags import PenAct
 from .pointer import Cursor, Hint, Hit, Part
 from .transform_box import Grip, ScaleBox
@@ -33,7 +33,7 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool
         if view.source.family.derivatives:
             text += " · Alt: pull out its velocity"
         return Hint(text, grab=True)
-    keys = f"Shift: steps of 15° · Alt: length only · Ctrl: {_snap_word(snaps)}"
+    keys = handle_keys(hit, view, _snap_word(snaps))
     return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
 
 
@@ -43,7 +43,7 @@ def on_grip(grip: Grip, group: PointGroup, refusal: str) -> Hint:
         return Hint(refusal)
     what = group.words
     if grip.rotates:
-        return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
+        return Hint(f"Drag to rotate {what} · Shift or Ctrl: steps of 15°", cursor=grip.cursor)
     return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
 
 

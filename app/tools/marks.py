@@ -40,8 +40,10 @@ class GestureMarks(msgspec.Struct, frozen=True):
     ----------
     band
         Two opposite corners of the rubber band.
-    box
-        The box with grips around the selected points.
+    box, frame
+        The box with grips around the selected points; the box without them, while they are dragged.
+    pivot
+        What is turned, scaled and mirrored about.
     snap
         What the pointer has snapped to.
     ruler
@@ -64,6 +66,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
 
     band: tuple[Vector, Vector] | None = None
     box: TransformBox | None = None
+    frame: TransformBox | None = None
+    pivot: Vector | None = None
     snap: Snap | None = None
     ruler: Ruler | None = None
     note: Note | None = None

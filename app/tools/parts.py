@@ -16,7 +16,7 @@ GESTURES = (
     GestureRow("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     GestureRow(
         "Drag a handle",
-        "set velocity (square), acceleration (diamond) or jerk (triangle); Shift: 15° steps, Alt: length",
+        "set velocity (square), acceleration (diamond), jerk (triangle); Shift: 15°, Alt: break",
         selected=True,
         needs_derivatives=True,
     ),

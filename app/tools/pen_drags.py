@@ -6,6 +6,7 @@ import math
 from enum import Enum, auto
 from functools import cached_property
 
+import msgspec
 from msgspec.structs import replace
 
 from ..document import edits, words
@@ -49,10 +50,15 @@ def _is_away(pointer: Pointer, press: Pointer) -> bool:
 
 
 class AppendPoint(CurveDrag, frozen=True):
-    """New last point at the press; dragging sets its velocity, or moves it where there is none."""
+    """New last point at the press; dragging sets its velocity, or moves it where there is none.
+
+    With Alt the handle behind the point stays where it was, and only the one ahead of it follows.
+    """
 
     press: Pointer
     snapper: Snapper
+    # The velocity when Alt was not held.
+    _whole: list[Vector] = msgspec.field(default_factory=list)
 
     @property
     def name(self) -> str:
@@ -63,7 +69,9 @@ class AppendPoint(CurveDrag, frozen=True):
     def keys(self) -> str:
         """Effects of the modifier keys while it is dragged."""
         # Where the point lies was decided at the press; only a velocity is still being set.
-        return "Shift: steps of 15°" if self.view.source.family.derivatives else "Ctrl: snap, or not"
+        if not self.view.source.family.derivatives:
+            return "Ctrl: snap, or not"
+        return "Shift: steps of 15° · Alt: the handle ahead alone"
 
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes, and where its velocity points."""
@@ -73,6 +81,8 @@ class AppendPoint(CurveDrag, frozen=True):
             return note
         x, y = self._displacement(pointer, place)
         note = f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
+        if pointer.alt:
+            return f"{note} · a corner"
         if self.view.source.is_closed:
             return note
         # What will hold when the next point comes.
@@ -106,6 +116,10 @@ class AppendPoint(CurveDrag, frozen=True):
         view = view_of(document.curves[self.curve])
         tip = plus(place, self._displacement(pointer, place))
         velocity = derivative_from_handle(view, index, 1, tip, ahead=True)
+        if pointer.alt:
+            before = self._whole[0] if self._whole else None
+            return edits.make_corner(document, self.curve, index, before, velocity)
+        self._whole[:] = [velocity]
         return edits.set_velocity(document, self.curve, index, velocity)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 
 from ..document.model import Document, Guide
 from ..document.several_curves import PointGroup
+from ..view_model.bounds import Bounds, nine_places
 from ..view_model.curve_view import CurveView
 from .drag_machine import EditingHost
 from .pointer import Pointer
@@ -60,6 +61,13 @@ class Snappers:
         if not group.is_several:
             return self.for_points(group.parts[0][1], place)
         return self._make(lambda: targets_of(*self._beside(group), -1, self._kinds))
+
+    def for_pivot(self, bounds: Bounds) -> Snapper:
+        """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
+        views, active = self._host.views, self._host.active_index
+        return self._make(
+            lambda: targets_of(views, active, (), -1, self._kinds).with_places(nine_places(bounds))
+        )
 
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
         """Return the snapper of a corner or a side of the box around a group."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from decimal import Decimal
 
 import msgspec
 import numpy as np
+from msgspec.structs import replace
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import FloatArray
 
 from ..document.guide_edits import place_words
 from ..document.model import Axis, Guide, Vector
@@ -72,12 +73,11 @@ def with_snap(text: str, caught: Snap | None) -> str:
     return f"{text} · snapped to: {caught.label}" if caught is not None and text else text
 
 
-class _SnapPoints(msgspec.Struct, frozen=True, eq=False):
-    """Points of one curve, (k, 2), with their numbers; `of` names the curve if it is another."""
+class SnapPlaces(msgspec.Struct, frozen=True, eq=False):
+    """Places to snap to, (k, 2); `name` tells what each is called."""
 
     positions: FloatArray
-    numbers: IntArray
-    of: str = ""
+    name: Callable[[int], str]
 
     def nearest(self, position: Vector, reach: float) -> tuple[float, Snap] | None:
         """Return the distance of the nearest point and a snap to it, None beyond `reach`."""
@@ -88,7 +88,7 @@ class _SnapPoints(msgspec.Struct, frozen=True, eq=False):
         if distances[best] > reach:
             return None
         x, y = self.positions[best].tolist()
-        return float(distances[best]), Snap((x, y), _name(int(self.numbers[best]), self.of))
+        return float(distances[best]), Snap((x, y), self.name(best))
 
 
 class _Line(msgspec.Struct, frozen=True):
@@ -113,9 +113,15 @@ class Targets(msgspec.Struct, frozen=True):
         The other curves with their names.
     """
 
-    points: tuple[_SnapPoints, ...] = ()
+    points: tuple[SnapPlaces, ...] = ()
     neighbours: tuple[tuple[Vector, str], ...] = ()
     curves: tuple[tuple[NearestPoint, str], ...] = ()
+
+    def with_places(self, places: Mapping[str, Vector]) -> Targets:
+        """Return the targets with more places, by their names."""
+        names = list(places)
+        more = SnapPlaces(np.array(list(places.values())), lambda place: names[place])
+        return replace(self, points=(*self.points, more))
 
 
 def targets_of(
@@ -187,9 +193,9 @@ def _name(index: int, of: str) -> str:
     return f"point {index} of {of}" if of else f"point {index}"
 
 
-def _points(view: CurveView, without: Collection[int], of: str = "") -> _SnapPoints:
+def _points(view: CurveView, without: Collection[int], of: str = "") -> SnapPlaces:
     numbers = np.setdiff1d(np.arange(len(view.points)), np.array(sorted(without), dtype=np.intp))
-    return _SnapPoints(view.points[numbers], numbers, of)
+    return SnapPlaces(view.points[numbers], lambda place: _name(int(numbers[place]), of))
 
 
 def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:

@@ -8,7 +8,9 @@ from collections.abc import Sequence
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.several_curves import PointGroup, points_of, whole_curves
+from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView
+from ..view_model.pivot import Pivot, anchored
 from .drag_machine import EditingHost
 from .drags import MovePoints
 from .pointer import Pointer
@@ -26,7 +28,7 @@ class TransformTarget:
     def __init__(self, host: EditingHost, snappers: Snappers) -> None:
         self._host, self._snappers = host, snappers
         # The last group with its box, and the views and sets of indices they were found for.
-        self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int]] | None = None
+        self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int], bool] | None = None
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
 
     @property
@@ -42,11 +44,11 @@ class TransformTarget:
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
         views, selection, selected = host.views, host.selected.points, host.selected.curves
-        known = self._known
-        if known is None or known[0] is not views or known[1:] != (selection, selected):
-            self._known = (views, selection, selected)
+        known, live = self._known, host.is_previewing
+        if known is None or known[0] is not views or known[1:] != (selection, selected, live):
+            self._known = (views, selection, selected, live)
             group = points_of(host.active_index, selection) if selection else self.curves
-            self._found = (group, box_of(views, group) if group is not None else None)
+            self._found = (group, box_of(views, group, live=live) if group is not None else None)
         return self._found
 
     @property
@@ -61,6 +63,12 @@ class TransformTarget:
         return self.group or points_of(
             self._host.active_index, range(len(self._host.active_view.source.points))
         )
+
+    @property
+    def words(self) -> str:
+        """The words for that: "3 curves", "2 points", "all 5 points"."""
+        group = self.for_keys
+        return f"{'all ' if self.group is None and group.only_point is None else ''}{group.words}"
 
     @property
     def refusal_of_keys(self) -> str:
@@ -80,16 +88,44 @@ class TransformTarget:
         return ""
 
     @property
-    def centre(self) -> Vector:
-        """The middle of the box, or the one point, of what keys transform."""
+    def bounds(self) -> Bounds:
+        """The bounds of what keys transform; there must be points."""
         group, box = self._now()
-        if group is None:
-            group = self.for_keys
-            box = box_of(self._host.views, group)
         if box is not None:
-            return box.centre
-        curve, index = group.first_point
-        return self._host.document.curves[curve].points[index].position
+            return box
+        bounds = bounds_of(self._host.views, group or self.for_keys, as_drawn=self._host.is_previewing)
+        assert bounds is not None
+        return bounds
+
+    @property
+    def centre(self) -> Vector:
+        """What keys turn, scale and mirror about: the pivot, or else the middle."""
+        return self.pivot or self.bounds.centre
+
+    # Pivot
+
+    @property
+    def pivot(self) -> Vector | None:
+        """The pivot that was chosen, where it is by now; None for the middle."""
+        pivot = self._pivot()
+        return pivot.place if pivot is not None else None
+
+    def _pivot(self) -> Pivot | None:
+        chosen = self._host.selected.pivot
+        if chosen is None:
+            return None
+        return chosen.at(anchored(self._host.views, self.for_keys, live=self._host.is_previewing))
+
+    def set_pivot(self, place: Vector | None) -> None:
+        """Choose a pivot for what keys transform, None for its middle."""
+        views = self._host.views
+        pivot = Pivot(place, anchored(views, self.for_keys)) if place is not None else None
+        self._host.selected.set_pivot(pivot)
+
+    def keep_pivot(self) -> None:
+        """Take the pivot along: the document has changed, and it belongs to what is there now."""
+        if (pivot := self._pivot()) is not None and not self._host.is_previewing:
+            self._host.selected.set_pivot(pivot)
 
     # Drags
 
@@ -121,7 +157,8 @@ class TransformTarget:
         assert group is not None
         assert box is not None
         snapper = self._snappers.for_grip(grip, group)
-        return ScaleBox(self._host.document, group, box, grip, pointer.position, snapper)
+        host = self._host
+        return ScaleBox(host.document, host.views, group, box, self.centre, grip, pointer.position, snapper)
 
     def moving_curves(self, pointer: Pointer) -> MovePoints | None:
         """Return the drag of the selected curves by one of them, None where only one is selected."""

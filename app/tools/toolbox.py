@@ -16,7 +16,6 @@ from .snappers import Snappers
 from .target import TransformTarget
 from .tool import Tool, ToolContext, ToolRecord, ToolSettings
 from .transform import TransformKind
-from .transform_box import TransformBox
 from .transform_tool import TransformTool
 
 HitTest = Callable[[Pointer, Tool], Hit | None]
@@ -64,9 +63,9 @@ class Toolbox:
         return self._above or self._chosen
 
     @property
-    def box(self) -> TransformBox | None:
-        """The box around what is selected, None for less than two points."""
-        return self._target.box
+    def target(self) -> TransformTarget:
+        """What transforms act on, and their pivot."""
+        return self._target
 
     @property
     def context(self) -> ToolContext:

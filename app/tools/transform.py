@@ -36,7 +36,7 @@ class TransformKind(Enum):
 
     MOVE = ("Move", "g", "X or Y: one axis · Ctrl: snap, or not · type a number, or x Tab y")
     SCALE = ("Scale", "s", "X or Y: one axis · type a number, or x Tab y")
-    ROTATE = ("Rotate", "r", "Shift: steps of 15° · type a number")
+    ROTATE = ("Rotate", "r", "Shift or Ctrl: steps of 15° · type a number")
 
     def __init__(self, title: str, key: str, keys: str) -> None:
         self.title, self.key, self.keys = title, key, keys
@@ -87,7 +87,7 @@ class Transform(Drag, frozen=True):
     def keys(self) -> str:
         """Effects of the keys."""
         if self.by_grip:
-            return "Shift: steps of 15°"
+            return "Shift or Ctrl: steps of 15°"
         if self.typed.is_pair:
             return f"{self.typed.keys} · Enter or click: done"
         return f"{self.kind.keys} · Enter or click: done"
@@ -187,7 +187,7 @@ class Transform(Drag, frozen=True):
             return self.typed.number(0.0)
         first, now = (_direction(self.centre, place) for place in (self.start, pointer.position))
         turned = (now - first + 180.0) % 360.0 - 180.0
-        return 15.0 * round(turned / 15.0) if pointer.shift else turned
+        return 15.0 * round(turned / 15.0) if pointer.shift or pointer.ctrl else turned
 
 
 def _direction(centre: Vector, place: Vector) -> float:

@@ -6,13 +6,15 @@ import math
 from collections.abc import Sequence
 
 import msgspec
-import numpy as np
+from msgspec.structs import replace
 
 from ..document import words
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup, mapped
+from ..document.several_curves import PointGroup
 from ..document.transforms import scaling, with_coordinates
+from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView
+from ..view_model.stretch import stretched
 from .drag import Drag, longer_axis, minus, plus
 from .pointer import Cursor, Pointer
 from .snapping import Snapper
@@ -24,6 +26,9 @@ _ARM = 26.0
 """Pixels from the box to the grip that rotates."""
 
 _REACH = 8.0
+
+_TOLERANCE = 0.05
+"""Pixels that the box may be off where the curves answer to a stretch with another shape."""
 
 
 class Grip(msgspec.Struct, frozen=True):
@@ -46,16 +51,8 @@ class Grip(msgspec.Struct, frozen=True):
 _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
 
 
-class TransformBox(msgspec.Struct, frozen=True):
-    """The bounding box of selected points, or of the points of selected curves, without padding."""
-
-    low: Vector
-    high: Vector
-
-    @property
-    def centre(self) -> Vector:
-        """Its middle: what is turned and scaled about."""
-        return (self.low[0] / 2 + self.high[0] / 2, self.low[1] / 2 + self.high[1] / 2)
+class TransformBox(Bounds, frozen=True):
+    """The bounds of selected points, or of selected curves, without padding."""
 
     def padded(self, scale: float) -> tuple[Vector, Vector]:
         """Return the corners as drawn, at `scale` pixels per unit."""
@@ -84,30 +81,39 @@ class TransformBox(msgspec.Struct, frozen=True):
         return grip if distance <= _REACH else None
 
 
-def box_of(views: Sequence[CurveView], group: PointGroup) -> TransformBox | None:
-    """Return the box around two or more points that do not all lie in one place."""
-    parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts if indices]
-    if sum(map(len, parts)) < 2:
+def box_of(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> TransformBox | None:
+    """Return the box around two or more points, or curves, that are not all in one place.
+
+    `live` while they are dragged: as they are drawn.
+    """
+    if sum(len(indices) for _, indices in group.parts) < 2:
         return None
-    low = np.min([points.min(axis=0) for points in parts], axis=0).tolist()
-    high = np.max([points.max(axis=0) for points in parts], axis=0).tolist()
-    return TransformBox((low[0], low[1]), (high[0], high[1])) if low != high else None
+    bounds = bounds_of(views, group, as_drawn=live)
+    return TransformBox(bounds.low, bounds.high) if bounds is not None and any(bounds.size) else None
 
 
 class ScaleBox(Drag, frozen=True):
     """Drag of a grip of the box: it scales the selected points, or selected curves.
 
-    What snaps is the corner or the side of the box that the grip moves: it lies
-    on the outermost points, the grip beside them.
+    What snaps is the corner or the side of the box that the grip moves: the grip lies beside it.
+
+    Attributes
+    ----------
+    views
+        The views of the curves at the press.
+    pivot
+        What stays where it is with Shift.
     """
 
+    views: Sequence[CurveView]
     group: PointGroup
     box: TransformBox
+    pivot: Vector
     grip: Grip
     start: Vector
     snapper: Snapper
 
-    keys = "Shift: keep proportions · Alt: about the centre · Ctrl: snap, or not"
+    keys = "Shift: about the pivot · Ctrl: keep proportions · Alt: snap, or not"
 
     @property
     def name(self) -> str:
@@ -120,14 +126,16 @@ class ScaleBox(Drag, frozen=True):
         return f"Scale {words.number(x)}" if x == y else f"Scale {words.number(x)} × {words.number(y)}"
 
     def document_at(self, pointer: Pointer) -> Document:
-        """Scale about the opposite side, or about the centre with Alt."""
-        way = self._displacement(pointer)
-        x, y = self._factors(way, pointer)
-        document = mapped(self.document, self.group, scaling(x, y, self._fixed(pointer)))
-        if (caught := self.snapper.caught) is not None:
-            for axis in caught.axes:
-                # To the last bit where it snapped to.
-                document = self._with_side(document, axis, caught.position[axis])
+        """Scale about the opposite side, or about the pivot with Shift."""
+        by = scaling(*self._factors(self._displacement(pointer), pointer), self._fixed(pointer))
+        caught = self.snapper.caught
+        corners, tolerance = (by.point(self.box.low), by.point(self.box.high)), _TOLERANCE / pointer.scale
+        if caught is None:
+            return stretched(self.document, self.views, self.group, corners, tolerance=tolerance)
+        document = stretched(self.document, self.views, self.group, corners)
+        for axis in caught.axes:
+            # To the last bit where it snapped to.
+            document = self._with_side(document, axis, caught.position[axis])
         return document
 
     def _with_side(self, document: Document, axis: int, value: float) -> Document:
@@ -141,42 +149,43 @@ class ScaleBox(Drag, frozen=True):
     @property
     def _corner(self) -> Vector:
         """The corner of the box that moves, or the middle of the side."""
-        middle = self.box.centre
-        return (
-            (self.box.low[0], middle[0], self.box.high[0])[self.grip.x + 1],
-            (self.box.low[1], middle[1], self.box.high[1])[self.grip.y + 1],
-        )
+        return self.box.place(self.grip.x, self.grip.y)
 
     def _fixed(self, pointer: Pointer) -> Vector:
-        middle = self.box.centre
-        if pointer.alt:
-            return middle
-        x = (self.box.high[0], middle[0], self.box.low[0])[self.grip.x + 1]
-        y = (self.box.high[1], middle[1], self.box.low[1])[self.grip.y + 1]
+        opposite, corner = self.box.place(-self.grip.x, -self.grip.y), self._corner
+        if not pointer.shift:
+            return opposite
+        # Nothing can be scaled about the side that moves.
+        x, y = (
+            there if about == side else about
+            for about, there, side in zip(self.pivot, opposite, corner, strict=True)
+        )
         return (x, y)
 
     def _arm(self, pointer: Pointer) -> Vector:
         """Return the way from what stays to what moves."""
-        return minus(self._corner, self._fixed(pointer))
+        x, y = minus(self._corner, self._fixed(pointer))
+        return (x if self.grip.x else 0.0, y if self.grip.y else 0.0)
 
     def _displacement(self, pointer: Pointer) -> Vector:
         """Return how far the corner goes, after snapping."""
         corner, arm = self._corner, self._arm(pointer)
         way = pointer.way_from(self.start)
         axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
-        if pointer.shift:
+        if pointer.ctrl:
             # As far as the way goes along the diagonal; only its longer side can snap without leaving it.
             # By directions, not by squares: that of a tiny box is nothing to divide by.
             length = math.hypot(*arm)
             across, up = arm[0] / length, arm[1] / length
             along = way[0] * across + way[1] * up
             way, axis = (along * across, along * up), longer_axis(arm)
-        target = self.snapper.snap(plus(corner, way), pointer, axis)
+        # Ctrl has another meaning here; Alt turns snapping round.
+        target = self.snapper.snap(plus(corner, way), replace(pointer, ctrl=pointer.alt), axis)
         return way if self.snapper.caught is None else minus(target, corner)
 
     def _factors(self, way: Vector, pointer: Pointer) -> Vector:
         arm = self._arm(pointer)
-        if pointer.shift:
+        if pointer.ctrl:
             axis = longer_axis(arm)
             factor = 1 + way[axis] / arm[axis]
             return (factor, factor)

@@ -55,5 +55,11 @@ class TransformTool(Tool):
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the amount, the axis that is locked, and what is snapped to."""
-        caught = context.snappers.caught
-        return GestureMarks(snap=caught, note=context.note(), axis=self._transform.locked_axis)
+        target = context.target
+        return GestureMarks(
+            frame=target.box,
+            pivot=target.pivot if self._transform.kind is TransformKind.MOVE else self._transform.centre,
+            snap=context.snappers.caught,
+            note=context.note(),
+            axis=self._transform.locked_axis,
+        )

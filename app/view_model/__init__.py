@@ -18,6 +18,7 @@ A curve:
 - ``refusals``: the reasons for having no curve, in the program's words.
 - ``nearest``, ``arc_lengths``: the point nearest to a place; lengths to a relative accuracy.
 - ``plane``, ``sampling``: vectors of the plane; parameters all along a curve.
+  ``fills``: insides of outlines.
 
 A curve changed:
 
@@ -25,7 +26,8 @@ A curve changed:
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.
 - ``reshape``, ``split_join``: other points for the same curve, two curves of one.
-  ``smoothness``, ``straight``: corners, straight segments.  ``measure``: the change of shape.
+  ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``point_kinds``: the kinds of
+  points.  ``measure``: the change of shape.
 - ``least_squares``: curves of few points near many.
 - ``pasting``: points carried from one curve to another.
 - ``point_columns``: the columns of the point table.

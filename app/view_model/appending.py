@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
-from ..document.edits import EditError, append_point, insert_points, set_closed, stretched
+from ..document.edits import EditError, append_point, insert_points, set_closed, stretched_beside
 from ..document.model import Curve, Document, Point, Vector, vectors_of
 from .core_curve import parameters_of
 from .curve_view import CurveView, view_of
@@ -111,7 +111,10 @@ def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:
 
 
 def _kept_short(document: Document, curve: int, view: CurveView, ends: Collection[int]) -> Document:
-    """Shrink what was set at the ends of `view`, which have a segment more now, to the longer of the two."""
+    """Shrink what was set at the ends of `view`, which have a segment more now, to the longer of the two.
+
+    The handles of a corner are free of each other, and both stay as they were drawn.
+    """
     grown = document.curves[curve]
     ends = [index for index in ends if _is_set(view.source, index)]
     if not ends or not view.is_current:
@@ -125,7 +128,10 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
         drawn = view.spacing(index, ahead=index == 0)
         if drawn:
             # From what was drawn, not from what the new parameters have made of it: the factor is for both.
-            points[index] = stretched(view.source.points[index], float(max(h[index - 1], h[index])) / drawn)
+            behind, ahead = (float(each) / drawn for each in (h[index - 1], h[index]))
+            if not view.source.points[index].corner:
+                behind = ahead = max(behind, ahead)
+            points[index] = stretched_beside(view.source.points[index], behind, ahead)
     return document.with_curve(curve, replace(grown, points=tuple(points)))
 
 

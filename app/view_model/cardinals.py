@@ -58,7 +58,7 @@ class Cardinals:
             The numbers in its points.
         """
         is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
-        numbers = [basis_curve.parameters, arrays.corners, is_set]
+        numbers = [basis_curve.parameters, arrays.corners, arrays.ties, is_set]
         if not all(rule.is_linear for rule in curve.rules):
             numbers += [np.array(curve.parametrization.alpha), points]
         key = (curve.functions_key, curve.is_closed, *curve.rules, *(each.tobytes() for each in numbers))

@@ -97,12 +97,12 @@ def _refusal(family: Family, problem: CurveError) -> str:
 
 
 def _jumps(before: CurveView, after: CurveView) -> str:
-    """Say at how many joints a derivative jumps that the family's does not, except at corners of old."""
+    """Say at how many joints a derivative jumps that the family's does not, except where they did of old."""
     if after.sides is None:
         return ""
-    old, near = before.parameters[before.corners], _ROUNDING * np.ptp(before.parameters)
-    is_new = np.abs(after.parameters[after.corners, None] - old).min(axis=1, initial=np.inf) > near
-    new = np.array(after.corners, dtype=int)[is_new]
+    old, near = before.parameters[before.two_sided], _ROUNDING * np.ptp(before.parameters)
+    is_new = np.abs(after.parameters[after.two_sided, None] - old).min(axis=1, initial=np.inf) > near
+    new = np.array(after.two_sided, dtype=int)[is_new]
     if not len(new):
         return ""
     behind, ahead = (side[:, 1:] for side in after.sides)

@@ -12,7 +12,7 @@ from curvecore import Chain, CurveError, ParametricCurve, parametrization
 from curvecore.arrays import FloatArray, parameter_array
 
 from ..document.model import Curve, ParametrizationKind
-from .jets import Sides, corner_knots, sides_of
+from .jets import Sides, sides_of, two_sided_knots
 from .plane import at_knots
 from .point_arrays import PointArrays
 from .refusals import refusal_of
@@ -44,7 +44,12 @@ def core_curve(
         return Core(make(jets, parameters) if frozen is None else frozen.with_jets(jets))
     sides = sides_of(curve, points, parameters, arrays)
     last = len(parameters) - 1
-    corners = [knot for knot in corner_knots(arrays, last + 1) if 0 < knot < last]
+    jumps = [knot for knot in two_sided_knots(arrays, last + 1) if 0 < knot < last]
+    # Where tied velocities are the same, nothing jumps: a curve of many such points stays in one piece.
+    ties = arrays.ties
+    corners = [
+        knot for knot in jumps if not ties[knot] or not np.array_equal(sides.before[knot], sides.after[knot])
+    ]
     if frozen is not None and not corners:
         return Core(frozen.with_jets(_piece_jets(sides, 0, last)), sides=sides)
     pieces = [

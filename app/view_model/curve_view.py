@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from curvecore import CardinalBasis, CurveError, ParametricCurve
-from curvecore.arrays import FloatArray
+from curvecore.arrays import BoolArray, FloatArray
 
 from ..document.model import Curve, Vector
 from ..families.family import OverdueCallError
@@ -113,10 +113,18 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @cached_property
     def corners(self) -> list[int]:
         """The points at which the curve may turn sharply; the ends of an open curve have one side only."""
-        if not self.source.family.derivatives or (self.motion is not None and not self.source.is_closed):
+        return self._with_two_sides(self.arrays.corners & ~self.arrays.ties)
+
+    @cached_property
+    def two_sided(self) -> list[int]:
+        """The points with derivatives of their own on each side: corners, and where velocities are tied."""
+        return self._with_two_sides(self.arrays.corners)
+
+    def _with_two_sides(self, holds: BoolArray) -> list[int]:
+        if not self.source.family.derivatives:
             return []
         last = len(self.points) - 1
-        found: list[int] = np.flatnonzero(self.arrays.corners).tolist()
+        found: list[int] = np.flatnonzero(holds).tolist()
         return [index for index in found if self.source.is_closed or 0 < index < last]
 
     @property

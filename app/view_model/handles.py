@@ -192,16 +192,35 @@ def _pulled(view: CurveView, index: int, visible: float, ahead: bool) -> Vector:
         raise EditError(f"There is no tangent at point {index} yet. {view.problem}")
     if math.hypot(*velocity) * abs(h) / _degree(view) >= visible:
         return velocity
+    if math.hypot(*velocity) > 0:
+        return pulled_out(view, index, velocity, ahead=ahead)
+    point = view.source.points[index]
+    if not point.corner or point.tied:
+        return pulled_out(view, index, way_past(view, index), ahead=ahead)
     before, after = _neighbours(view, index)
-    if view.source.points[index].corner:
-        p = view.source.points[index].position
-        before, after = (p, after) if ahead else (before, p)
-    direction = velocity if math.hypot(*velocity) > 0 else (after[0] - before[0], after[1] - before[1])
+    ends = (point.position, after) if ahead else (before, point.position)
+    return pulled_out(view, index, (ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]), ahead=ahead)
+
+
+def pulled_out(view: CurveView, index: int, direction: Vector, *, ahead: bool) -> Vector:
+    """Return the velocity in a direction whose handle is a third as long as the way to the neighbour.
+
+    Raises
+    ------
+    EditError
+        If there is no direction, or no way.
+    """
     length, reach = math.hypot(*direction), _way_to_neighbour(view, index, ahead=ahead)
     if length == 0 or reach == 0:
         raise EditError(f"The neighbours of point {index} give its velocity no direction or length.")
-    factor = reach / 3 * _degree(view) / abs(h) / length
+    factor = reach / 3 * _degree(view) / abs(_signed_spacing(view, index, ahead=ahead)) / length
     return (direction[0] * factor, direction[1] * factor)
+
+
+def way_past(view: CurveView, index: int) -> Vector:
+    """Return the way from the point before to the point after one."""
+    before, after = _neighbours(view, index)
+    return (after[0] - before[0], after[1] - before[1])
 
 
 def _neighbours(view: CurveView, index: int) -> tuple[Vector, Vector]:

@@ -132,7 +132,7 @@ def _least_change(
     scales = h ** np.arange(kinds)
     rows = [(price or 0.0) * np.eye(kinds)[:1], _control_rows(kinds, 1.0)]
     index = view.owner(knot)
-    beyond = None if index in view.corners else view.spacing(index, ahead=h < 0)
+    beyond = None if view.arrays.corners[index] else view.spacing(index, ahead=h < 0)
     if beyond:
         rows.append(_control_rows(kinds, -beyond / abs(h)))
     norm = np.vstack(rows)[:, first:]

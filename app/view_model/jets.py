@@ -1,7 +1,8 @@
 """The data of a Hermite curve: those that the person set, and the estimates of the rules for the rest.
 
 A corner divides the curve into pieces, and each piece is estimated for itself; a closed curve without a
-corner is estimated as the periodic curve it is.
+corner is estimated as the periodic curve it is. Where the velocities at a point are tied the curve is smooth,
+and the estimates go through.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 import curvecore
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ..document.derivatives import EstimateRule
 from ..document.model import Curve, Point
@@ -38,7 +39,7 @@ def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: P
     before = np.empty((len(points), curve.family.derivatives + 1, 2))
     before[:, 0] = points
     after = before.copy()
-    corners = corner_knots(arrays, len(points))
+    corners = _dividing_knots(arrays, len(points))
     has_given = not np.isnan(arrays.given).all()
     for order, rule in enumerate(curve.rules, start=1):
         estimate = _estimate_by(rule, curve)
@@ -57,7 +58,7 @@ def moved_with_points(
     At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points; of
     others it is what small moves do. What the person set stays.
     """
-    corners = corner_knots(arrays, len(points))
+    corners = _dividing_knots(arrays, len(points))
 
     def moved(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
         # Whatever cuts and unrolls the points does so with their moves, too.
@@ -95,12 +96,21 @@ def _of_moves(rule: EstimateRule, curve: Curve) -> Estimate:
     return changes
 
 
-def corner_knots(arrays: PointArrays, count: int) -> list[int]:
-    """Return which of the `count` knots are corners."""
-    corners: list[int] = np.flatnonzero(arrays.corners).tolist()
-    if count > len(arrays.corners) and arrays.corners[0]:
-        corners.append(count - 1)
-    return corners
+def two_sided_knots(arrays: PointArrays, count: int) -> list[int]:
+    """Return which of the `count` knots have derivatives of their own on each side."""
+    return _knots_where(arrays.corners, count)
+
+
+def _dividing_knots(arrays: PointArrays, count: int) -> list[int]:
+    """Return which of the `count` knots divide what is estimated: corners whose velocities are free."""
+    return _knots_where(arrays.corners & ~arrays.ties, count)
+
+
+def _knots_where(holds: BoolArray, count: int) -> list[int]:
+    knots: list[int] = np.flatnonzero(holds).tolist()
+    if count > len(holds) and holds[0]:
+        knots.append(count - 1)
+    return knots
 
 
 def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:

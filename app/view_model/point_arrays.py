@@ -31,7 +31,9 @@ class PointArrays(msgspec.Struct, frozen=True, eq=False):
     times
         Manual parameters, (n,).
     corners
-        Whether each point is a corner, (n,).
+        Whether each point has derivatives of its own on each side, (n,).
+    ties
+        Whether its velocities are tied there, (n,).
     given
         Derivatives that the person set: ``[i, side, order - 1]``, side 0 before and 1 after the point;
         (n, 2, highest order, 2).
@@ -41,6 +43,7 @@ class PointArrays(msgspec.Struct, frozen=True, eq=False):
     positions: FloatArray
     times: FloatArray
     corners: BoolArray
+    ties: BoolArray
     given: FloatArray
 
 
@@ -49,7 +52,7 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     if previous is None or len(previous.points) != len(points):
         return PointArrays(points, *_columns(points))
     rows = rows_changed(points, previous.points)
-    old = (previous.positions, previous.times, previous.corners, previous.given)
+    old = (previous.positions, previous.times, previous.corners, previous.ties, previous.given)
     if not rows:
         return PointArrays(points, *old)
     if all(_has_only_moved(points[row], previous.points[row]) for row in rows):
@@ -72,20 +75,22 @@ def _has_only_moved(point: Point, before: Point) -> bool:
     return (
         point.t is before.t
         and point.corner is before.corner
+        and point.tied is before.tied
         and all(map(is_, vectors_of(point), vectors_of(before)))
     )
 
 
-def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray, FloatArray]:
+def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray, FloatArray]:
     positions = np.array([(point.x, point.y) for point in points], dtype=float).reshape(-1, 2)
     times = np.array([np.nan if point.t is None else point.t for point in points], dtype=float)
     corners = np.array([point.corner for point in points], dtype=bool)
+    ties = np.array([point.tied for point in points], dtype=bool)
     given = np.array([_given(point) for point in points], dtype=float)
     given = given.reshape(-1, 2, len(DERIVATIVES), 2)
-    for column in (positions, times, corners, given):
+    for column in (positions, times, corners, ties, given):
         # Views of one curve after the other share what did not change.
         column.setflags(write=False)
-    return positions, times, corners, given
+    return positions, times, corners, ties, given
 
 
 def _given(point: Point) -> list[Vector]:

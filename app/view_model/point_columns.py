@@ -21,6 +21,7 @@ from ..document.derivatives import DERIVATIVES, Derivative
 from ..document.edits import EditError
 from ..document.limits import not_after
 from ..document.model import Curve, Document, Vector
+from ..document.ties import with_derivative
 from .curve_view import CurveView
 
 PARAMETER, POSITION = -1, 0
@@ -246,14 +247,14 @@ def _set_derivatives(
     order: int, component: int, document: Document, curve: int, view: CurveView, values: Mapping[int, float]
 ) -> Document:
     """Fix one component of derivatives; the other one becomes what is shown, set or estimated."""
-    points, each = list(document.curves[curve].points), DERIVATIVES[order - 1]
+    points = list(document.curves[curve].points)
     for index, value in values.items():
         ahead = shows_ahead(view, index)
         shown = points[index].explicit_sides(order)[ahead] or view.derivative_of(index, order, ahead=ahead)
         if shown is None:
             raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
-        name = each.after if ahead else each.name
-        points[index] = replace(points[index], **{name: with_component(shown, component, float(value))})
+        given = with_component(shown, component, float(value))
+        points[index] = with_derivative(document.curves[curve], index, order, given, ahead=ahead)
     return edits.set_points(document, curve, points)
 
 

@@ -117,6 +117,7 @@ class PointMoves:
         if (
             arrays.given is not old.given
             or arrays.corners is not old.corners
+            or arrays.ties is not old.ties
             or arrays.times is not old.times
             or _rules(curve) != self._rules
             or not curve.family.makes(self.curve)

@@ -20,6 +20,7 @@ from ..document.curve_edits import reverse_curve
 from ..document.edits import EditError, freeze_parameters, stretched
 from ..document.jet_edits import JetValue, with_jet_values
 from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
+from ..document.ties import holds
 from ..document.words import number
 from ..families import Family
 from .curve_view import CurveView, ParametricCurve, view_of
@@ -156,7 +157,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     corners = _corners_of(curve, is_closed=is_closed)
     places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
     points = [
-        replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners)
+        replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners, tied=False)
         for index, ((x, y), t) in enumerate(places)
     ]
     start, end = curve.domain
@@ -165,6 +166,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
         source.with_family(family), points=tuple(points[:count]), parametrization=rule, closed=is_closed
     )
     made = with_jet_values(made, _given(curve, len(made.points), has_corner=0 in corners))
+    made = replace(made, points=tuple(_tied_as(kept.get(each.position), each) for each in made.points))
     if not source.is_manual and (after := view_of(made)).is_current:
         assert after.curve is not None
         t = dense(curve.parameters)
@@ -172,6 +174,14 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
         if is_kept(away, (made,)):
             return replace(made, points=tuple(replace(point, t=None) for point in made.points))
     return replace(made, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
+
+
+def _tied_as(before: Point | None, point: Point) -> Point:
+    """Return a point whose velocities are tied again where they were, and still are parallel."""
+    if before is None or not before.tied:
+        return point
+    again = replace(point if point.corner else point.as_corner(), tied=True)
+    return again if holds(again) else point
 
 
 def _corners_of(curve: ParametricCurve, *, is_closed: bool) -> set[int]:

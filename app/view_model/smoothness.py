@@ -1,4 +1,4 @@
-"""Corners made of smooth points and smooth points of corners, with the curve kept as it is.
+"""Points made corners, smooth, symmetric or estimated, with the curve kept as it is as far as can be.
 
 A corner divides the estimates of the rules, and every point of a natural spline feels that. What it would
 change, and no more, is written down as it was, so that nothing moves before somebody moves it.
@@ -6,20 +6,24 @@ change, and no more, is written down as it was, so that nothing moves before som
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 import numpy as np
 from msgspec.structs import replace
 
-from ..document.edits import EditError, make_corner, make_smooth
-from ..document.model import Curve, Document, Vector
+from ..document.edits import EditError, estimate_derivatives, make_smooth
+from ..document.lines import line_beside
+from ..document.model import Curve, Document, Point, Vector
+from ..document.ties import tied, turned, untied
 from .curve_view import CurveView
+from .handles import pulled_out, way_past
 from .reshape import estimates_kept, with_jets
 
 _SAME = 1e-9
 """Share of the largest derivative of an order up to which two of them are the same."""
 
-ENDS_STAY = "the ends of an open curve cannot be corners"
+NO_CORNERS = "the ends of an open curve cannot be corners"
+ONE_SIDED = "the ends of an open curve have one side only"
 """The words where some of the selected points are such ends."""
 
 
@@ -29,7 +33,7 @@ def inner_points(curve: Curve, indices: Collection[int]) -> list[int]:
 
 
 def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with corners at these points: both sides are explicit, and the shape stays.
+    """Return the curve with corners at these points: both sides are explicit and free, and the shape stays.
 
     Ends of an open curve are left out.
 
@@ -38,26 +42,41 @@ def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
     EditError
         If there is no curve, or nothing is left.
     """
-    for index in indices:
-        _refuse_without_tangent(view, index)
-    inner = inner_points(view.source, indices)
-    if len(inner) < len(indices) == 1:
-        raise EditError(f"Point {min(indices)} is an end of the curve; a corner needs curve on both sides.")
-    if not inner:
-        raise EditError(f"{ENDS_STAY[0].upper()}{ENDS_STAY[1:]}.")
-    new = [index for index in inner if not view.source.points[index].corner]
-    document = Document((view.source,))
-    for index in new:
-        document = make_corner(document, 0, index, None, None)
-    if not new or view.sides is None:
-        return view.source
-    points = list(document.curves[0].points)
-    for index in new:
-        points[index] = with_jets(points[index], view.sides, index)
-    return _kept(view, replace(view.source, points=tuple(points)), new)
+    points = view.source.points
+    inner = _inner(view, indices, "a corner needs curve on both sides", NO_CORNERS)
+    new = [index for index in inner if not points[index].corner or points[index].tied]
+    cornered = {
+        index: untied(points[index]) if points[index].corner else points[index].as_corner() for index in new
+    }
+    return _written_down(view, cornered)
 
 
 def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve with velocities at these points that go the same way, at speeds of their own.
+
+    Each handle keeps its length. They turn to the line from one tip to the other, so that the longer one
+    turns less; beside a straight segment to that line, which stays. A handle that lies on its point is pulled
+    out by a third of the way to the neighbour. Ends of an open curve are left out.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or nothing is left.
+    """
+    inner = _inner(view, indices, "it has one handle", ONE_SIDED)
+    new = [index for index in inner if not view.source.points[index].tied]
+    corners = {index: view.source.points[index] for index in new if view.source.points[index].corner}
+    document = Document((_written_down(view, corners),))
+    curve, points = document.curves[0], list(document.curves[0].points)
+    for index in new:
+        before, after = (_velocity(view, index, ahead=ahead) for ahead in (False, True))
+        if index in corners:
+            before, after = _in_one_direction(view, index, before, after)
+        points[index] = tied(points[index], before, after)
+    return _kept(view, replace(curve, points=tuple(points)), new)
+
+
+def made_symmetric(view: CurveView, indices: Collection[int]) -> Curve:
     """Return the curve with one velocity, and one of each further derivative, on both sides of these points.
 
     Each is the mean of the two; where they are alike already, the shape stays.
@@ -77,6 +96,59 @@ def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
         means = [_mean(view, index, order) for order in range(1, view.source.family.derivatives + 1)]
         points[index] = points[index].with_derivatives(means, ())
     return _kept(view, replace(view.source, points=tuple(points)), corners)
+
+
+def made_estimated(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve with all derivatives at these points left to the rules."""
+    document = Document((view.source,))
+    for index in indices:
+        document = make_smooth(document, 0, index, None)
+    return estimate_derivatives(document, 0, indices).curves[0]
+
+
+def _inner(view: CurveView, indices: Collection[int], needs: str, none: str) -> list[int]:
+    """Return those of these points that have curve on both sides, refusing where there is none."""
+    for index in indices:
+        _refuse_without_tangent(view, index)
+    inner = inner_points(view.source, indices)
+    if len(inner) < len(indices) == 1:
+        raise EditError(f"Point {min(indices)} is an end of the curve; {needs}.")
+    if not inner:
+        raise EditError(f"{none[0].upper()}{none[1:]}.")
+    return inner
+
+
+def _written_down(view: CurveView, cornered: Mapping[int, Point]) -> Curve:
+    """Return the curve with these corners in place of its points, with all that is estimated there set."""
+    if not cornered or view.sides is None:
+        return view.source
+    points = list(view.source.points)
+    for index, point in cornered.items():
+        points[index] = with_jets(point, view.sides, index)
+    return _kept(view, replace(view.source, points=tuple(points)), cornered)
+
+
+def _velocity(view: CurveView, index: int, *, ahead: bool) -> Vector:
+    velocity = view.velocity_of(index, ahead=ahead)
+    assert velocity is not None
+    return velocity
+
+
+def _in_one_direction(view: CurveView, index: int, before: Vector, after: Vector) -> tuple[Vector, Vector]:
+    """Return the velocities at a corner turned to one direction."""
+    h, g = (view.spacing(index, ahead=ahead) or 1.0 for ahead in (False, True))
+    lines = [line_beside(view.source, index, ahead=ahead) for ahead in (False, True)]
+    # From the tip of one handle to that of the other.
+    direction = (h * before[0] + g * after[0], h * before[1] + g * after[1])
+    if lines[0] != lines[1]:
+        direction = before if lines[0] else after
+    elif not any(direction):
+        direction = after if any(after) else way_past(view, index)
+    first, second = (
+        turned(velocity, direction) if any(velocity) else pulled_out(view, index, direction, ahead=ahead)
+        for velocity, ahead in ((before, False), (after, True))
+    )
+    return first, second
 
 
 def _refuse_without_tangent(view: CurveView, index: int) -> None:

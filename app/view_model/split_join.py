@@ -16,6 +16,7 @@ from .. import view_model
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
 from ..document.model import Curve, ParametrizationKind, Point, Vector
+from ..document.ties import holds, untied
 from ..document.words import number
 from ..families import HERMITE, titles_with_derivatives
 from .curve_view import CurveView, view_of
@@ -248,11 +249,15 @@ def _speed_at_seam(first: CurveView, second: CurveView) -> float:
 
 
 def _merged(end: Point, start: Point) -> Point:
-    """Return the point where a curve ends and another starts; a corner where they do not go on alike."""
+    """Return the point where a curve ends and another starts: smooth where they go on in one direction.
+
+    A corner where not, and a point like any other where all goes on alike.
+    """
     before, after = ([getattr(point, each.name) for each in DERIVATIVES] for point in (end, start))
     if all(map(_alike, before, after)):
         return end
-    return end.as_corner().with_derivatives(before, after)
+    merged = replace(end.as_corner().with_derivatives(before, after), tied=True)
+    return merged if holds(merged) else untied(merged)
 
 
 def _alike(x: Vector | None, y: Vector | None) -> bool:

@@ -23,7 +23,7 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
     if reason := why_not_straight(view.source.family):
         raise EditError(reason)
     refuse_without_curve(view)
-    corners = corners_of(view.source, segments)
+    corners = [index for index in corners_of(view.source, segments) if not view.source.points[index].tied]
     cornered = with_corners(view, corners) if corners else view.source
     return straighten(Document((cornered,)), 0, segments, view.parameters.tolist()).curves[0]
 

@@ -84,6 +84,9 @@ def _is_in_sight(panel: QWidget) -> bool:
 
 def first_in(panel: QWidget) -> QWidget | None:
     """Return what had the focus in a panel last, else the first that takes it by Tab."""
+    if isinstance(panel, QDockWidget) and panel.widget() is not None:
+        # Not the buttons of its title.
+        return first_in(panel.widget())
     before = panel.focusWidget()
     if before is not None and _takes_focus(before):
         return before

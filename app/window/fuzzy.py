@@ -11,7 +11,7 @@ _LEAST_SCATTERED = 8.0
 
 _ALSO_CALLED: Final = {
     "fill": ("colour",), "stroke": ("colour",), "color": ("colour",), "paint": ("colour",),
-    "mirror": ("flip", "reverse", "scale"), "flip": ("mirror", "reverse", "scale"), "invert": ("reverse",),
+    "mirror": ("flip",), "reflect": ("flip",), "invert": ("reverse",),
     "remove": ("delete",), "erase": ("delete",), "clone": ("duplicate",), "resize": ("scale",),
     "turn": ("rotate",), "settings": ("preferences",), "options": ("preferences",), "hotkeys": ("shortcuts",),
     "print": ("export",), "night": ("dark",), "fullscreen": ("presentation",), "animate": ("play",),

@@ -4,31 +4,64 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, QTimer, Signal
+from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
 
+from ..qt.overrides import Guarded
 from ..widgets.fitting import Scrolled
+from .dock_title import DockTitle
 
 _IN_DOCK = QSize(350, 96)
 """Largest minimum size of the content of a dock: two of them, one on the other, fit a small screen."""
 
 
-class Dock(QDockWidget):
-    """A dock that is empty until it is filled; `build` makes its content in the parent that it gets."""
+class Dock(Guarded, QDockWidget):
+    """A dock that is empty until it is filled; `build` makes its content in the parent that it gets.
+
+    Signals
+    -------
+    closed
+        The person has put it away.
+    """
+
+    closed = Signal()
 
     def __init__(self, title: str, build: Callable[[QWidget], QWidget], window: QMainWindow) -> None:
         super().__init__(title, window)
-        self._build = build
+        self._build, self._window = build, window
+        # What it covered when it was brought up; that comes back when it goes.
+        self._covered: list[QDockWidget] = []
+        self.topLevelChanged.connect(self._follow_place)
 
     def fill(self) -> None:
-        """Build the content, if there is none."""
+        """Build the title and the content, if there is none."""
         if self.widget() is None:
+            self.setTitleBarWidget(DockTitle(self))
             self.setWidget(Scrolled(self._build, _IN_DOCK, self))
 
     def bring_up(self) -> None:
         """Show it, in front of the other tabs."""
+        if self.visibleRegion().isEmpty():
+            docks = self._window.findChildren(QDockWidget)
+            self._covered = [each for each in docks if not each.visibleRegion().isEmpty()]
         self.show()
         self.raise_()
+
+    def _follow_place(self, floats: bool) -> None:
+        """Come to the front of the tabs that it has been put among."""
+        if not floats and not self.isHidden():
+            # Only when it has its place is there a tab.
+            QTimer.singleShot(0, self, self.raise_)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        beside = [] if self.visibleRegion().isEmpty() else self._window.tabifiedDockWidgets(self)
+        super().closeEvent(event)
+        for each in beside:
+            if each in self._covered and not each.isHidden():
+                each.raise_()
+        self._covered = []
+        self.closed.emit()
 
 
 class LateDock(Dock):

@@ -50,6 +50,9 @@ class Joint(NamedTuple):
         2 a common curvature too, 3 also a common change of the curvature along
         the curve. At least 0 unless there is a break; at a
         point at rest never more.
+    speed_ratio : float
+        ``|c'|`` after over that before: 1 where the speed goes on, whatever
+        the direction does; NaN where the curve rests on a side.
 
     See Also
     --------
@@ -75,6 +78,7 @@ class Joint(NamedTuple):
     curvature_jump: float
     parametric: int
     geometric: int
+    speed_ratio: float
 
     @property
     def jumps(self) -> tuple[FloatArray, ...]:
@@ -148,7 +152,9 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
         smooth = vector_lengths(jumps) <= limit * scale
         angle = _angles(before.values[:, 1], after.values[:, 1])
         bends = _bends(before.values, after.values)
-        slow = np.minimum(vector_lengths(before.values[:, 1]), vector_lengths(after.values[:, 1]))
+        speeds = [vector_lengths(each.values[:, 1]) for each in (before, after)]
+        slow = np.minimum(*speeds)
+        ratio = np.where(slow > 0.0, speeds[1] / speeds[0], np.nan)
         bend_scale = np.maximum(np.abs(bends.before), np.abs(bends.after)) + scale[:, 2] / slow**2
         same_bend = np.abs(bends.jump) <= limit * bend_scale
         turns = [_turn_vectors(values) for values in (before.values, after.values)]
@@ -156,7 +162,7 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
         turn_scale = (scale[:, 3] + 3.0 * scale[:, 2] ** 2 / slow) / slow**3
         same_turn = vector_lengths(turns[1] - turns[0]) <= limit * turn_scale
     geometric = np.column_stack((smooth[:, 0], angle <= limit, same_bend, same_turn))
-    numbers = (angle, *bends, _orders(smooth), _orders(geometric))
+    numbers = (angle, *bends, _orders(smooth), _orders(geometric), ratio)
     vectors = jumps.swapaxes(0, 1)
     columns = (indices.tolist(), t[indices].tolist(), *vectors, *(each.tolist() for each in numbers))
     return [Joint._make(row) for row in zip(*columns, strict=True)]

@@ -8,7 +8,8 @@ from msgspec.structs import replace
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.document.several_curves import move_curves, with_appearance
+from app.document.several_curves import with_appearance
+from app.document.shape_edits import moved_into
 from app.families import HERMITE, LAGRANGE
 from app.storage.validation import validate
 from app.view_model.curve_view import view_of
@@ -37,8 +38,8 @@ def test_curves_are_added_moved_and_removed(three):
     added = curve_edits.add_curve(three, 1, make_curve((), name="N"))
     assert names(added) == "ANBC"
     assert names(curve_edits.add_curve(three, 3, make_curve((), name="N"))) == "ABCN"
-    assert names(move_curves(three, {0}, 0, 2)) == "BCA"
-    assert names(move_curves(three, {2}, 2, 0)) == "CAB"
+    assert names(moved_into(three, {0}, 3).document) == "BCA"
+    assert names(moved_into(three, {2}, 0).document) == "CAB"
     assert names(curve_edits.remove_curve(three, 1)) == "AC"
 
 
@@ -86,7 +87,7 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
         with_appearance(locked, {1}, colour="#d55e00"),
         with_appearance(locked, {1}, visible=False),
         with_appearance(locked, {1}, locked=False),
-        move_curves(locked, {1}, 1, 0),
+        moved_into(locked, {1}, 0).document,
         curve_edits.remove_curve(locked, 0),
         edits.move_points(locked, 0, [0], (1.0, 0.0)),
     ):

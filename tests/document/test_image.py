@@ -18,7 +18,7 @@ from app.document.image_edits import (
     set_image_opacity,
 )
 from app.document.model import Document, ReferenceImage, empty_document, make_curve
-from app.document.several_curves import move_curves
+from app.document.shape_edits import moved_into
 from app.families import HERMITE
 from app.storage.files import load, save
 from app.storage.format import decode, encode
@@ -110,7 +110,7 @@ def test_edits_of_curves_keep_the_image():
         curve_edits.remove_curve(document, 0),
         edits.move_points(document, 0, {0}, (1, 1)),
         edits.set_family(document, 0, HERMITE),
-        move_curves(curve_edits.add_curve(document, 0, make_curve(())), {0}, 0, 1),
+        moved_into(curve_edits.add_curve(document, 0, make_curve(())), {0}, 2).document,
     ]
     assert all(each.image == document.image for each in changed)
 

@@ -14,16 +14,16 @@ from app.document.several_curves import (
     active_after_removal,
     add_copies,
     add_curves,
+    in_order,
     mapped,
-    move_curves,
     moved,
     named,
     points_of,
     remove_curves,
-    step_curves,
     whole_curves,
     with_appearance,
 )
+from app.document.shape_edits import moved_into, stepped
 from app.document.transforms import rotation
 from app.families import HERMITE
 
@@ -107,7 +107,7 @@ def test_looks_are_changed_as_far_as_given(four):
 
 def test_copies_come_after_the_last_in_their_order(four):
     document = with_appearance(four, {0}, visible=False, locked=True)
-    after = add_copies(document, {0, 2}, ["", "#0072b2"])
+    after = add_copies(document, {0, 2}, ["", "#0072b2"]).document
     assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
     copy = after.curves[3]
     assert (copy.visible, copy.locked, after.curves[4].style.stroke) == (True, False, "#0072b2")
@@ -116,7 +116,7 @@ def test_copies_come_after_the_last_in_their_order(four):
 def test_copies_of_copies_are_numbered(four):
     document = four
     for curve in (0, 1, 2):
-        document = add_copies(document, {curve}, [""])
+        document = add_copies(document, {curve}, [""]).document
     assert [curve.name for curve in document.curves[:5]] == ["A", "A copy", "A copy 2", "A copy 3", "B"]
     pasted = add_curves(document, [document.curves[4], make_curve([], name="New")], 1)
     assert [curve.name for curve in pasted.curves[:3]] == ["A", "B copy", "New"]
@@ -143,7 +143,7 @@ def test_a_choice_follows_its_curves(order, chosen, gone):
 def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     document = set_family(append_point(four, 1, Point(9.0, 9.0)), 3, HERMITE)
     assert followed_curves({1, 3}, four.curves, document.curves) == {1, 3}
-    lowered = move_curves(four, {1}, 1, 2)
+    lowered = moved_into(four, {1}, 3).document
     assert followed_curves({1, 3}, four.curves, lowered.curves) == {2, 3}
     assert followed_curves({1, 3}, four.curves, four.curves) == {1, 3}
 
@@ -153,12 +153,12 @@ def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     [({1}, 1, "ACBD"), ({0, 1}, 1, "CABD"), ({2, 3}, 1, "ABCD"), ({1, 3}, 1, "ACBD"), ({0, 2}, -1, "ACBD")],
 )
 def test_chosen_curves_step_together(four, chosen, step, order):
-    assert names(step_curves(four, chosen, step)) == order
+    assert names(in_order(four, stepped(four, chosen, step))) == order
 
 
 @pytest.mark.parametrize(
-    ("chosen", "curve", "to", "order"),
-    [({0, 1}, 1, 3, "CDAB"), ({0, 3}, 3, 1, "ADBC"), ({1, 3}, 1, 0, "BDAC"), ({0, 2}, 0, 2, "BACD")],
+    ("chosen", "at", "order"),
+    [({0, 1}, 4, "CDAB"), ({0, 3}, 1, "ADBC"), ({1, 3}, 0, "BDAC"), ({0, 2}, 3, "BACD")],
 )
-def test_chosen_curves_are_dropped_together(four, chosen, curve, to, order):
-    assert names(move_curves(four, chosen, curve, to)) == order
+def test_chosen_curves_are_dropped_together(four, chosen, at, order):
+    assert names(moved_into(four, chosen, at).document) == order

@@ -14,6 +14,7 @@ from app.document import edits
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.styles import INK
 from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
 from app.exchange.naming import Names
@@ -41,7 +42,7 @@ def document(request):
 
 def paths(document, **options):
     root = ElementTree.fromstring(svg_of(document, Options(**options)).text)
-    return {path.find(f"{SVG}title").text: path for path in root.iter(f"{SVG}path")}
+    return {path.get("id"): path for path in root.iter(f"{SVG}path")}
 
 
 def test_hidden_curves_are_not_drawn_and_take_no_room(document):
@@ -54,7 +55,7 @@ def test_hidden_curves_are_not_drawn_and_take_no_room(document):
 def test_each_curve_has_its_own_colour(document):
     found = paths(document)
     assert found["Pond"].get("stroke") == "#0072b2"
-    assert found["Line"].get("stroke") is None
+    assert found["Line"].get("stroke") == INK.ink
     root = ElementTree.fromstring(svg_of(document, Options(points=True)).text)
     fills = [circle.get("fill") for circle in root.iter(f"{SVG}circle")]
     assert fills == ["#0072b2"] * 4 + [None] * 2

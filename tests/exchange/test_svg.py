@@ -31,10 +31,12 @@ def paths(text):
     """Every path as pieces (k, 4, 2), y as in the file."""
     found = []
     for element in ET.fromstring(text.encode()).iter(f"{SVG}path"):
-        start, *pieces = re.split("[MC]", element.get("d"))[1:]
-        values = [[float(v) for v in piece.split()] for piece in (start, *pieces)]
-        pen, control = values[0], []
-        for piece in values[1:]:
+        _, start, *pieces = re.split("([MCL])", element.get("d"))[1:]
+        pen, control = [float(v) for v in start.split()], []
+        for letter, numbers in zip(pieces[::2], pieces[1::2], strict=True):
+            piece = [float(v) for v in numbers.split()]
+            if letter == "L":
+                piece = np.linspace(pen, piece, 4)[1:].ravel().tolist()
             control.append(np.array([*pen, *piece]).reshape(4, 2))
             pen = piece[4:]
         found.append(np.array(control))
@@ -138,12 +140,16 @@ def test_points_are_discs_in_a_group_of_their_own(sketch):
     assert centres == [point.position for point in sketch.curves[0].points]
 
 
-def test_names_are_titles_and_harmless():
+def test_names_are_labels_and_harmless():
     name = "a<b>&\"'\x00\x1b\ud800]]>--> ‖c′‖"
     curve = make_curve([(0, 0), (1, 1)], name=name)
     root = ET.fromstring(svg_of(Document((curve, curve))).data)
-    titles = [each.text for each in root.iter(f"{SVG}title")]
-    assert titles == ["a<b>&\"'\ufffd\ufffd\ufffd]]>--> ‖c′‖"] * 2
+    labels = [
+        each.get("{http://www.inkscape.org/namespaces/inkscape}label") for each in root.iter(f"{SVG}path")
+    ]
+    assert labels == ["a<b>&\"'\ufffd\ufffd\ufffd]]>--> ‖c′‖"] * 2
+    ids = [each.get("id") for each in root.iter(f"{SVG}path")]
+    assert ids == ["a_b_--_c", "a_b_--_c_2"]
 
 
 def test_curves_that_cannot_be_drawn_are_mentioned(half_drawn):

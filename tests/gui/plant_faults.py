@@ -26,7 +26,7 @@ from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.model import CurveListModel
-from app.features.curve_list.view import _RowDelegate
+from app.features.curve_list.rows import RowDelegate
 from app.features.point_table.delegate import PointTableDelegate
 from app.features.point_table.model import PointTableModel
 from app.features.point_table.view import PointTableView
@@ -180,9 +180,9 @@ PLACES = (
         "data",
         lambda editor: curve_list(editor).view.model().index(0, 0).data(),
     ),
-    Place(_RowDelegate, "paint", lambda editor: editor.show_dock("curvesDock")),
+    Place(RowDelegate, "paint", lambda editor: editor.show_dock("curvesDock")),
     Place(
-        _RowDelegate,
+        RowDelegate,
         "sizeHint",
         lambda editor: curve_list(editor).view.doItemsLayout(),
     ),

@@ -369,9 +369,9 @@ def test_shift_turns_a_handle_in_steps_of_fifteen_degrees(hermite):
     assert velocity(hermite)[1] == 0.0
 
 
-def test_alt_changes_the_length_alone(hermite):
+def test_shift_and_alt_change_the_length_alone(hermite):
     before = np.array(hermite.session.active_view.velocity_of(1))
-    drag_handle(hermite, (3.0, 2.5), ALT)
+    drag_handle(hermite, (3.0, 2.5), SHIFT | ALT)
     after = velocity(hermite)
     assert before[0] * after[1] == pytest.approx(before[1] * after[0])
     assert np.hypot(*after) != pytest.approx(np.hypot(*before), rel=0.1)
@@ -385,16 +385,17 @@ def test_a_handle_tells_length_and_direction(hermite):
     # The mouse meets whole pixels only.
     angle = float(hermite.status.partition(" at ")[2].partition("°")[0])
     assert angle == pytest.approx(45, abs=1)
-    assert "Shift: steps of 15° · Alt: length only" in hermite.status
+    assert "Alt: break the handles apart · Shift+Alt: length only" in hermite.status
     hermite.escape()
 
 
-def test_an_acceleration_handle_keeps_its_direction_with_alt(arch):
+def test_an_acceleration_handle_keeps_its_direction_with_shift_and_alt(arch):
     arch.choose_family(QUINTIC_HERMITE)
     arch.select_point(1)
     before = np.array(arch.session.active_view.derivative_of(1, 2))
-    arch.drag(arch.handle(2).position, (2.5, 1.0), keys=ALT)
+    arch.drag(arch.handle(2).position, (2.5, 1.0), keys=SHIFT | ALT)
     after = np.array(arch.curve.points[1].acceleration)
+    assert np.hypot(*after) != pytest.approx(np.hypot(*before), rel=0.1)
     assert before[0] * after[1] == pytest.approx(before[1] * after[0])
 
 

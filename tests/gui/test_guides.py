@@ -352,8 +352,9 @@ def test_the_box_and_the_end_of_a_handle_snap_to_guides(drawing):
     with_guides(drawing, ("x", 5.123))
     drawing.select([1, 2])
     grip, off = drawing.grip(1, 0), 3 * drawing.pixel
+    side = drawing.window.canvas.marks.box.high[0]
     drawing.press(grip)
-    drawing.move((grip[0] + 5.123 - 3.07 + off, grip[1]), keys=CTRL)
+    drawing.move((grip[0] + 5.123 - side + off, grip[1]), keys=CTRL)
     assert drawing.window.canvas.marks.snap.label == "guide x = 5.123"
     drawing.escape()
 

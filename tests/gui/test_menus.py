@@ -76,7 +76,7 @@ def test_a_closed_panel_comes_back_from_the_menu_view(editor):
     dock = editor.window.findChild(QDockWidget, "curvesDock")
     dock.raise_()
     editor.settle()
-    button = dock.findChild(QAbstractButton, "qt_dockwidget_closebutton")
+    button = dock.findChild(QAbstractButton, "curvesDockClose")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert dock.isHidden()
     menu = panels_menu(editor)

@@ -33,7 +33,14 @@ COMMANDS = [
     *("freezeParameters", "startUniform", "startChordLength", "resetVelocities", "familyLagrange"),
     *("insertPoint", "splitCurve", "joinCurve", "reverseCurve", "closeCurve", "duplicateCurve", "newCurve"),
     *("deleteCurve", "lowerCurve", "curveVisible", "curveLocked", "nextCurve"),
-    *("tangentCorner", "tangentSmooth", "tangentEstimated", "pullVelocity", "straightSegment"),
+    *(
+        "tangentCorner",
+        "tangentSmooth",
+        "tangentSymmetric",
+        "tangentEstimated",
+        "pullVelocity",
+        "straightSegment",
+    ),
     *("deleteSelection", "cutPoints", "pastePoints", "pasteAsCurve", "pasteDerivatives", "alignLeft"),
 ]
 

@@ -14,7 +14,8 @@ from app.view_model.curve_view import TOO_FEW
 ACTIONS = (
     "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",
     "curveVisible", "raiseCurve", "lowerCurve", "nextCurve", "previousCurve", "insertPoint",
-    "tangentSmooth", "tangentCorner", "tangentEstimated", "freezeParameters", "resetVelocities",
+    "tangentSmooth", "tangentSymmetric", "tangentCorner", "tangentEstimated", "freezeParameters",
+    "resetVelocities",
     "cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDerivatives", "pasteDerivatives",
     "deleteSelection", "selectAll",
 )  # fmt: skip

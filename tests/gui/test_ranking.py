@@ -23,8 +23,8 @@ WORDS = {
     "fill": "Curve Colour…",  # it was an example, by letters scattered over its path
     "colour": "Curve Colour…",
     "color": "Curve Colour…",
-    "mirror": "Scale Points",
-    "flip": "Scale Points",
+    "mirror": "Flip Vertically",
+    "flip": "Flip Vertically",
     "reverse": "Reverse Curve",
     "settings": "Preferences…",
     "night": "Theme: Dark",

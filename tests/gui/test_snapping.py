@@ -20,6 +20,7 @@ from app.view_model.nearest import NearestPoint
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
+ALT = Qt.KeyboardModifier.AltModifier
 POINTS = ((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))
 OTHER = ((0.0, -2.0), (2.0, -1.0), (4.0, -2.0))
 
@@ -221,15 +222,15 @@ def test_a_side_of_the_box_snaps_along_its_way(pair, to, label):
 
 def test_a_box_in_proportion_snaps_with_its_longer_side(pair):
     pair.select([0, 2])
-    pair.release(drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 4.5 / 3.07 * 2.11), keys=SHIFT), keys=SHIFT)
+    pair.release(drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 4.5 / 3.07 * 2.11), keys=CTRL), keys=CTRL)
     assert pair.point(2)[0] == 4.5
     assert pair.point(2)[1] / 4.5 == pytest.approx(2.11 / 3.07)
 
 
-def test_a_scaled_box_is_free_with_ctrl_and_escape_takes_it_back(pair):
+def test_a_scaled_box_is_free_with_alt_and_escape_takes_it_back(pair):
     pair.select([0, 1, 2])
     document = pair.session.document
-    at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5), keys=CTRL)
+    at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5), keys=ALT)
     assert pair.point(2) != (4.5, 3.5)
     assert pair.window.canvas.marks.snap is None
     pair.move(at)

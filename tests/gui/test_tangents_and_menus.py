@@ -59,7 +59,7 @@ def test_a_corner_has_two_handles_that_move_alone(wave):
     assert wave.curve.points[1].velocity != before
 
 
-def test_smooth_makes_one_velocity_of_two(wave):
+def test_symmetric_makes_one_velocity_of_two(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
     wave.drag_handle((1.5, 2), ahead=True)
@@ -101,7 +101,7 @@ def test_a_corner_moves_nothing_before_it_is_touched(wave, family, closed):
 
 
 def marked(editor):
-    names = ("tangentSmooth", "tangentCorner", "tangentEstimated")
+    names = ("tangentSmooth", "tangentSymmetric", "tangentCorner", "tangentEstimated")
     return [name.removeprefix("tangent") for name in names if editor.action(name).isChecked()]
 
 
@@ -115,6 +115,8 @@ def test_the_menu_marks_what_the_points_are(wave):
     assert marked(wave) == ["Corner"]
     wave.trigger("tangentSmooth")
     assert marked(wave) == ["Smooth"]
+    wave.trigger("tangentSymmetric")
+    assert marked(wave) == ["Symmetric"]
     wave.trigger("tangentCorner")
     wave.select([1, 2])
     assert marked(wave) == []
@@ -241,7 +243,7 @@ def test_an_end_is_no_corner(wave):
 
 
 def test_tangents_need_points_and_derivatives(wave):
-    names = ("tangentSmooth", "tangentCorner", "tangentEstimated")
+    names = ("tangentSmooth", "tangentSymmetric", "tangentCorner", "tangentEstimated")
     assert not any(wave.action(name).isEnabled() for name in names)
     wave.select_point(1)
     assert all(wave.action(name).isEnabled() for name in names)

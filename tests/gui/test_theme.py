@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDockWidget,
     QDoubleSpinBox,
     QLineEdit,
     QMainWindow,
@@ -39,6 +38,7 @@ from app.appearance.theme import (
     theme_of,
 )
 from app.storage.resources import resource
+from app.workbench.dock import Dock
 
 THEMES = [pytest.param(LIGHT, id="light"), pytest.param(DARK, id="dark")]
 ICONS = sorted(path.stem for path in resource("icons").glob("*.svg"))
@@ -336,13 +336,17 @@ def test_buttons_are_flat(dressed, qtbot, mode, theme):
 @pytest.mark.parametrize(("mode", "theme"), MODES)
 def test_the_buttons_of_docks_are_seen(dressed, qtbot, mode, theme):
     apply_theme(dressed, mode)
-    window, dock = QMainWindow(), QDockWidget("Points")
-    dock.setWidget(QWidget())
+    window = QMainWindow()
+    dock = Dock("Points", QWidget, window)
+    dock.setObjectName("pointsDock")
+    dock.fill()
     window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
     qtbot.addWidget(window)
     with qtbot.waitExposed(window):
         window.show()
-    for button in dock.findChildren(QAbstractButton):
+    buttons = dock.titleBarWidget().findChildren(QAbstractButton)
+    assert len(buttons) == 2
+    for button in buttons:
         seen = [colour for colour in pixels(button.grab()) if contrast(colour, theme.surface) >= 3.0]
         assert min(button.width(), button.height()) >= 16
         assert len(seen) >= 10
@@ -358,7 +362,7 @@ def test_dialogs_have_words_on_their_buttons_and_no_pictures(dressed, qtbot):
 @pytest.mark.parametrize("theme", THEMES)
 def test_drawings_of_the_style_sheet_are_there_in_the_muted_colour(theme):
     files = sorted(resource("icons", "styled").glob(f"*-{theme.name}.svg"))
-    assert [path.stem.partition("-")[0] for path in files] == ["arrow", "close", "float", "more"]
+    assert [path.stem.partition("-")[0] for path in files] == ["arrow", "more"]
     for path in files:
         assert path.as_posix() in style_sheet_of(theme)
         assert f'stroke="{theme.muted.name()}"' in path.read_text(encoding="utf-8")

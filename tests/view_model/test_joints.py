@@ -122,7 +122,7 @@ def test_the_text_is_a_table_with_exact_numbers():
     summary, head, *lines = as_text(result).splitlines()
     assert summary == result.summary
     assert len(lines) == 3
-    assert all(len(line.split("\t")) == len(head.split("\t")) == 9 for line in lines)
+    assert all(len(line.split("\t")) == len(head.split("\t")) == 10 for line in lines)
     for order in (2, 3):
         assert [float(line.split("\t")[3 + order]) for line in lines] == [
             row.jumps[order] for row in result.rows

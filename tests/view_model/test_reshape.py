@@ -14,7 +14,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from app.view_model.measure import dense
 from app.view_model.reshape import Reshaped, baked, inserted_index, reversed_curve, with_point_inserted
-from app.view_model.smoothness import made_smooth, with_corners
+from app.view_model.smoothness import made_smooth, made_symmetric, with_corners
 from app.view_model.split_join import Split, joined, split
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.0), (6.0, -1.0), (7.0, 1.0))
@@ -430,9 +430,16 @@ def test_corners_and_smooth_points_keep_the_shape(family, rule, closed, chosen):
     cornered = view_of(with_corners(before, chosen))
     assert [index for index, point in enumerate(cornered.source.points) if point.corner] == chosen
     assert distance(before, cornered) < ROUNDING
-    smooth = view_of(made_smooth(cornered, chosen))
-    assert not any(point.corner for point in smooth.source.points)
-    assert distance(before, smooth) < ROUNDING
+    symmetric = view_of(made_symmetric(cornered, chosen))
+    assert not any(point.corner for point in symmetric.source.points)
+    assert distance(before, symmetric) < ROUNDING
+    # Handles that lie on a line are tied as they are, from a corner as from a point that is none.
+    for start in (before, cornered, symmetric):
+        smooth = view_of(made_smooth(start, chosen))
+        assert [index for index, point in enumerate(smooth.source.points) if point.tied] == chosen
+        assert distance(before, smooth) < ROUNDING
+        assert distance(before, view_of(with_corners(smooth, chosen))) < ROUNDING
+        assert distance(before, view_of(made_symmetric(smooth, chosen))) < ROUNDING
 
 
 def test_the_start_of_a_closed_curve_may_be_a_corner():
@@ -440,14 +447,15 @@ def test_the_start_of_a_closed_curve_may_be_a_corner():
     cornered = view_of(with_corners(before, [0]))
     assert cornered.source.points[0].velocity_after == before.velocity_of(0)
     assert distance(before, cornered) < ROUNDING
+    assert distance(before, view_of(made_symmetric(cornered, [0]))) < ROUNDING
     assert distance(before, view_of(made_smooth(cornered, [0]))) < ROUNDING
 
 
-def test_smooth_changes_nothing_but_beside_the_corner():
+def test_symmetric_changes_nothing_but_beside_the_corner():
     cornered = view_of(with_corners(view(points=[(float(x), float(x % 3)) for x in range(9)]), [4]))
     document = edits.set_velocity(Document((cornered.source,)), 0, 4, (30.0, -20.0), ahead=True)
     turned = view_of(document.curves[0])
-    smooth = view_of(made_smooth(turned, [4]))
+    smooth = view_of(made_symmetric(turned, [4]))
     assert smooth.velocity_of(4) == pytest.approx(
         (np.array(turned.velocity_of(4)) + turned.velocity_of(4, ahead=False)) / 2
     )
@@ -457,6 +465,6 @@ def test_smooth_changes_nothing_but_beside_the_corner():
 
 def test_without_a_curve_there_are_no_tangents():
     nothing = view_of(make_curve([(0, 0)], family=HERMITE))
-    for make in (with_corners, made_smooth):
+    for make in (with_corners, made_smooth, made_symmetric):
         with pytest.raises(EditError, match="no tangent at point 0"):
             make(nothing, [0])

@@ -14,6 +14,8 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
 from ...document.model import Curve, Document
+from ...document.style import PLAIN_STYLE, Style
+from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve_view import ParametricCurve, view_of
 from ...view_model.refusals import in_words
@@ -71,18 +73,32 @@ class Outline(msgspec.Struct, frozen=True):
         The points that the curve goes through, or control points beside it, (n, 2).
     deviation
         Largest distance from the true curve; zero where the curve is a chain of cubics itself.
-    colour
-        "#rrggbb", or empty for the ink of the picture.
     closed
         Whether the last piece ends where the first begins, and goes on there.
+    style
+        Stroke and fill; its width is in the unit of the control points.
+    shape, groups
+        As in `Curve`.
     """
 
     name: str
     control_points: FloatArray
     points: FloatArray
     deviation: float
-    colour: str = ""
     closed: bool = False
+    style: Style = PLAIN_STYLE
+    shape: str = ""
+    groups: tuple[str, ...] = ()
+
+    @property
+    def colour(self) -> str:
+        """The paint that the curve is known by, "#rrggbb", or empty for the ink of the picture."""
+        return self.style.colour
+
+    @property
+    def reach(self) -> float:
+        """How far the stroke reaches beyond the curve, but for miters; 0 for a line of the usual width."""
+        return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
 
 
 class Annotation(msgspec.Struct, frozen=True):
@@ -130,6 +146,8 @@ class Drawing(msgspec.Struct, frozen=True):
         One sentence for every curve that could not be drawn.
     annotations
         What else is drawn.
+    has_page
+        Whether the frame is the document's page.
     """
 
     outlines: tuple[Outline, ...]
@@ -137,6 +155,18 @@ class Drawing(msgspec.Struct, frozen=True):
     tolerance: float
     remarks: tuple[str, ...] = ()
     annotations: tuple[Annotation, ...] = ()
+    has_page: bool = False
+
+    @property
+    def shapes(self) -> list[tuple[Outline, ...]]:
+        """The outlines, those of a shape together."""
+        found: list[list[Outline]] = []
+        for outline in self.outlines:
+            if found and outline.shape and found[-1][0].shape == outline.shape:
+                found[-1].append(outline)
+            else:
+                found.append([outline])
+        return list(map(tuple, found))
 
     @property
     def deviation(self) -> float:
@@ -156,7 +186,12 @@ class Drawing(msgspec.Struct, frozen=True):
             return np.asarray((points - corner) * scale + room / 2)
 
         outlines = tuple(
-            replace(outline, control_points=moved(outline.control_points), points=moved(outline.points))
+            replace(
+                outline,
+                control_points=moved(outline.control_points),
+                points=moved(outline.points),
+                style=_scaled(outline.style, scale),
+            )
             for outline in self.outlines
         )
         annotations = tuple(
@@ -200,7 +235,25 @@ def drawing_of(document: Document, tolerance: float | None = None, report: Repor
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
-    return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
+    if document.page is None:
+        return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
+    page = document.page
+    frame = Frame(page.x, page.y, page.width, page.height)
+    return Drawing(outlines, frame, allowed, (*remarks, *_beyond(outlines, frame)), has_page=True)
+
+
+def _beyond(outlines: Iterable[Outline], page: Frame) -> list[str]:
+    """Return what to say of curves of which a page shows but a part."""
+    room = MARGIN * page.side * 1e-6
+    low, high = np.array([page.left, page.bottom]) - room, np.array([page.left + page.width, page.top]) + room
+    extents = {outline.name: extent_of(outline.control_points) for outline in outlines}
+    names = [name for name, (least, most) in extents.items() if (least < low).any() or (most > high).any()]
+    verb = "reaches" if len(names) == 1 else "reach"
+    return [f"{names_of(names)} {verb} beyond the page; pictures end there."] if names else []
+
+
+def _scaled(style: Style, scale: float) -> Style:
+    return style if style.width is None else replace(style, width=style.width * scale)
 
 
 def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) -> Frame:
@@ -211,8 +264,15 @@ def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) ->
     ExchangeError
         If no picture can hold the coordinates.
     """
-    parts = [np.vstack([extent_of(each.control_points), each.points]) for each in outlines]
+    parts = [
+        np.vstack([extent_of(each.control_points) + _grown(each.reach), each.points]) for each in outlines
+    ]
     return frame_around(parts if points is None else [*parts, points])
+
+
+def _grown(reach: float) -> FloatArray:
+    """Return what to add to the corners of a box to make it larger on all sides."""
+    return np.array([[-reach], [reach]])
 
 
 def too_much(curve: Curve) -> str:
@@ -259,7 +319,14 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         raise ExchangeError(f"“{curve.name}” cannot be drawn: {in_words(str(problem))}.") from problem
     points = core.points[: len(curve.points)]
     return Outline(
-        curve.name, path.control_points, points, float(path.deviation), curve.style.colour, curve.is_closed
+        curve.name,
+        path.control_points,
+        points,
+        float(path.deviation),
+        curve.is_closed,
+        curve.style,
+        curve.shape,
+        curve.groups,
     )
 
 

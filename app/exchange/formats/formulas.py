@@ -22,7 +22,7 @@ from ..drawing.drawing import drawing_of
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, Options
 from ..parts import beziers_of, checked_tolerance, measured, sources_of
-from ..svg.writer import path_data
+from ..svg.tree import path_data
 from . import Format, Written
 
 MOST_COEFFICIENTS = 100
@@ -85,7 +85,8 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> Written:
         If nothing can be drawn.
     """
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
-    paths = [path_data(each) for each in told(drawing.outlines, part(options.report, 0.7, 1.0), "Writing")]
+    shapes = told(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
+    paths = [path_data(each, has_lines=False) for each in shapes]
     return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.remarks)
 
 

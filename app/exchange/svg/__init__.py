@@ -1,8 +1,13 @@
 """SVG.
 
-- ``writer``: a drawing as SVG, exact or within a stated tolerance.
-- ``reader``: SVG as Hermite curves.  ``path_data``: its paths.  ``properties``: its colours.
-- ``xml_tree``: its elements, without DTD and entities.
+- ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
+  ``style_attributes``, ``numbers``: styles and numbers as text.
+- ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
+  ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
+- ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
+- ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
+- ``cascade``, ``properties``, ``paint``: the style of an element, from attributes and rules.
+- ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 
 import lazy_loader as lazy

@@ -1,96 +1,187 @@
-"""The style of SVG elements: the colour that a curve takes from it, and what no curve can take."""
+"""The style that a shape takes from the properties that are in force for it."""
 
 from __future__ import annotations
 
 import re
-import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import TypeVar
 
-from ...document.words import enumerated
-from ..drawing.styles import DARK, INK
+from ...document.style import FillRule, LineCap, LineJoin, Style
+from ..errors import ExchangeError
+from .cascade import INHERITED
+from .lengths import Viewport, length
+from .paint import Paint, Paints, colour_of, is_paint, share_of
 
-_COLOURS = {
-    "black": "#000000", "silver": "#c0c0c0", "gray": "#808080", "grey": "#808080", "white": "#ffffff",
-    "maroon": "#800000", "red": "#ff0000", "purple": "#800080", "fuchsia": "#ff00ff", "magenta": "#ff00ff",
-    "green": "#008000", "lime": "#00ff00", "olive": "#808000", "yellow": "#ffff00", "navy": "#000080",
-    "blue": "#0000ff", "teal": "#008080", "aqua": "#00ffff", "cyan": "#00ffff", "orange": "#ffa500",
-}  # fmt: skip
-_NO_COLOUR = ("", "none", "transparent", "currentcolor", "context-stroke", "context-fill")
-_HEXADECIMAL = re.compile("#[0-9a-f]{6}")
-_RGB = re.compile(r"rgb\(\s*([\d.]+%?)[\s,]+([\d.]+%?)[\s,]+([\d.]+%?)\s*\)")
-
-_OPAQUE = ("", "1", "1.0", "100%")
-_NOTHING = ("", "none")
-# What an element may say, what people call it, and the values that change nothing.
-_LOST = {
-    "stroke-width": ("line widths", ("", "1", "1px")),
-    "stroke-dasharray": ("dashes", _NOTHING),
-    "opacity": ("opacity", _OPAQUE),
-    "stroke-opacity": ("opacity", _OPAQUE),
-    "fill-opacity": ("opacity", _OPAQUE),
-    "clip-path": ("clipping", _NOTHING),
-    "mask": ("masks", _NOTHING),
-    "filter": ("filters", _NOTHING),
-    "marker": ("markers", _NOTHING),
-    "marker-start": ("markers", _NOTHING),
-    "marker-mid": ("markers", _NOTHING),
-    "marker-end": ("markers", _NOTHING),
-}
-RULES = "the rules in <style>"
-AREAS = "filled areas"
+_GLOBAL = ("inherit", "unset", "revert", "revert-layer")
+_PAINTS = ("fill", "stroke")
+_MOST_DASHES = 64
+_Kind = TypeVar("_Kind", bound=Enum)
 
 
-def property_of(element: ET.Element, name: str) -> str:
-    """Return a property from the style attribute, or from its own."""
-    return _declared(element).get(name) or element.get(name, "").strip()
+@dataclass(frozen=True)
+class Flaw:
+    """What of a style is not taken over: why, and what is done instead."""
+
+    why: str
+    instead: str
 
 
-def colour_of(paint: str) -> str:
-    """Return a colour as the document writes it; empty for none, for our own ink and for what is unknown."""
-    colour = _hexadecimal(paint)
-    return colour if colour not in (INK.ink, DARK.ink, "#000000") else ""
+@dataclass(frozen=True, eq=False)
+class Properties:
+    """What an element has inherited, as the file writes it.
+
+    Attributes
+    ----------
+    values
+        The properties of `INHERITED`.
+    opacity
+        Of all groups around it, and its own.
+    is_displayed
+        Whether neither it nor a group around it is `display: none`.
+    """
+
+    values: Mapping[str, str] = field(default_factory=lambda: INHERITED)
+    opacity: float = 1.0
+    is_displayed: bool = True
+
+    def entered(self, declared: Mapping[str, str]) -> Properties:
+        """Return the properties within an element that declares these."""
+        if not declared:
+            return self
+        new = {name: self._computed(name, value) for name, value in declared.items() if name in INHERITED}
+        return Properties(
+            {**self.values, **new},
+            self.opacity * share_of(declared.get("opacity", "1")),
+            self.is_displayed and declared.get("display") != "none",
+        )
+
+    def _computed(self, name: str, value: str) -> str:
+        word = value.lower()
+        if word in _GLOBAL:
+            return self.values[name]
+        if word == "initial":
+            return INHERITED[name]
+        if name == "color":
+            return value if colour_of(value) else self.values[name]
+        # What is no paint is passed over, as if it did not stand there.
+        return value if name not in _PAINTS or is_paint(value) else self.values[name]
+
+    @property
+    def is_visible(self) -> bool:
+        """Whether it is drawn."""
+        return self.is_displayed and self.values["visibility"].lower() not in ("hidden", "collapse")
+
+    @property
+    def shows_points(self) -> bool:
+        """Whether a line of no length is seen, by its caps."""
+        has_caps = self.values["stroke-linecap"].lower() in ("round", "square")
+        return self.is_visible and has_caps and self.values["stroke"].lower() != "none"
 
 
-def lost_from(element: ET.Element) -> set[str]:
-    """Return what an element says of its style that no curve takes from it, in words."""
-    declared = _declared(element)
-    said = ((name, declared.get(name) or element.get(name, "").strip()) for name in _LOST)
-    lost = {_LOST[name][0] for name, value in said if value.lower() not in _LOST[name][1]}
-    for paint in (property_of(element, "stroke"), property_of(element, "fill")):
-        if paint.startswith("url("):
-            lost.add("gradients and patterns")
-        elif paint.lower() not in (*_NO_COLOUR, "inherit") and not _hexadecimal(paint):
-            lost.add(f"the colour “{paint[:20]}”")
-    return lost
+class StyleReader:
+    """Reads styles of one file."""
+
+    def __init__(self, paints: Paints) -> None:
+        self._paints = paints
+
+    def style(
+        self, properties: Properties, viewport: Viewport, scale: float
+    ) -> tuple[Style, tuple[Flaw, ...]]:
+        """Return the style of a shape whose lengths are scaled so, and what of it is lost.
+
+        Raises
+        ------
+        ExchangeError
+            For a width that is no length.
+        """
+        values = properties.values
+        current = values["color"]
+        stroke, fill = (self._paints.paint(values[name], current) for name in ("stroke", "fill"))
+        width = _length(values, "stroke-width", viewport) * scale
+        if not 0 < width < 1e12:
+            stroke = Paint("none")
+        flaws = [Flaw(each.why, each.instead) for each in (fill, stroke) if each.why]
+        flaws += _flaws(values)
+        style = Style(
+            stroke=stroke.colour,
+            fill=fill.colour,
+            fill_rule=_one_of(FillRule, values["fill-rule"], FillRule.NONZERO),
+            fill_opacity=_rounded(fill.opacity * share_of(values["fill-opacity"])),
+            opacity=_rounded(properties.opacity),
+        )
+        if stroke.colour == "none":
+            return style, tuple(flaws)
+        return _with_stroke(style, values, stroke, width, scale, viewport), tuple(flaws)
 
 
-def remark_on(lost: set[str]) -> str:
-    """Return one sentence about all that was lost; empty without."""
-    return f"Of the style, this is not taken over: {enumerated(sorted(lost))}." if lost else ""
+def _with_stroke(
+    style: Style, values: Mapping[str, str], stroke: Paint, width: float, scale: float, viewport: Viewport
+) -> Style:
+    dash = _dashes(values["stroke-dasharray"], viewport)
+    offset = _length(values, "stroke-dashoffset", viewport) if dash else 0.0
+    return Style(
+        stroke=stroke.colour,
+        width=width,
+        cap=_one_of(LineCap, values["stroke-linecap"], LineCap.BUTT),
+        join=_one_of(LineJoin, values["stroke-linejoin"], LineJoin.MITER),
+        miter_limit=_miter_limit(values["stroke-miterlimit"]),
+        dash=tuple(each * scale / width for each in dash),
+        dash_offset=offset * scale / width,
+        stroke_opacity=_rounded(stroke.opacity * share_of(values["stroke-opacity"])),
+        fill=style.fill,
+        fill_rule=style.fill_rule,
+        fill_opacity=style.fill_opacity,
+        opacity=style.opacity,
+    )
 
 
-def _declared(element: ET.Element) -> dict[str, str]:
-    """Return the properties in the style attribute."""
-    found: dict[str, str] = {}
-    for declaration in element.get("style", "").split(";"):
-        name, _, value = declaration.partition(":")
-        found.setdefault(name.strip(), value.replace("!important", "").strip())
-    return found
+def _flaws(values: Mapping[str, str]) -> list[Flaw]:
+    flaws = []
+    markers = (values[name] for name in ("marker-start", "marker-mid", "marker-end"))
+    if any(marker.lower() != "none" for marker in markers):
+        flaws.append(Flaw("it has markers", "it comes in without them"))
+    order = values["paint-order"].lower().split()
+    if "stroke" in order[:1] and values["stroke"].lower() != "none" != values["fill"].lower():
+        flaws.append(Flaw("its fill lies over its stroke", "the stroke lies over the fill"))
+    return flaws
 
 
-def _hexadecimal(paint: str) -> str:
-    text = paint.strip().lower()
-    if match := re.fullmatch("#([0-9a-f])([0-9a-f])([0-9a-f])", text):
-        text = "#" + "".join(digit * 2 for digit in match.groups())
-    elif match := _RGB.fullmatch(text):
-        text = "#" + "".join(f"{_channel(value):02x}" for value in match.groups())
-    text = _COLOURS.get(text, text)
-    return text if _HEXADECIMAL.fullmatch(text) else ""
-
-
-def _channel(text: str) -> int:
-    """Return one of red, green and blue, 0 to 255; cairo writes them in percent."""
+def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float:
     try:
-        value = float(text[:-1]) * 2.55 if text.endswith("%") else float(text)
+        return length(values[name], viewport.side(name)) or 0.0
+    except ExchangeError:
+        # As CSS has it: what is no length does not stand there.
+        return length(INHERITED[name]) or 0.0
+
+
+def _dashes(text: str, viewport: Viewport) -> tuple[float, ...]:
+    """Return dashes and gaps in turn; none where the stroke is solid."""
+    if text.strip().lower() == "none":
+        return ()
+    words = [word for word in re.split(r"[\s,]+", text.strip()) if word]
+    try:
+        lengths = [length(word, viewport.side("")) or 0.0 for word in words]
+    except ExchangeError:
+        return ()
+    if not lengths or min(lengths) < 0 or not 0 < sum(lengths) < 1e12 or len(lengths) > _MOST_DASHES:
+        return ()
+    return tuple(lengths if len(lengths) % 2 == 0 else lengths * 2)
+
+
+def _miter_limit(text: str) -> float:
+    try:
+        value = float(text)
     except ValueError:
-        value = 0.0
-    return min(round(value), 255)
+        value = 4.0
+    return value if 1 <= value < 1e6 else 4.0
+
+
+def _one_of(kind: type[_Kind], text: str, default: _Kind) -> _Kind:
+    return next((each for each in kind if each.value == text.strip().lower()), default)
+
+
+def _rounded(opacity: float) -> float:
+    """Return a product of opacities without the noise of its last digits."""
+    return round(opacity, 6)

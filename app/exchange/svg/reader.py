@@ -1,69 +1,93 @@
-"""SVG in: paths and basic shapes become cubic Hermite curves.
+"""SVG in: paths and basic shapes become cubic Hermite curves, with their styles, groups and names.
 
-Coordinates are those of the drawing's own system (the view box), with y turned up. Nothing outside the
-file is ever read, and no DTD or entity inside it.
+Coordinates are those of the file in the unit of its size, with y turned up. Nothing outside the file is ever
+read, and no DTD or entity inside it. What does not come in as it is drawn is told, element by element.
 """
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
-from math import cos, radians, sin, tan, tau
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
+import msgspec
 import numpy as np
-from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray
 
-from ..arcs import arc
-from ..cubics_in import Imported, ImportedPath, imported, lines
+from ...document.style import PLAIN_STYLE
+from ..cubics_in import Imported, ImportedPath, Look, imported
+from ..drawing.drawing import extent_of
 from ..errors import ExchangeError
-from .path_data import Subpath, read_path_data
-from .properties import AREAS, RULES, colour_of, lost_from, property_of, remark_on
-from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of
+from ..missed import Missed
+from .cascade import Cascade
+from .clips import clip_box
+from .groups import Drawn, Group, settled
+from .lengths import Viewport
+from .matrices import (
+    Box,
+    box_of,
+    combined,
+    fitted_box,
+    is_uneven,
+    largest_scale,
+    mean_scale,
+    moved,
+    transform_of,
+)
+from .names import name_of, shown_name
+from .our_own import OurOwn
+from .paint import Paints, share_of
+from .path_data import Subpath
+from .properties import Flaw, StyleReader
+from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
+from .sheet import sheet_of
+from .state import State, Window
+from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
 
 MAX_PATHS = 2_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
-_SHAPES = {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon"}
+_SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
+_INSENSITIVE = f"{_SODIPODI}insensitive"
+_GROUP_MODE = "{http://www.inkscape.org/namespaces/inkscape}groupmode"
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
-_LOST = {"text", "image", "foreignObject"}
-_UNITS = {"": 1.0, "px": 1.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "pt": 4 / 3, "pc": 16.0}
-_LENGTH = re.compile(
-    r"\s*([-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(px|in|cm|mm|pt|pc)?\s*"
-)
-_REST = re.compile(r"[ \t\r\n,]*\Z")
-_CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
-_NO_CURVES = ("paper", "points", "grid", "handles", "basis")
-_OUR_MARK = "Largest deviation from the true curves"
-
-
-@dataclass(frozen=True, eq=False)
-class _State:
-    """Inherited state of an element: the matrix (2, 3) to the document's plane, and the style."""
-
-    matrix: FloatArray
-    stroke: str = "none"
-    fill: str = "black"
-    visible: bool = True
-    inside: tuple[str, ...] = ()
-    groups: tuple[str, ...] = ()
+_NO_CURVES = {
+    "text": Flaw("text is no curve", "left out, but as paths it would come in"),
+    "flowRoot": Flaw("text is no curve", "left out, but as paths it would come in"),
+    "image": Flaw("a picture is no curve", "left out"),
+    "foreignObject": Flaw("it is of another kind than SVG", "left out"),
+    "script": Flaw("programs are not run", "left out"),
+    "animate": Flaw("motion is not taken over", "it comes in as it begins"),
+}
+_NO_CURVES |= dict.fromkeys(("set", "animateMotion", "animateTransform"), _NO_CURVES["animate"])
+_EFFECTS = {
+    "mask": Flaw("a mask covers some of it", "it comes in whole"),
+    "filter": Flaw("a filter changes it", "it comes in without"),
+    "mix-blend-mode": Flaw("it is blended with what lies below", "it covers that"),
+}
+_NO_EFFECT = ("none", "normal")
+_CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
+_CUT_OFF = Flaw("the view box around it cuts some of it off", "it comes in whole")
+_TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
+_UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
+_NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", "left out")
+_ONE_POINT = Flaw("it is a single point", "left out")
+_UNPAINTED = "it has neither a stroke nor a fill"
 
 
 def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     """Return the curves of an SVG file.
 
     Cubic and quadratic pieces and lines are taken exactly but for rounding; arcs, circles and ellipses
-    become cubics.
+    become cubics, one for each quarter turn.
 
     Parameters
     ----------
     data
         The whole file.
     tolerance
-        Largest distance from arcs, in the file's user unit; by default 4.3e-6 of their radius.
+        Largest distance from arcs, in the unit of the file's size; by default 2.8e-4 of their radius.
 
     Raises
     ------
@@ -75,164 +99,229 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
-    paths = list(reader.paths(root, _State(np.array([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])), depth=0))
-    return imported(paths, reader.remarks)
+    paths = reader.all_paths()
+    found = imported(paths, missed=tuple(reader.missed))
+    sheet = reader.sheet
+    document = msgspec.structs.replace(found.document, unit=sheet.unit, page=sheet.page)
+    return replace(found, document=document)
 
 
 class _Reader:
-    """Walks the tree of one file."""
+    """Walks the tree of one file.
+
+    Attributes
+    ----------
+    sheet
+        Its size.
+    missed
+        What does not come in as it is.
+    """
 
     def __init__(self, root: ET.Element, tolerance: float | None) -> None:
-        self._tolerance = tolerance
+        self._root, self._tolerance = root, tolerance
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
         self._by_id = {element.get("id", ""): element for element in root.iter()}
+        self._ours = OurOwn(root)
+        sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
+        self.sheet = sheet if self._ours.has_page else replace(sheet, page=None)
+        self._cascade = Cascade(root)
+        self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
+        self._styles = StyleReader(Paints(self._by_id, self._cascade.of))
         self._visited = self._found = 0
-        self._lost: set[str] = set()
-        self._lost_style: set[str] = set()
-        description = next((child.text or "" for child in root if tag_of(child) == "desc"), "")
-        # The paper and the points of our own pictures are no curves.
-        self._ours = _OUR_MARK in description
-        if any(tag_of(element) == "style" and (element.text or "").strip() for element in root.iter()):
-            self._lost_style.add(RULES)
+        self._shapes: list[ET.Element] = []
 
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        """Sentences on what was left out."""
-        lost = [f"{what} is not read." for what in sorted(self._lost)]
-        # What our own pictures look like is the program's choice, not the file's.
-        style = "" if self._ours else remark_on(self._lost_style)
-        return (*lost, *([style] if style else []))
+    def all_paths(self) -> list[ImportedPath]:
+        """Return the paths of the file; of those that nobody painted only where there are no others."""
+        state = State(self.sheet.matrix, self.sheet.viewport)
+        drawn = list(self._drawn(self._root, state, depth=0))
+        seen = [each for each in drawn if _is_seen(each)]
+        instead = "left out" if seen else "it comes in as a line"
+        for number in dict.fromkeys(each.element for each in drawn if not _is_seen(each)):
+            self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
+        return settled(seen or [_with_line(each) for each in drawn])
 
-    def paths(self, element: ET.Element, state: _State, depth: int) -> Iterator[ImportedPath]:
+    def _drawn(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
         """Yield the paths of an element and those in it."""
         self._visited += 1
         if self._visited > MAX_ELEMENTS:
             raise ExchangeError(f"The file draws more than {MAX_ELEMENTS} elements.")
         tag = tag_of(element)
-        if tag in _LOST:
-            self._lost.add(f"<{tag}>")
-        self._lost_style |= lost_from(element)
-        state = self._entered(element, state)
-        hidden = property_of(element, "display") == "none"
-        if hidden or (self._ours and element.get("id") in _NO_CURVES):
+        if element.get("requiredExtensions") or self._ours.is_no_curve(element):
             return
-        if tag in _SHAPES:
-            if state.visible:
-                yield from self._shape(element, tag, state)
+        declared = self._cascade.of(element)
+        state = self._entered(element, declared, state)
+        if tag in _NO_CURVES:
+            if state.properties.is_visible:
+                self._miss(element, _NO_CURVES[tag])
+            return
+        first = len(self._shapes)
+        if tag in SHAPES:
+            yield from self._shape(element, tag, declared, state)
         elif tag == "use":
             yield from self._used(element, state, depth)
         elif tag in _CONTAINERS:
-            if name := _name(element):
-                state = replace(state, groups=(*state.groups, name))
-            if tag == "svg" and depth > 0:
-                self._lost.add("The view box of an <svg> in another")
-            for child in element:
-                if isinstance(child.tag, str) and tag_of(child) not in _ONLY_WHEN_USED:
-                    yield from self.paths(child, state, depth + 1)
+            yield from self._contained(element, tag, state, depth)
+        count = len(self._shapes) - first
+        if count and state.properties.is_visible:
+            self._miss_effects(element, declared, state, is_many=count > 1)
 
-    def _entered(self, element: ET.Element, state: _State) -> _State:
-        transform = element.get("transform", "")
+    def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
+        matrix, windows = state.matrix, state.windows
+        # A rule outweighs the attribute.
+        transform = declared.get("transform", "none")
+        transform = element.get("transform", "") if transform == "none" else transform
         if transform.strip():
-            matrix = _combined(state.matrix, self._transform(element, transform))
+            try:
+                matrix = combined(matrix, transform_of(transform))
+            except ExchangeError as problem:
+                raise self._broken(element, str(problem)) from None
             if not np.isfinite(matrix).all():
                 raise self._broken(element, "its transform is beyond all numbers.")
-            state = replace(state, matrix=matrix)
-        stroke, fill = (property_of(element, name).replace("inherit", "") for name in ("stroke", "fill"))
-        state = replace(state, stroke=stroke or state.stroke, fill=fill or state.fill)
-        visibility = property_of(element, "visibility")
-        return replace(state, visible=visibility == "visible") if visibility else state
+        if (box := self._clip_box(declared, state)) is not None:
+            windows = (*windows, Window(box, matrix, _CLIPPED))
+        return replace(
+            state,
+            matrix=matrix,
+            windows=windows,
+            properties=state.properties.entered(declared),
+            is_locked=state.is_locked or element.get(_INSENSITIVE) == "true",
+        )
 
-    def _transform(self, element: ET.Element, text: str) -> FloatArray:
-        result, place = np.eye(2, 3), 0
-        # Every call takes some of the text, and none of it is copied to see whether there is more.
-        while not _REST.match(text, place):
-            match = _CALL.match(text, place)
-            if match is None:
-                raise self._broken(element, f"its transform is broken at character {place + 1}.")
-            result = _combined(result, self._one_transform(element, match[1], match[2]))
-            place = match.end()
-        return result
+    def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
+        if tag == "g" or (depth > 0 and name_of(element)):
+            is_layer = element.get(_GROUP_MODE) == "layer"
+            group = Group(self._visited, name_of(element), is_layer)
+            state = replace(state, groups=(*state.groups, group))
+        if tag == "svg" and depth > 0:
+            x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
+            state = self._in_view_box(element, element, state, (x, y))
+        for child in element:
+            if tag_of(child) not in _ONLY_WHEN_USED and _speaks_to_us(child):
+                yield from self._drawn(child, state, depth + 1)
+                if tag == "switch":
+                    break
 
-    def _one_transform(self, element: ET.Element, name: str, arguments: str) -> FloatArray:
-        try:
-            values = [float(each) for each in re.split(r"[\s,]+", arguments.strip()) if each]
-            if not np.isfinite(values).all():
-                raise ValueError
-            return np.array(_MATRICES[name](*values), dtype=float)
-        except (KeyError, TypeError, ValueError):
-            shown = f"{name}({arguments})"[:40]
-            raise self._broken(element, f"its transform “{shown}” is broken.") from None
+    def _in_view_box(
+        self, element: ET.Element, sized: ET.Element, state: State, corner: tuple[float, float]
+    ) -> State:
+        """Return the state in a view box, whose size another element may say."""
+        width, height = (
+            self._length(sized, name, state) or self._length(element, name, state) or whole
+            for name, whole in (("width", state.viewport.width), ("height", state.viewport.height))
+        )
+        box = box_of(element.get("viewBox", ""))
+        if width is None or height is None or width <= 0 or height <= 0:
+            return replace(state, matrix=combined(state.matrix, _moving(*corner)))
+        place: Box = (*corner, width, height)
+        windows = (*state.windows, Window(place, state.matrix, _CUT_OFF))
+        if box is None:
+            matrix = combined(state.matrix, _moving(*corner))
+            return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
+        fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
+        matrix = combined(state.matrix, fit)
+        return replace(state, matrix=matrix, viewport=Viewport(*box[2:]), windows=windows)
 
-    def _used(self, element: ET.Element, state: _State, depth: int) -> Iterator[ImportedPath]:
-        reference = element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or ""
+    def _used(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
+        reference = reference_of(element)
         target = self._by_id.get(reference.removeprefix("#"))
         if not reference.startswith("#") or target is None:
-            self._lost.add("A <use> of something that is not in the file")
+            self._miss(element, Flaw("what it uses is not in the file", "left out"))
             return
         if reference in state.inside or depth > MAX_DEPTH:
             raise self._broken(element, f"it uses itself by way of “{reference[:40]}”.")
-        x, y = (self._length(element, name) or 0.0 for name in ("x", "y"))
-        moved = _combined(state.matrix, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
-        state = replace(state, matrix=moved, inside=(*state.inside, reference))
-        yield from self.paths(target, state, depth + 1)
+        x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
+        state = replace(state, inside=(*state.inside, reference))
+        if tag_of(target) in ("symbol", "svg"):
+            state = self._in_view_box(target, element, state, (x, y))
+            entered = self._entered(target, self._cascade.of(target), state)
+            yield from self._contained(target, "symbol", entered, depth + 1)
+        else:
+            state = replace(state, matrix=combined(state.matrix, _moving(x, y)))
+            yield from self._drawn(target, state, depth + 1)
 
-    def _shape(self, element: ET.Element, tag: str, state: _State) -> Iterator[ImportedPath]:
-        scale = float(np.linalg.norm(state.matrix[:, :2], 2))
-        tolerance = self._tolerance / scale if self._tolerance is not None and scale > 0 else None
+    def _shape(
+        self, element: ET.Element, tag: str, declared: Mapping[str, str], state: State
+    ) -> Iterator[Drawn]:
+        stretch = largest_scale(state.matrix)
+        tolerance = self._tolerance / stretch if self._tolerance is not None and stretch > 0 else None
         try:
             with np.errstate(all="ignore"):
-                subpaths = self._subpaths(element, tag, tolerance)
+                subpaths = subpaths_of(element, state.viewport, tolerance)
+        except UnknownLengthError:
+            self._miss(element, _NO_LENGTHS)
+            return
         except ExchangeError as problem:
             raise self._broken(element, str(problem)) from None
-        name = _name(element) or f"{tag.capitalize()} {self._number[element]}"
-        drawn = [each for each in subpaths if each.pieces]
-        if state.fill != "none" and AREAS not in self._lost_style and any(map(_has_area, drawn)):
-            self._lost_style.add(AREAS)
+        drawn = [each for each in subpaths if _has_length(each)]
+        # A point without a round or square cap is not seen.
+        if len(drawn) < len(subpaths) and state.properties.shows_points:
+            self._miss(element, _ONE_POINT)
+        if not drawn:
+            return
+        self._shapes.append(element)
+        name = name_of(element) or f"{tag.capitalize()} {self._number[element]}"
+        look = self._look(element, declared, state)
+        look = replace(look, shape=name) if len(drawn) > 1 else look
         for index, subpath in enumerate(drawn, start=1):
             self._found += 1
             if self._found > MAX_PATHS:
                 raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
-            yield ImportedPath(
+            path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index})",
-                colour_of(state.stroke) or colour_of(state.fill),
-                _moved(subpath.controls, state.matrix),
+                look,
+                moved(subpath.controls, state.matrix),
                 subpath.closed,
-                subpath.deviation * scale,
-                state.groups,
+                subpath.deviation * stretch,
             )
+            yield Drawn(path, len(self._shapes), state.groups)
+            self._miss_beyond(element, path, state)
 
-    def _subpaths(self, element: ET.Element, tag: str, tolerance: float | None) -> list[Subpath]:
-        if tag == "path":
-            return read_path_data(element.get("d", ""), tolerance)
-        if tag in ("polyline", "polygon"):
-            return _polyline(element.get("points", ""), closed=tag == "polygon")
-        names = {
-            "rect": ("x", "y", "width", "height", "rx", "ry"),
-            "circle": ("cx", "cy", "r"),
-            "ellipse": ("cx", "cy", "rx", "ry"),
-            "line": ("x1", "y1", "x2", "y2"),
-        }[tag]
-        lengths = [self._length(element, name) for name in names]
-        if any(element.get(name, "").strip().endswith(("%", "em", "ex")) for name in names):
-            self._lost.add(f"A <{tag}> with lengths in % or em")
-            return []
-        values = [0.0 if value is None else value for value in lengths]
-        if tag == "line":
-            points = np.array(values).reshape(2, 2)
-            return [Subpath(points[0], [lines(points)])]
-        if tag == "rect":
-            x, y, width, height = values[:4]
-            return _rectangle((x, y), (width, height), (lengths[4], lengths[5]), tolerance)
-        return _ellipse(values[0], values[1], values[2], values[-1], tolerance)
+    def _look(self, element: ET.Element, declared: Mapping[str, str], state: State) -> Look:
+        keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
+        scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
+        style, flaws = self._styles.style(state.properties, state.viewport, scale)
+        if style.has_stroke and not keeps_width and is_uneven(state.matrix):
+            flaws = (*flaws, _UNEVEN)
+        if state.properties.is_visible:
+            for flaw in flaws:
+                self._miss(element, flaw)
+        visible = state.properties.is_visible
+        return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
 
-    def _length(self, element: ET.Element, name: str) -> float | None:
-        text = element.get(name)
-        if text is None or text.strip().endswith(("%", "em", "ex", "auto")):
-            return None
-        match = _LENGTH.fullmatch(text)
-        if match is None or not np.isfinite(float(match[1])):
-            raise self._broken(element, f"its {name} “{text[:20]}” is not a length.")
-        return float(match[1]) * _UNITS[match[2] or ""]
+    def _clip_box(self, declared: Mapping[str, str], state: State) -> Box | None:
+        return clip_box(declared.get("clip-path", ""), self._by_id, state.viewport)
+
+    def _length(self, element: ET.Element, name: str, state: State) -> float | None:
+        try:
+            return length_of(element, name, state.viewport)
+        except ExchangeError as problem:
+            raise self._broken(element, str(problem)) from None
+
+    # What is missed
+
+    def _miss_effects(
+        self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
+    ) -> None:
+        """Tell what an element that holds shapes does to them beside their styles."""
+        found = [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
+        if declared.get("clip-path", "none") != "none" and self._clip_box(declared, state) is None:
+            found.append(_CLIPPED)
+        if is_many and share_of(declared.get("opacity", "1")) < 1:
+            found.append(_TRANSPARENT)
+        for flaw in found:
+            self._miss(element, flaw)
+
+    def _miss_beyond(self, element: ET.Element, path: ImportedPath, state: State) -> None:
+        """Tell of a path that reaches beyond what is shown of it."""
+        for window in state.windows:
+            if path.look.visible and not window.holds(extent_of(path.pieces)):
+                self._miss(element, window.flaw)
+
+    def _miss(self, element: ET.Element, flaw: Flaw) -> None:
+        number = self._number[element]
+        missed = Missed(f"<{tag_of(element)}>", shown_name(element), number, flaw.why, flaw.instead)
+        # Once, however often an element is used.
+        self.missed[missed] = None
 
     def _broken(self, element: ET.Element, why: str) -> ExchangeError:
         if why.startswith("Element "):
@@ -240,99 +329,29 @@ class _Reader:
         return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
 
 
-# Shapes
+def _has_length(subpath: Subpath) -> bool:
+    """Whether a subpath is more than a point."""
+    controls = subpath.controls
+    return bool((controls != subpath.start).any())
 
 
-def _polyline(text: str, *, closed: bool) -> list[Subpath]:
-    words = [word for word in re.split(r"[\s,]+", text.strip()) if word]
-    if not words:
-        return []
-    if len(words) % 2:
-        raise ExchangeError("its points have an odd number of coordinates.")
-    letter = "Z" if closed else ""
-    return read_path_data(f"M{' '.join(words)}{letter}")
-
-
-def _rectangle(
-    corner: tuple[float, float],
-    size: tuple[float, float],
-    radii: tuple[float | None, float | None],
-    tolerance: float | None,
-) -> list[Subpath]:
-    (x, y), (width, height), (rx, ry) = corner, size, radii
-    if width < 0 or height < 0 or (rx or 0) < 0 or (ry or 0) < 0:
-        raise ExchangeError("it has a negative size.")
-    if width == 0 or height == 0:
-        return []
-    across = min(rx if rx is not None else ry or 0.0, width / 2)
-    up = min(ry if ry is not None else rx or 0.0, height / 2)
-    right, bottom = x + width, y + height
-    if across == 0 or up == 0:
-        return read_path_data(f"M{x!r} {y!r}H{right!r}V{bottom!r}H{x!r}Z")
-    bend = f"A{across!r} {up!r} 0 0 1"
-    return read_path_data(
-        f"M{x + across!r} {y!r}H{right - across!r}{bend} {right!r} {y + up!r}V{bottom - up!r}"
-        f"{bend} {right - across!r} {bottom!r}H{x + across!r}{bend} {x!r} {bottom - up!r}V{y + up!r}"
-        f"{bend} {x + across!r} {y!r}Z",
-        tolerance,
+def _speaks_to_us(element: ET.Element) -> bool:
+    """Whether an element of a `switch` is for everybody, or for those who read English."""
+    language = element.get("systemLanguage", "en")
+    return not element.get("requiredExtensions") and any(
+        each.strip().startswith("en") for each in language.split(",")
     )
 
 
-def _ellipse(x: float, y: float, rx: float, ry: float, tolerance: float | None) -> list[Subpath]:
-    if rx < 0 or ry < 0:
-        raise ExchangeError("it has a negative radius.")
-    if rx == 0 or ry == 0:
-        return []
-    whole = arc(np.array([x, y]), np.diag([rx, ry]), 0.0, tau, tolerance)
-    whole.pieces[-1, 3] = whole.pieces[0, 0]
-    return [Subpath(whole.pieces[0, 0], [whole.pieces], closed=True, deviation=whole.deviation)]
+def _moving(x: float, y: float) -> FloatArray:
+    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
 
 
-def _has_area(subpath: Subpath) -> bool:
-    """Whether filling shows anything: the points do not all lie on one line."""
-    points = subpath.controls.reshape(-1, 2)
-    with np.errstate(all="ignore"):
-        x, y = (points - points[0]).T
-        farthest = int(np.argmax(np.hypot(x, y)))
-        return bool((x * y[farthest] != y * x[farthest]).any())
+def _is_seen(drawn: Drawn) -> bool:
+    style = drawn.path.look.style
+    return style.has_stroke or style.has_fill
 
 
-# Matrices and names
-
-
-def _rotation(degrees: float, *centre: float) -> FloatArray:
-    """Return the rotation about the origin, or about another centre."""
-    angle = radians(degrees)
-    x, y = centre or (0.0, 0.0)
-    turn = np.array([[cos(angle), -sin(angle), 0.0], [sin(angle), cos(angle), 0.0]])
-    turn[:, 2] = (x, y) - turn[:, :2] @ (x, y)
-    return turn
-
-
-_MATRICES: dict[str, Callable[..., ArrayLike]] = {
-    "matrix": lambda a, b, c, d, e, f: ((a, c, e), (b, d, f)),
-    "translate": lambda x, y=0.0: ((1, 0, x), (0, 1, y)),
-    "scale": lambda x, y=None: ((x, 0, 0), (0, x if y is None else y, 0)),
-    "rotate": _rotation,
-    "skewX": lambda degrees: ((1, tan(radians(degrees)), 0), (0, 1, 0)),
-    "skewY": lambda degrees: ((1, 0, 0), (tan(radians(degrees)), 1, 0)),
-}
-"""The matrix (2, 3) of each transform, by its name and arguments."""
-
-
-def _combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
-    with np.errstate(all="ignore"):
-        result = outer[:, :2] @ inner
-        result[:, 2] += outer[:, 2]
-    return result
-
-
-def _moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
-    with np.errstate(all="ignore"):
-        return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
-
-
-def _name(element: ET.Element) -> str:
-    title = next((child.text for child in element if tag_of(child) == "title" and child.text), None)
-    label = element.get("{http://www.inkscape.org/namespaces/inkscape}label")
-    return " ".join((title or label or element.get("id") or "").split())[:200]
+def _with_line(drawn: Drawn) -> Drawn:
+    """Return a shape without any paint as a line."""
+    return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
@@ -15,9 +13,9 @@ from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..units import css_length, known_unit
-
-STROKE = 0.003
-"""Width of the curve against the picture's longer side."""
+from .numbers import number
+from .our_own import MARK, PAGE, STROKE
+from .tree import Tree, escaped, pair
 
 POINT_RADIUS = 0.006
 """Radius of the discs at the points, likewise."""
@@ -27,17 +25,15 @@ NOMINAL_SIDE = 800
 
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
-# XML 1.0 has no way at all to write these.
-_NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
-
 
 def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     """Return a document as SVG.
 
     Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
     curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as
-    the tolerance takes; the largest deviation stands in a comment and in the description. Points are
-    discs in a group of their own. Without a width the longer side is `NOMINAL_SIDE`.
+    the tolerance takes; the largest deviation stands in a comment and in the description. The curves of a
+    shape are one path, in their groups and with its style. Points are discs in a group of their own. Without
+    a width and a unit the longer side is `NOMINAL_SIDE`.
 
     Raises
     ------
@@ -83,13 +79,14 @@ def svg_text(
     """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
     frame = drawing.frame
     wide, high = _size_attributes(drawing, width, unit)
-    box = " ".join(_number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
+    box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
+    name = f' id="{PAGE}"' if drawing.has_page else ""
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
-        f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
+        f'<svg{name} xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
         f'width="{wide}" height="{high}" viewBox="{box}">',
-        f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
+        f"  <desc>{escaped(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
         *_curves(drawing, style, report),
@@ -113,65 +110,42 @@ def accuracy_of(drawing: Drawing) -> str:
     """Return a sentence with the largest deviation of the drawing from the true curves."""
     missed = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
     return (
-        f"Largest deviation from the true curves: {rounded_up(drawing.deviation):g} "
+        f"{MARK}: {rounded_up(drawing.deviation):g} "
         f"(tolerance {drawing.tolerance:g}{missed}), in the unit of the document."
     )
 
 
 def _paper(frame: Frame, colour: str) -> str:
-    x, y, width, height = (_number(v) for v in (frame.left, -frame.top, frame.width, frame.height))
+    x, y, width, height = (number(v) for v in (frame.left, -frame.top, frame.width, frame.height))
     return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
 
 
 def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
-    stroke = _number(STROKE * drawing.frame.side)
-    group = (
-        f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
-        'stroke-linecap="round" stroke-linejoin="round">'
-    )
-    layers = [line for each in told(drawing.outlines, report, "Writing") for line in _layer(each, style)]
-    return [group, *layers, "  </g>"]
+    tree = Tree(style, STROKE * drawing.frame.side)
+    for shape in told(drawing.shapes, report, "Writing"):
+        tree.add(shape)
+    tree.close()
+    return tree.lines
 
 
-def _layer(outline: Outline, style: PictureStyle) -> list[str]:
-    """Return a curve in a group that Inkscape takes for a layer."""
-    name = _text(outline.name)
-    quoted = name.replace('"', "&quot;").replace("\n", " ")
-    return [
-        f'    <g inkscape:groupmode="layer" inkscape:label="{quoted}">',
-        f'    <path d="{path_data(outline)}"{_own("stroke", outline, style)}><title>{name}</title></path>',
-        "    </g>",
+def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
+    radius = number(POINT_RADIUS * drawing.frame.side)
+    discs = [
+        f'    <circle cx="{number(x)}" cy="{number(-y)}" r="{radius}"{_disc_colour(outline, style)}/>'
+        for outline in drawing.outlines
+        for x, y in outline.points.tolist()
     ]
+    return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
 
 
-def _own(attribute: str, outline: Outline, style: PictureStyle) -> str:
+def _disc_colour(outline: Outline, style: PictureStyle) -> str:
     """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
-    return f' {attribute}="{_colour(outline.colour, style)}"' if outline.colour else ""
+    return f' fill="{_colour(outline.colour, style)}"' if outline.colour else ""
 
 
 def _colour(code: str, style: PictureStyle) -> str:
     """Return a colour as it is drawn on the picture's paper, the same as on the screen's."""
     return palette.colour_on(style.paper, code) if code else style.ink
-
-
-def path_data(outline: Outline) -> str:
-    """Return the pieces (k, 4, 2) as path data, y negated, one piece per line."""
-    control_points = outline.control_points
-    start, *_ = control_points[0].tolist()
-    pieces = (" ".join(_pair(point) for point in piece[1:]) for piece in control_points.tolist())
-    # Closed, the stroke has a join at the seam like everywhere else.
-    end = ["Z"] if outline.closed else []
-    return "\n      ".join([f"M {_pair(start)}", *(f"C {piece}" for piece in pieces), *end])
-
-
-def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
-    radius = _number(POINT_RADIUS * drawing.frame.side)
-    discs = [
-        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline, style)}/>'
-        for outline in drawing.outlines
-        for x, y in outline.points.tolist()
-    ]
-    return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
 
 
 def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
@@ -181,30 +155,12 @@ def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
 
 
 def _strokes(annotation: Annotation, style: PictureStyle) -> str:
-    data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in annotation.lines)
+    data = " ".join(f"M {' L '.join(pair(point) for point in line.tolist())}" for line in annotation.lines)
     colour = _colour(annotation.colour, style)
     opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
     if annotation.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'
-    dash = f' stroke-dasharray="{" ".join(map(_number, annotation.dash))}"' if annotation.dash else ""
+    dash = f' stroke-dasharray="{" ".join(map(number, annotation.dash))}"' if annotation.dash else ""
     return (
-        f'    <path d="{data}" stroke="{colour}" stroke-width="{_number(annotation.width)}"{dash}{opacity}/>'
+        f'    <path d="{data}" stroke="{colour}" stroke-width="{number(annotation.width)}"{dash}{opacity}/>'
     )
-
-
-def _pair(point: list[float]) -> str:
-    x, y = point
-    return f"{_number(x)} {_number(-y)}"
-
-
-def _number(value: float) -> str:
-    """Return the shortest text that reads back as the same float; adding zero turns -0.0 into 0.0."""
-    return repr(value + 0.0).removesuffix(".0")
-
-
-def _text(text: str) -> str:
-    """Return text as XML may hold it."""
-    # Compiled here, and kept by `re`: that takes longer than importing this module.
-    text = re.sub(_NOT_IN_XML, "\ufffd", text)
-    # What xml.sax.saxutils does, without the network modules that it imports.
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

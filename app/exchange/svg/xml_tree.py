@@ -43,6 +43,11 @@ def tag_of(element: ET.Element) -> str:
     return str(element.tag).rpartition("}")[2]
 
 
+def reference_of(element: ET.Element) -> str:
+    """Return what an element refers to: "#" and an id, an address, or nothing."""
+    return (element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or "").strip()
+
+
 def _tree(data: bytes, *, may_have_doctype: bool = True) -> ET.Element:
     parser = _Parser(_CountingBuilder(), may_have_doctype)
     try:

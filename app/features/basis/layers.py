@@ -178,7 +178,7 @@ class RailLayer(Layer):
         # Where control points act, None of points on the curve; which ticks do nothing.
         self.places: FloatArray | None = None
         self._idle: BoolArray = np.empty(0, dtype=np.bool_)
-        self._stamps = Stamps(_tick)
+        self._stamps = Stamps(lambda painter, size, _form: _tick(painter, size))
         self._count = 0
 
     def render(self, view: CurveView) -> None:

@@ -13,21 +13,23 @@ from ...actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PR
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.colours import CURVE_COLOURS
-from ...document.edits import rename_curve
+from ...document.curve_tree import Node, NodeKind
+from ...document.edits import EditError, rename_curve
 from ...document.model import Document
 from ...document.several_curves import (
     active_after_removal,
     add_copies,
-    move_curves,
     named,
-    place_in,
     remove_curves,
     with_appearance,
 )
+from ...document.shape_edits import moved_into, named_anew
+from ...document.shapes import whole_shapes
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.strip_menu import strip_menu
+from .dropping import Drop
 from .panel import CurveList
 
 
@@ -51,7 +53,7 @@ class CurveListCommands:
         """Return the list."""
         self.panel = CurveList(parent)
         self.panel.add_buttons(self._actions.in_strip(CURVE_LIST_BUTTONS)[1])
-        self.panel.view.deletion_wanted.connect(self._actions["deleteCurve"].trigger)
+        self.panel.view.deletion_wanted.connect(self._delete_all)
         self.panel.menu_requested.connect(
             lambda place: strip_menu(self._context, CURVE_LIST_MENU).popup(place)
         )
@@ -67,7 +69,7 @@ class CurveListCommands:
         panel.visible_switched.connect(self._switch_visible_of)
         panel.locked_switched.connect(self._switch_locked_of)
         panel.colour_chosen.connect(self._paint)
-        panel.row_meant.connect(lambda row: session.selected.set_curves(self._meant(row), row))
+        panel.row_meant.connect(self._choose_meant)
         session.selected_curves_changed.connect(self._render)
 
     def render(self, view: CurveView) -> None:
@@ -91,14 +93,14 @@ class CurveListCommands:
     @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
-        session, selected = self._session, self._session.selected.curves
-        document, order = session.document, sorted(selected)
+        session, order = self._session, sorted(self._session.selected.whole)
+        document = session.document
         colours = self._next_colours([document.curves[place].style.stroke for place in order])
-        first, active = order[-1] + 1, order.index(session.active_index)
+        added = add_copies(document, order, colours)
         if not session.change(
-            f"Duplicate {named(document, selected)}",
-            lambda document: add_copies(document, order, colours),
-            active=first + active,
+            f"Duplicate {named(document, order)}",
+            lambda _: added.document,
+            active=added.places[order.index(session.active_index)],
         ):
             return
         if len(order) == 1:
@@ -108,7 +110,7 @@ class CurveListCommands:
                 f"“{copy.name}” lies on the original; all its points are selected, drag one to move it."
             )
             return
-        session.selected.set_curves(range(first, first + len(order)))
+        session.selected.set_curves(added.places)
         session.say(f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them.")
 
     @action(
@@ -122,12 +124,14 @@ class CurveListCommands:
     @also(CURVE_MENU(30), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
-        session, selected = self._session, self._session.selected.curves
-        document = session.document
+        self._delete_all(self._session.selected.whole)
+
+    def _delete_all(self, curves: frozenset[int]) -> None:
+        session, document = self._session, self._session.document
         session.change(
-            f"Delete {named(document, selected)}",
-            lambda document: remove_curves(document, selected),
-            active=active_after_removal(document, selected, session.active_index),
+            f"Delete {named(document, curves)}",
+            lambda document: remove_curves(document, curves),
+            active=active_after_removal(document, curves, session.active_index),
         )
 
     def _next_colours(self, colours: list[str]) -> list[str]:
@@ -150,7 +154,7 @@ class CurveListCommands:
     def _rename(self) -> None:
         """Give the curve another name."""
         self._dock.bring_up()
-        self.panel.view.edit_name(self._session.active_index)
+        self.panel.view.edit_name(self.panel.view.current)
 
     @action(
         "curveVisible",
@@ -164,7 +168,7 @@ class CurveListCommands:
     @also(CURVE_MENU(21), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
         """Show or hide the curve, or all that are selected."""
-        self._switch_visible_of(self._session.active_index)
+        self._switch_visible_of(frozenset({self._session.active_index}))
 
     @action(
         "curveLocked",
@@ -178,13 +182,13 @@ class CurveListCommands:
     @also(CURVE_MENU(22), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
         """Keep the curve, or all that are selected, safe from changes."""
-        self._switch_locked_of(self._session.active_index)
+        self._switch_locked_of(frozenset({self._session.active_index}))
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     @also(CURVE_MENU(20), CURVE_LIST_MENU(11))
     def _choose_colour(self) -> None:
         """Choose the colour of the curve, or of all that are selected."""
-        self.panel.choose_colour(self._session.active_index)
+        self.panel.choose_colour(frozenset({self._session.active_index}))
 
     # Choosing
 
@@ -217,36 +221,55 @@ class CurveListCommands:
 
     # Clicked, dragged and typed in the list
 
-    def _meant(self, row: int) -> frozenset[int]:
-        """Return the curves that a click on a part of a row is about: all selected ones, or another."""
+    def _meant(self, places: frozenset[int]) -> frozenset[int]:
+        """Return the curves that a click on a part of a row is about: all selected ones, or others."""
         selected = self._session.selected.curves
-        return selected if row in selected else frozenset({row})
+        return selected if places <= selected else places
 
-    def _switch_visible_of(self, row: int) -> None:
-        visible = not self._session.committed.curves[row].visible
-        self._change_looks("Show" if visible else "Hide", row, partial(with_appearance, visible=visible))
+    def _choose_meant(self, places: frozenset[int]) -> None:
+        session = self._session
+        active = session.active_index if session.active_index in places else max(places)
+        session.selected.set_curves(self._meant(places), active)
 
-    def _switch_locked_of(self, row: int) -> None:
-        locked = not self._session.committed.curves[row].locked
-        self._change_looks("Lock" if locked else "Unlock", row, partial(with_appearance, locked=locked))
+    def _switch_visible_of(self, places: frozenset[int]) -> None:
+        visible = not any(self._session.committed.curves[place].visible for place in places)
+        self._change_looks("Show" if visible else "Hide", places, partial(with_appearance, visible=visible))
 
-    def _paint(self, row: int, code: str) -> None:
-        self._change_looks("Colour", row, partial(with_appearance, colour=code))
+    def _switch_locked_of(self, places: frozenset[int]) -> None:
+        locked = not all(self._session.committed.curves[place].locked for place in places)
+        self._change_looks("Lock" if locked else "Unlock", places, partial(with_appearance, locked=locked))
+
+    def _paint(self, places: frozenset[int], code: str) -> None:
+        self._change_looks("Colour", places, partial(with_appearance, colour=code))
 
     def _change_looks(
-        self, verb: str, row: int, edit: Callable[[Document, frozenset[int]], Document]
+        self, verb: str, places: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]
     ) -> None:
-        session, curves = self._session, self._meant(row)
+        session = self._session
+        curves = whole_shapes(session.committed, self._meant(places))
         session.change(f"{verb} {named(session.committed, curves)}", lambda document: edit(document, curves))
 
-    def _move(self, row: int, to: int) -> None:
-        session, curves = self._session, self._meant(row)
-        document = move_curves(session.committed, curves, row, to)
-        active = place_in(document, session.committed.curves[session.active_index])
-        session.change(f"Reorder {named(session.committed, curves)}", lambda _: document, active=active)
+    def _move(self, places: frozenset[int], drop: Drop) -> None:
+        session, curves = self._session, self._meant(places)
+        try:
+            moved = moved_into(session.committed, curves, drop.at, drop.container)
+        except EditError as reason:
+            session.refuse(str(reason))
+            return
+        chosen = [moved.order.index(place) for place in session.selected.curves]
+        active = moved.order.index(session.active_index)
+        if session.change(
+            f"Reorder {named(session.committed, curves)}", lambda _: moved.document, active=active
+        ):
+            session.selected.set_curves(chosen, active)
 
-    def _set_name(self, row: int, name: str) -> None:
-        self._session.change("Rename curve", lambda document: rename_curve(document, row, name))
+    def _set_name(self, node: Node, name: str) -> None:
+        def edit(document: Document) -> Document:
+            if node.kind is NodeKind.CURVE:
+                return rename_curve(document, node.places.start, name)
+            return named_anew(document, node, name)
+
+        self._session.change(f"Rename {node.kind.name.lower()}", edit)
 
 
 def _curves(now: Situation) -> str:

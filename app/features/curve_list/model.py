@@ -1,25 +1,29 @@
-"""The curves of the document as a Qt list model: one row for each, the one in front at the top.
+"""The curves of the document as a Qt list model: the one in front at the top, shapes and groups above theirs.
 
 A document has its curves in the order in which they are drawn, hence from the back to the front; rows are
-counted the other way round. Everything outside Qt's indices names a curve by its place in the document.
+counted the other way round. A shape or a group is an entry of its own, and what is in it has rows while it is
+open. Everything outside Qt's indices names a curve by its place in the document.
 """
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
+from ...document.curve_tree import Container, Node, NodeKind, tree_of
 from ...document.model import Curve, Document
 from ...document.words import count_of
 from ...qt.overrides import Guarded
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
+_Key = tuple[NodeKind, Container, str]
 
 
 class Row(NamedTuple):
-    """Values of a curve that the list shows."""
+    """Values of an entry that the list shows."""
 
     name: str
     colour: str
@@ -28,52 +32,172 @@ class Row(NamedTuple):
     facts: str
 
 
+class Entry(NamedTuple):
+    """Row of the list: a curve, a shape or a group, and whether it is open."""
+
+    node: Node
+    is_open: bool = False
+
+    @property
+    def places(self) -> frozenset[int]:
+        """The curves that it is about."""
+        return frozenset(self.node.places)
+
+    @property
+    def opens(self) -> bool:
+        """Whether it has rows of its own below it when it is open."""
+        return bool(self.node.parts)
+
+    @property
+    def key(self) -> _Key:
+        """What it is known by from one document to the next."""
+        return self.node.kind, self.node.around, self.node.name
+
+
 class CurveListModel(Guarded, QAbstractListModel):
-    """Rows are curves; the text is the name, and setting it asks for another one.
+    """Rows are curves, shapes and groups; the text is the name, and setting it asks for another one.
 
     Signals
     -------
     name_edited
-        Another name was typed for the curve at a place of the document.
+        Another name was typed for the curve, shape or group of a node.
+
+    Attributes
+    ----------
+    entries
+        What the rows are about, from the top.
+    has_folds
+        Whether there are shapes or groups.
     """
 
-    name_edited = Signal(int, str)
+    name_edited = Signal(object, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("curveListModel")
         self._curves: tuple[Curve, ...] = ()
+        self.entries: list[Entry] = []
+        self.has_folds = False
         self._rows: list[Row] = []
+        self._row_of: dict[int, int] = {}
+        self._open: set[_Key] = set()
         self._active = 0
         self._chosen: frozenset[int] = frozenset()
 
     def show_document(self, document: Document, active: int, selected: frozenset[int]) -> None:
         """Show the curves of `document`; only what changed is announced."""
         self._active, self._chosen = active, selected
-        known = {id(curve): row for curve, row in zip(self._curves, self._rows, strict=True)}
-        new = [known.get(id(curve)) or _row(curve) for curve in document.curves]
-        old, self._curves = self._rows, document.curves
-        if len(new) != len(old):
+        before, self._curves = self._curves, document.curves
+        if before is document.curves:
+            return
+        if _have_same_tree(before, document.curves):
+            changed = [place for place, old in enumerate(before) if old is not document.curves[place]]
+            self._show_rows({row for place in changed for row in self._rows_about(place)})
+        else:
+            self._follow_names(before)
+            self._build()
+
+    def _follow_names(self, before: Sequence[Curve]) -> None:
+        """Keep open what has another name now, its curves being where they were."""
+        if len(before) != len(self._curves):
+            return
+        was_open = {
+            (node.kind, node.depth, node.places) for node in _walked(before) if _key(node) in self._open
+        }
+        self._open |= {
+            _key(node) for node in _walked(self._curves) if (node.kind, node.depth, node.places) in was_open
+        }
+
+    def _build(self) -> None:
+        tree = tree_of(self._curves)
+        # What is no more is folded when something of its name is there again: in another document, for one.
+        self._open &= {_key(node) for top in tree for node in top.walk()}
+        self._put(list(_entries(tree, self._open)))
+
+    def _put(self, entries: list[Entry]) -> None:
+        rows = [self._row(entry.node) for entry in entries]
+        if len(rows) != len(self._rows):
             self.beginResetModel()
-            self._rows = new
+            self._take(entries, rows)
             self.endResetModel()
             return
-        self._rows = new
-        changed = [place for place, row in enumerate(new) if row != old[place]]
+        old = list(zip(self.entries, self._rows, strict=True))
+        self._take(entries, rows)
+        now = zip(entries, rows, strict=True)
+        self._announce([row for row, new in enumerate(now) if new != old[row]])
+
+    def _take(self, entries: list[Entry], rows: list[Row]) -> None:
+        self.entries, self._rows = entries, rows
+        self.has_folds = any(entry.opens for entry in entries)
+        self._row_of = {
+            place: row
+            for row, entry in enumerate(entries)
+            if not entry.is_open
+            for place in entry.node.places
+        }
+
+    def _show_rows(self, rows: Collection[int]) -> None:
+        new = {row: self._row(self.entries[row].node) for row in rows}
+        changed = [row for row in sorted(new) if new[row] != self._rows[row]]
+        for row in changed:
+            self._rows[row] = new[row]
+        self._announce(changed)
+
+    def _announce(self, changed: Sequence[int]) -> None:
         if changed:
-            self.dataChanged.emit(self.index_of(changed[-1]), self.index_of(changed[0]))
+            self.dataChanged.emit(self.index(changed[0]), self.index(changed[-1]))
 
-    def row(self, place: int) -> Row:
-        """Return what is shown of the curve at `place`."""
-        return self._rows[place]
+    def _row(self, node: Node) -> Row:
+        parts = self._curves[node.places.start : node.places.stop]
+        if node.kind is NodeKind.CURVE:
+            return _row_of_curve(parts[0])
+        what = f"{node.kind.name.lower()} of {count_of(len(parts), 'curve')}"
+        visible, locked = any(part.visible for part in parts), all(part.locked for part in parts)
+        return Row(node.name, parts[0].style.colour, visible, locked, what)
 
-    def place_of(self, index: Index) -> int:
-        """Return which curve of the document an index is about; -1 for none."""
-        return len(self._rows) - 1 - index.row() if index.isValid() else -1
+    # Rows and places
+
+    def row(self, row: int) -> Row:
+        """Return what is shown in a row."""
+        return self._rows[row]
+
+    def row_of(self, place: int) -> int:
+        """Return the row of the curve at `place`, or of the closed entry that it is in."""
+        return self._row_of.get(place, -1)
+
+    def _rows_about(self, place: int) -> Iterator[int]:
+        """Yield the row of a curve, and those of the open entries that it is in."""
+        row: int | None = self.row_of(place)
+        while row is not None:
+            yield row
+            row = self.row_around(row)
+
+    def row_around(self, row: int) -> int | None:
+        """Return the row of the shape or group that the entry of a row is in; None for none."""
+        depth = self.entries[row].node.depth
+        return next((up for up in range(row - 1, -1, -1) if self.entries[up].node.depth < depth), None)
+
+    def row_about(self, places: frozenset[int], place: int) -> int:
+        """Return the row about these curves, one of which is at `place`; or else that of the one."""
+        rows = self._rows_about(place)
+        return next((row for row in rows if self.entries[row].places == places), self.row_of(place))
+
+    def entry_of(self, index: Index) -> Entry | None:
+        """Return what an index is about."""
+        return self.entries[index.row()] if index.isValid() else None
 
     def index_of(self, place: int) -> QModelIndex:
-        """Return the index of the curve at `place` of the document."""
-        return self.index(len(self._rows) - 1 - place)
+        """Return the index of the curve at `place` of the document, or of the closed entry that it is in."""
+        return self.index(self.row_of(place))
+
+    def open(self, row: int, is_open: bool) -> None:
+        """Show what is in a shape or a group, or no longer."""
+        entry = self.entries[row]
+        if entry.opens and entry.is_open != is_open:
+            self._open ^= {entry.key}
+            self._build()
+
+    # For Qt
 
     def rowCount(self, parent: Index = _NO_INDEX) -> int:
         return 0 if parent.isValid() else len(self._rows)
@@ -84,27 +208,52 @@ class CurveListModel(Guarded, QAbstractListModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid() or index.row() >= len(self._rows):
             return None
-        place = self.place_of(index)
-        row = self._rows[place]
+        row, entry = self._rows[index.row()], self.entries[index.row()]
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return row.name
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{row.name}, {row.facts}{_state(row)}{self._role_of(place)}"
+            return f"{row.name}, {row.facts}{_state(row, entry)}{self._role_of(entry)}"
         return None
 
-    def _role_of(self, place: int) -> str:
-        if len(self._chosen) < 2 or place not in self._chosen:
+    def _role_of(self, entry: Entry) -> str:
+        if len(self._chosen) < 2 or not entry.places <= self._chosen:
             return ""
-        return ", chosen, edited" if place == self._active else ", chosen"
+        return ", chosen, edited" if self._active in entry.places else ", chosen"
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        if role != Qt.ItemDataRole.EditRole or not index.isValid():
+        entry = self.entry_of(index)
+        if role != Qt.ItemDataRole.EditRole or entry is None:
             return False
-        self.name_edited.emit(self.place_of(index), str(value))
+        self.name_edited.emit(entry.node, str(value))
         return bool(str(value).strip())
 
 
-def _row(curve: Curve) -> Row:
+def _have_same_tree(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+    """Whether what is in which shape and group is the same, and at the same places."""
+    return len(before) == len(after) and all(
+        new is old or (new.shape == old.shape and new.groups == old.groups)
+        for old, new in zip(before, after, strict=True)
+    )
+
+
+def _walked(curves: Sequence[Curve]) -> Iterator[Node]:
+    return (node for top in tree_of(curves) for node in top.walk())
+
+
+def _key(node: Node) -> _Key:
+    return Entry(node).key
+
+
+def _entries(nodes: Sequence[Node], are_open: Collection[_Key]) -> Iterator[Entry]:
+    """Yield what has a row, from the front to the back."""
+    for node in reversed(nodes):
+        is_open = bool(node.parts) and _key(node) in are_open
+        yield Entry(node, is_open)
+        if is_open:
+            yield from _entries(node.parts, are_open)
+
+
+def _row_of_curve(curve: Curve) -> Row:
     family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
     facts = f"{family}, {count_of(len(curve.points), 'point')}"
     if curve.is_closed:
@@ -112,5 +261,6 @@ def _row(curve: Curve) -> Row:
     return Row(curve.name, curve.style.colour, curve.visible, curve.locked, facts)
 
 
-def _state(row: Row) -> str:
-    return ("" if row.visible else ", hidden") + (", locked" if row.locked else "")
+def _state(row: Row, entry: Entry) -> str:
+    folded = (", open" if entry.is_open else ", folded") if entry.opens else ""
+    return folded + ("" if row.visible else ", hidden") + (", locked" if row.locked else "")

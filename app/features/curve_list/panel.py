@@ -17,7 +17,8 @@ from ...view_model.palette import adjustment_of
 from ...widgets.boxes import column_of, row_of
 from ...widgets.tool_buttons import action_button
 from .model import CurveListModel
-from .view import CurveListView, Spot
+from .rows import Spot
+from .view import CurveListView
 
 
 class CurveList(Guarded, QWidget):
@@ -26,11 +27,11 @@ class CurveList(Guarded, QWidget):
     Signals
     -------
     visible_switched, locked_switched
-        The eye or the lock of a row was clicked.
+        The eye or the lock of the row about these curves was clicked (a set of places).
     colour_chosen
-        Another colour was selected for a row.
+        Another colour was selected for these curves.
     row_meant
-        A menu about a row is wanted; it is to be the one that is edited.
+        A menu about these curves is wanted.
     menu_requested
         A menu for the active curve is wanted at a place of the screen.
 
@@ -40,10 +41,10 @@ class CurveList(Guarded, QWidget):
         The QListView.
     """
 
-    visible_switched = Signal(int)
-    locked_switched = Signal(int)
-    colour_chosen = Signal(int, str)
-    row_meant = Signal(int)
+    visible_switched = Signal(object)
+    locked_switched = Signal(object)
+    colour_chosen = Signal(object, str)
+    row_meant = Signal(object)
     menu_requested = Signal(QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -70,16 +71,17 @@ class CurveList(Guarded, QWidget):
 
     # What the person did
 
-    def _switch(self, row: int, spot: Spot) -> None:
+    def _switch(self, places: frozenset[int], spot: Spot) -> None:
         if spot is Spot.SWATCH:
-            self.choose_colour(row)
+            self.choose_colour(places)
         elif spot is Spot.EYE:
-            self.visible_switched.emit(row)
+            self.visible_switched.emit(places)
         else:
-            self.locked_switched.emit(row)
+            self.locked_switched.emit(places)
 
-    def choose_colour(self, row: int) -> QMenu:
-        """Open the palette for a curve, or all selected with it, beside its swatch if that is seen."""
+    def choose_colour(self, places: frozenset[int]) -> QMenu:
+        """Open the palette for curves, and all selected with them, beside their swatch if that is seen."""
+        row = self.model.row_about(places, max(places))
         menu = QMenu(self)
         menu.setObjectName("colourMenu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -91,10 +93,8 @@ class CurveList(Guarded, QWidget):
             action.setToolTip(f"{name} {adjustment_of(theme.paper.name(), code)}".strip())
             action.setCheckable(True)
             action.setChecked(code == self.model.row(row).colour)
-            action.triggered.connect(
-                lambda _checked=False, code=code, row=row: self.colour_chosen.emit(row, code)
-            )
-        rect = self.view.row_rect(row)
+            action.triggered.connect(lambda _checked=False, code=code: self.colour_chosen.emit(places, code))
+        rect = self.view.entry_rect(row)
         place = self.view.viewport().mapToGlobal(rect.bottomLeft())
         menu.popup(
             place if self.view.isVisible() else self.window().mapToGlobal(self.window().rect().center())
@@ -104,10 +104,10 @@ class CurveList(Guarded, QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the curve under the pointer, or of the active one."""
         place = self.view.viewport().mapFromGlobal(event.globalPos())
-        row = self.model.place_of(self.view.indexAt(place))
+        places = self.view.places_at(place)
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            row = self.view.active
-            place = self.view.row_rect(row).center()
-        if row >= 0:
-            self.row_meant.emit(row)
+            place = self.view.entry_rect(self.view.current).center()
+            places = self.view.places_at(place)
+        if places:
+            self.row_meant.emit(places)
         self.menu_requested.emit(self.view.viewport().mapToGlobal(place))

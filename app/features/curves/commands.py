@@ -13,7 +13,8 @@ from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits, edits
 from ...document.model import Curve, Document, Parametrization
-from ...document.several_curves import named, place_in, step_curves
+from ...document.several_curves import in_order, named, place_in
+from ...document.shape_edits import place_above, stepped
 from ...document.words import number
 from ...view_model.appending import with_closed
 from ...view_model.curve_view import view_of
@@ -37,7 +38,7 @@ class CurveCommands:
     def _new(self) -> None:
         """Add a curve to the document."""
         session = self._session
-        model, place = session.active_curve, session.active_index + 1
+        model, place = session.active_curve, place_above(session.document, session.active_index)
         fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
         if session.change(
             f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place
@@ -51,7 +52,7 @@ class CurveCommands:
         "Alt+Up",
         "move-up",
         full_name="Raise Curve",
-        needs=Need("a curve in front of this one", lambda now: _has_curve_beside(now, -1)),
+        needs=Need("a curve in front of this one", lambda now: _has_curve_beside(now, 1)),
     )
     @also(CURVE_LIST_MENU(20))
     def _raise(self) -> None:
@@ -65,7 +66,7 @@ class CurveCommands:
         "Alt+Down",
         "move-down",
         full_name="Lower Curve",
-        needs=Need("a curve behind this one", lambda now: _has_curve_beside(now, 0)),
+        needs=Need("a curve behind this one", lambda now: _has_curve_beside(now, -1)),
     )
     @also(CURVE_LIST_MENU(21))
     def _lower(self) -> None:
@@ -73,8 +74,8 @@ class CurveCommands:
         self._step("Lower", -1)
 
     def _step(self, verb: str, step: int) -> None:
-        session, what = self._session, named(self._session.document, self._session.selected.curves)
-        document = step_curves(session.document, session.selected.curves, step)
+        session, what = self._session, named(self._session.document, self._session.selected.whole)
+        document = in_order(session.document, stepped(session.document, session.selected.curves, step))
         if session.change(
             f"{verb} {what}", lambda _: document, active=place_in(document, session.active_curve)
         ):
@@ -280,12 +281,11 @@ class CurveCommands:
         return made[0]
 
 
-def _has_curve_beside(now: Situation, end: int) -> bool:
-    """Whether a curve can move towards that end of the list, 0 or -1; of several selected, some can."""
-    count = len(now.session.document.curves)
-    if len(now.selected) != 1:
-        return len(now.selected) < count
-    return now.session.active_index != range(count)[end]
+def _has_curve_beside(now: Situation, step: int) -> bool:
+    """Whether what is selected can move a step to the front (1) or back (−1); of several, some can."""
+    document = now.session.document
+    order = stepped(document, now.selected, step)
+    return any(place != before for place, before in enumerate(order))
 
 
 def _with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:

@@ -52,7 +52,8 @@ class PlaceEdit(ClaimsKeys, QLineEdit):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         # Nor where another part of the field has it now.
-        goes_on = self.parentWidget().isAncestorOf(QApplication.focusWidget() or self)
+        frame, now = self.parentWidget(), QApplication.focusWidget()
+        goes_on = frame is not None and now is not None and frame.isAncestorOf(now)
         if event.reason() not in PASSING and not goes_on:
             self.given_up.emit()
 

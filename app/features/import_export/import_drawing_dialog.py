@@ -32,7 +32,8 @@ class ImportDrawingDialog(FittedDialog):
         super().__init__("importDrawingDialog", f"Import {title}", parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._found = found
-        self.groups = GroupTree(found.groups) if len(set(found.groups)) > 1 else None
+        groups = [curve.groups for curve in found.document.curves]
+        self.groups = GroupTree(groups) if len(set(groups)) > 1 else None
         self.summary = Label(_summary(found), name="importSummary")
         self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))

@@ -12,8 +12,8 @@ from PySide6.QtGui import QFont, QPixmap
 from curvecore.arrays import FloatArray
 
 from ...appearance.colours import point_colours
-from ...appearance.swatches import swatch
 from ...appearance.theme import LIGHT, Theme
+from ...canvas.point_marks import mark_picture
 from ...document.edits import EditError, checked
 from ...document.expression import ExpressionError, parse_number
 from ...document.model import Point
@@ -21,6 +21,7 @@ from ...document.words import number, with_minus
 from ...qt.overrides import Guarded
 from ...view_model.curve_view import CurveView
 from ...view_model.point_columns import Column, columns_of
+from ...view_model.point_kinds import CORNER, POINT_KINDS, kinds_of
 from ...widgets.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
 
 Index = QModelIndex | QPersistentModelIndex
@@ -77,7 +78,9 @@ class PointTableModel(Guarded, QAbstractTableModel):
         self.columns = columns_of(derivatives=0)
         self._shown = _no_values(self.columns)
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
-        self._corners: frozenset[int] = frozenset()
+        # The points with two numbers in a cell, and the kinds of all.
+        self._two_sided: frozenset[int] = frozenset()
+        self._kinds = np.empty(0, dtype=np.intp)
         self._is_refused = False
         self._theme = LIGHT
         self._answers: dict[int, Callable[[int, int], object]] = {
@@ -119,12 +122,12 @@ class PointTableModel(Guarded, QAbstractTableModel):
         new = table_values(view, columns)
         if columns != self.columns:
             self.beginResetModel()
-            self._corners = frozenset(view.corners)
+            self._two_sided, self._kinds = frozenset(view.two_sided), kinds_of(view)
             self.columns, self._shown = columns, new
             self.endResetModel()
             return
         self._announce_rows(new)
-        changed = self._rows_with_other_corners(view) | self._changed_rows(new)
+        changed = self._rows_of_other_kinds(view) | self._changed_rows(new)
         changed = np.flatnonzero(changed)
         self._shown = new
         if len(changed):
@@ -146,18 +149,19 @@ class PointTableModel(Guarded, QAbstractTableModel):
         if count != old_count:
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, max(count - 1, 0))
 
-    def _rows_with_other_corners(self, view: CurveView) -> np.ndarray:
-        """Take over which points are corners, and return which rows that changes."""
-        old, self._corners = self._corners, frozenset(view.corners)
-        rows = np.zeros(len(view.source.points), dtype=bool)
-        rows[[row for row in old ^ self._corners if row < len(rows)]] = True
+    def _rows_of_other_kinds(self, view: CurveView) -> np.ndarray:
+        """Take over the kinds of the points, and return which rows that changes."""
+        self._two_sided, old = frozenset(view.two_sided), self._kinds
+        self._kinds = kinds_of(view)
+        rows, both = np.zeros(len(self._kinds), dtype=bool), min(len(old), len(self._kinds))
+        rows[:both] = old[:both] != self._kinds[:both]
         if rows.any():
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(rows) - 1)
         return rows
 
     def shows_one_side(self, row: int, column: int) -> bool:
         """Whether the point has two of these numbers, of which the cell shows one."""
-        return row in self._corners and self.columns[column].after is not None
+        return row in self._two_sided and self.columns[column].after is not None
 
     def _changed_rows(self, new: TableValues) -> np.ndarray:
         same = (self.values == new.values) | (np.isnan(self.values) & np.isnan(new.values))
@@ -213,8 +217,8 @@ class PointTableModel(Guarded, QAbstractTableModel):
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _RIGHT
             case Qt.ItemDataRole.ToolTipRole:
-                kind = ", a corner" if section in self._corners else ""
-                return f"Point {section}{kind}; click to select it"
+                kind = POINT_KINDS[self._kinds[section]].one
+                return f"Point {section}{f', {kind}' if kind else ''}; click to select it"
         return None
 
     @staticmethod
@@ -271,10 +275,11 @@ class PointTableModel(Guarded, QAbstractTableModel):
     def _corner_note(self, row: int, column: int) -> str:
         """Return what the tooltip adds where a point has two numbers, of which the table shows one."""
         after, view = self.columns[column].after, self._view
-        if view is None or after is None or view.sides is None or row not in self._corners:
+        if view is None or after is None or view.sides is None or row not in self._two_sided:
             return ""
         ahead = with_minus(exact_text(after(view, row), decimal_mark()))
-        return f", before the corner; {ahead} after it"
+        what = "corner" if POINT_KINDS[self._kinds[row]] is CORNER else "point"
+        return f", before the {what}; {ahead} after it"
 
     def _estimate(self, column: int) -> str:
         estimate = self.columns[column].estimate
@@ -284,7 +289,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         if row >= len(self.values):
             return None
         colour = point_colours(len(self.values), self._theme)[row]
-        return swatch(colour.name(), _SWATCH, square=row in self._corners)
+        return mark_picture(colour.name(), self._theme.paper.name(), _SWATCH, int(self._kinds[row]))
 
 
 def _number(given: object) -> float:

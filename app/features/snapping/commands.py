@@ -28,7 +28,7 @@ class SnapCommands:
         canvas.drawing.units.render(state.unit_name)
         self._context.status_line.readouts.unit = state.unit_name
 
-    @action("toggleSnap", "Snap", VIEW_DRAWING, "Shift+S", "magnet", checked=lambda now: now.state.snap_on)
+    @action("toggleSnap", "Snap", VIEW_DRAWING, "%", "magnet", checked=lambda now: now.state.snap_on)
     @also(TOOLBAR(62), CANVAS_MENU(32))
     def _toggle(self) -> None:
         """Snap to grid, points and curves; Ctrl while dragging turns it round."""

@@ -1,4 +1,4 @@
-"""Tangents at points: smooth, corner, straight, estimated, pulled out.
+"""Kinds of points: corner, smooth, symmetric, estimated; straight segments, velocities pulled out.
 
 - ``commands``: the actions.
 """

@@ -1,24 +1,25 @@
-"""The tangents at the selected points: smooth, corner, straight, left to the rules, or pulled out."""
+"""The kinds of the selected points, straight segments between them, and velocities pulled out."""
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Callable, Collection, Sequence
 
-from ...actions.declaration import PlaceAction, action, also
+from ...actions.declaration import Action, PlaceAction, action, action_for_each, also, also_for_each
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from ...actions.situation import Situation
 from ...actions.strips import POINT_MENU
-from ...document import edits, words
+from ...document import words
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
-from ...document.model import Curve, Document, Point, vectors_of
-from ...document.straight_edits import corners_of, ends_of, why_not_straight
+from ...document.lines import ends_of
+from ...document.model import Curve, Document
+from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve_view import CurveView
 from ...view_model.handles import with_velocities_pulled
+from ...view_model.point_kinds import POINT_KINDS, PointKind, kinds_of, why_no_kinds
 from ...view_model.sampling import segment_at
-from ...view_model.smoothness import ENDS_STAY, inner_points, made_smooth, with_corners
+from ...view_model.smoothness import inner_points
 from ...view_model.straight import segments_between, with_straight_segments
 from ...workbench.context import WindowContext
 
@@ -28,13 +29,9 @@ _VISIBLE = 16.0
 _MOST_NAMED = 3
 """Points or segments that a sentence names one by one."""
 
-
-class Tangent(enum.Enum):
-    """Kind of a tangent at a point."""
-
-    SMOOTH = enum.auto()
-    CORNER = enum.auto()
-    ESTIMATED = enum.auto()
+_OF_A_KIND = Need(
+    HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda now: why_no_kinds(now.view.source.family)
+)
 
 
 class TangentCommands:
@@ -44,56 +41,29 @@ class TangentCommands:
         self._context = context
         self._session = context.session
 
-    @action(
-        "tangentSmooth",
-        "Smooth",
-        CURVE_TANGENTS,
-        "Alt+1",
-        "spline",
-        full_name="Smooth Tangents",
-        needs=HERMITE_POINTS,
-        checked=lambda now: _tangents(now) == {Tangent.SMOOTH},
+    @action_for_each(
+        POINT_KINDS,
+        lambda kind: Action(
+            kind.action,
+            kind.title,
+            CURVE_TANGENTS,
+            kind.key,
+            kind.name,
+            kind.tip,
+            f"{kind.title} Tangents",
+            needs=_OF_A_KIND,
+            checked=lambda now: _kinds(now) == {POINT_KINDS.index(kind)},
+            keywords=kind.keywords,
+        ),
     )
-    @also(POINT_MENU(10))
-    def _make_smooth(self) -> None:
-        """One velocity on both sides of the selected points."""
+    @also_for_each(lambda kind: (POINT_MENU(10 + POINT_KINDS.index(kind)),))
+    def _make(self, kind: PointKind) -> None:
+        """Make the selected points of a kind."""
         view, selected = self._session.active_view, sorted(self._session.selection)
-        if self._reshape("Smooth", made_smooth):
-            self._tell(f"Smooth at {_points(selected)}.", view, selected)
-
-    @action(
-        "tangentCorner",
-        "Corner",
-        CURVE_TANGENTS,
-        "Alt+2",
-        "corner",
-        "A velocity of its own on either side of the selected points",
-        "Corner Tangents",
-        needs=HERMITE_POINTS,
-        checked=lambda now: _tangents(now) == {Tangent.CORNER},
-    )
-    @also(POINT_MENU(11))
-    def _make_corners(self) -> None:
-        view, selected = self._session.active_view, sorted(self._session.selection)
-        inner = inner_points(view.source, selected)
-        left_out = f"; {ENDS_STAY}" if len(inner) < len(selected) else ""
-        if self._reshape("Corner at", with_corners, inner or selected):
-            self._tell(f"Corner at {_points(inner)}{left_out}.", view, inner)
-
-    @action(
-        "tangentEstimated",
-        "Estimated",
-        CURVE_TANGENTS,
-        "Alt+3",
-        "reset",
-        full_name="Estimated Tangents",
-        needs=HERMITE_POINTS,
-        checked=lambda now: _tangents(now) == {Tangent.ESTIMATED},
-    )
-    @also(POINT_MENU(12))
-    def _make_estimated(self) -> None:
-        """Let the rules estimate the tangents of the selected points."""
-        self._apply("Estimate", self._estimate)
+        inner = inner_points(view.source, selected) if kind.ends else selected
+        left_out = f"; {kind.ends}" if len(inner) < len(selected) else ""
+        if self._reshape(kind.step, kind.made, inner or selected):
+            self._tell(f"{kind.title} at {_points(inner)}{left_out}.", view, inner)
 
     @action(
         "straightSegment",
@@ -107,7 +77,7 @@ class TangentCommands:
             why=lambda now: why_not_straight(now.view.source.family),
         ),
     )
-    @also(POINT_MENU(13))
+    @also(POINT_MENU(15))
     def _straighten_chosen(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
         session = self._session
@@ -126,7 +96,7 @@ class TangentCommands:
         "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does too",
         needs=HERMITE_POINTS,
     )
-    @also(POINT_MENU(14))
+    @also(POINT_MENU(16))
     def _pull_velocities(self) -> None:
         self._reshape("Pull out velocity of", self._pulled)
 
@@ -166,7 +136,8 @@ class TangentCommands:
         text = _straight_text(view.source, segments)
         if not session.change(text, edit):
             return
-        corners = corners_of(view.source, segments)
+        points = self._session.active_curve.points
+        corners = [index for index in corners_of(view.source, segments) if not points[index].tied]
         ends = {index for each in segments for index in ends_of(view.source, each)}
         self._tell(f"{text}{f', corner at {_points(corners)}' if corners else ''}.", view, ends)
 
@@ -183,12 +154,6 @@ class TangentCommands:
             lambda document, points: replace_curve(document, session.active_index, made(view, points)),
             selected,
         )
-
-    def _estimate(self, document: Document, selected: Collection[int]) -> Document:
-        curve = self._session.active_index
-        for index in selected:
-            document = edits.make_smooth(document, curve, index, None)
-        return edits.estimate_derivatives(document, curve, selected)
 
     def _apply(
         self,
@@ -222,16 +187,9 @@ def _points(indices: Collection[int]) -> str:
     return f"points {', '.join(first)} and {last}"
 
 
-def _tangents(now: Situation) -> set[Tangent]:
-    """Return what the tangents at the selected points are."""
-    usable = HERMITE_POINTS.is_met(now)
-    return {_tangent_at(now.view.source.points[index]) for index in now.selection} if usable else set()
-
-
-def _tangent_at(point: Point) -> Tangent:
-    if point.corner:
-        return Tangent.CORNER
-    return Tangent.SMOOTH if any(vectors_of(point)) else Tangent.ESTIMATED
+def _kinds(now: Situation) -> set[int]:
+    """Return the kinds that the selected points are of, by their places."""
+    return set(kinds_of(now.view)[sorted(now.selection)].tolist()) if HERMITE_POINTS.is_met(now) else set()
 
 
 COMMAND_SETS = (TangentCommands,)

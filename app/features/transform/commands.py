@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ...actions.declaration import Action, action, action_for_each
+from ...actions.declaration import Action, action, action_for_each, also_for_each
 from ...actions.needs import THREE_SELECTED, TWO_SELECTED
 from ...actions.sections import (
     EDIT_ALIGN_ACROSS,
@@ -14,8 +14,10 @@ from ...actions.sections import (
     EDIT_TRANSFORM_BOX,
     Section,
 )
+from ...actions.strips import CURVE_MENU
 from ...document import words
-from ...document.transforms import Edge, align_points, distribute_points
+from ...document.several_curves import mapped
+from ...document.transforms import Edge, align_points, distribute_points, flipping
 from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
@@ -26,6 +28,15 @@ class _Transform(NamedTuple):
 
     kind: TransformKind
     text: str
+    key: str
+    tip: str
+
+
+class _Flip(NamedTuple):
+    """Mirror image, and the words of its action."""
+
+    way: str
+    axis: int
     key: str
     tip: str
 
@@ -53,6 +64,11 @@ _TRANSFORMS = (
     ),
 )  # fmt: skip
 
+_FLIPS = (
+    _Flip("horizontally", 0, "H", "Mirror what is selected or chosen, or else all points: left is right"),
+    _Flip("vertically", 1, "Shift+V", "Mirror what is selected or chosen, or else all points: top is bottom"),
+)
+
 _ALIGNMENTS = (
     _Alignment(Edge.LEFT, EDIT_ALIGN_ACROSS, "Put the selected points below the leftmost one"),
     _Alignment(Edge.CENTRE, EDIT_ALIGN_ACROSS, "Put the selected points on one vertical, halfway"),
@@ -71,6 +87,9 @@ class SelectionCommands:
         self._session = context.session
         context.central.canvas.change_tool_settings(shows_box=context.store.state.transform_box)
         context.store.changed.connect(self._show_state)
+        self._target = context.central.canvas.tools.target
+        self._session.history_changed.connect(self._target.keep_pivot)
+        self._session.pivot_changed.connect(context.central.canvas.show_marks)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.transform_box != before.transform_box:
@@ -94,6 +113,28 @@ class SelectionCommands:
             self._session.refuse("The image is being moved now; Escape goes back to the points.")
         else:
             self._context.central.canvas.begin_transform(each.kind)
+
+    @action_for_each(
+        _FLIPS,
+        lambda each: Action(
+            f"flip{each.way.capitalize()}",
+            f"Flip {each.way.capitalize()}",
+            EDIT_TRANSFORM,
+            each.key,
+            f"flip-{each.way}",
+            each.tip,
+            keywords="mirror reflect",
+        ),
+    )
+    @also_for_each(lambda each: (CURVE_MENU(16 + each.axis),))
+    def _flip(self, each: _Flip) -> None:
+        target, session = self._target, self._session
+        self._context.cancel_gesture()
+        if refusal := target.refusal_of_keys:
+            session.refuse(refusal)
+            return
+        group, by = target.for_keys, flipping(each.axis, target.centre)
+        session.change(f"Flip {target.words} {each.way}", lambda document: mapped(document, group, by))
 
     @action_for_each(
         _ALIGNMENTS,

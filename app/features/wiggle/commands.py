@@ -13,6 +13,7 @@ from ...actions.sections import ANALYSIS_EXPLAIN
 from ...canvas.trace_layer import Trace
 from ...document.model import Document
 from ...tasks.debounced_task import DebouncedTask
+from ...tools.canvas.select import SELECT
 from ...tools.explain import EXPLAIN
 from ...view_model import analysis
 from ...view_model.curve_view import CurveView
@@ -46,6 +47,10 @@ class WiggleCommands(QObject):
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
+        # Whether the scrub line stands where an explanation wanted it, and where it stood before.
+        self._has_scrub = False
+        self._scrub_before: float | None = None
+        self._dock.closed.connect(self._put_scrub_back)
         self._session.scrub_changed.connect(self._follow_scrub)
 
     def _follow_scrub(self) -> None:
@@ -76,6 +81,7 @@ class WiggleCommands(QObject):
         self._context.central.canvas.choose_tool(EXPLAIN)
         self._context.store.change(tool=EXPLAIN, moves_image=False)
         self._context.status_line.show_hint(EXPLAIN.hint)
+        self._keep_scrub()
         if self._session.selected.scrub is None:
             self._explain_widest()
         self._open()
@@ -89,6 +95,7 @@ class WiggleCommands(QObject):
     )
     def _explain_widest_wiggle(self) -> None:
         """Explain the place where the curve swings out farthest."""
+        self._keep_scrub()
         self._explain_widest()
         self._open()
 
@@ -100,6 +107,7 @@ class WiggleCommands(QObject):
     @PlaceAction("explainHere", "Explain This Wiggle", like="explainWiggle")
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
+        self._keep_scrub()
         self._session.selected.set_scrub(t)
         self._open()
 
@@ -108,10 +116,23 @@ class WiggleCommands(QObject):
         self.follow(self._session.active_view)
         make_room_once(self._context.window, self._dock, _HEIGHT)
 
-    def escape(self) -> None:
-        """Put the explanation away."""
-        if self._is_seen:
-            self._dock.close()
+    def _keep_scrub(self) -> None:
+        if not self._is_seen:
+            self._has_scrub, self._scrub_before = True, self._session.selected.scrub
+
+    def _put_scrub_back(self) -> None:
+        if self._has_scrub:
+            self._has_scrub = False
+            self._session.selected.set_scrub(self._scrub_before)
+
+    def escape(self) -> bool:
+        """Put the explanation away with its tool; return whether there was one."""
+        if not self._is_seen:
+            return False
+        self._dock.close()
+        if self._context.store.state.uses(EXPLAIN):
+            self._context.actions[SELECT.action].trigger()
+        return True
 
     def _follow_visibility(self, visible: bool) -> None:
         self._is_seen = visible

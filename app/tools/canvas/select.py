@@ -5,12 +5,14 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from ...document import words
+from ...document.model import Vector
 from .. import hints
 from ..curve_picker import CurvePicker
 from ..drags import BendCurve
 from ..guides import GuidePicker
 from ..marks import GestureMarks
 from ..marquee import Marquee
+from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
 from ..parts import GESTURES, press_on_part, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
@@ -36,7 +38,9 @@ class SelectTool(Tool):
         """Begin what a press here means; another curve under it is edited from now on."""
         context = self._picker.enter(context)
         hit, grip = context.hit, self._grip_at(context)
-        if hit is not None and hit.part is Part.OTHER_CURVE:
+        if self._is_on_pivot(context):
+            self.gesture = MovePivot(context)
+        elif hit is not None and hit.part is Part.OTHER_CURVE:
             self._picker.press(context, hit)
         elif hit is not None and hit.part not in _BELOW_GRIPS:
             press_on_part(context, hit)
@@ -84,7 +88,10 @@ class SelectTool(Tool):
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
-        self._guides.hover(context, hit if grip is None else None)
+        takes_pivot = self._is_on_pivot(context)
+        self._guides.hover(context, hit if grip is None and not takes_pivot else None)
+        if takes_pivot:
+            return PIVOT_HINT
         if hit is not None and hit.part is Part.OTHER_CURVE:
             return self._picker.hint(context, hit)
         if grip is not None and group is not None and (hit is None or hit.part in _BELOW_GRIPS):
@@ -99,10 +106,13 @@ class SelectTool(Tool):
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
-        is_idle = self.gesture is None and not context.drags.is_pressed
+        is_idle, box = self.gesture is None and not context.drags.is_pressed, self._box(context)
+        is_banding = isinstance(self.gesture, Marquee)
         return GestureMarks(
             band=self.gesture.band if isinstance(self.gesture, Marquee) else None,
-            box=self._box(context) if is_idle else None,
+            box=box if is_idle else None,
+            frame=None if is_idle or is_banding else box,
+            pivot=self._pivot(context) if not is_banding else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
             guide=self._guides.lit,
@@ -113,6 +123,20 @@ class SelectTool(Tool):
         target = context.target
         is_shown = context.settings.shows_box and not target.refusal_of(target.group)
         return target.box if is_shown else None
+
+    def _pivot(self, context: ToolContext) -> Vector | None:
+        """Return the pivot that is shown: one that was chosen, or the middle of the box."""
+        target = context.target
+        if (place := target.pivot) is not None:
+            return place
+        box = self._box(context)
+        return box.centre if box is not None else None
+
+    def _is_on_pivot(self, context: ToolContext) -> bool:
+        """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
+        place, hit = self._pivot(context), context.hit
+        is_free = context.target.pivot is not None or hit is None or hit.part in _BELOW_GRIPS
+        return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
         box = self._box(context)
@@ -136,11 +160,12 @@ SELECT = ToolRecord(
         GestureRow("Click the curve", "tell t and c(t) there"),
         GestureRow(
             "Drag a grip of the box",
-            "scale (Shift keeps proportions, Alt the centre) or rotate (Shift: 15° steps)",
+            "scale (Ctrl keeps proportions, Shift the pivot) or rotate (Ctrl: 15° steps)",
             selected=True,
             curves=True,
         ),
         GestureRow("Drag a guide", "move it; back to the ruler removes it"),
+        GestureRow("Drag the cross in the box", "move the pivot", selected=True, curves=True),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
         GestureRow("Escape", "select nothing", selected=True),
         GestureRow("Press another curve", "edit it; drag to bend it or move a point"),

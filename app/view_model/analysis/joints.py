@@ -12,6 +12,7 @@ import numpy as np
 
 from curvecore import Joint, joint_report
 
+from ...document.words import number
 from ..curve_view import CurveView
 from ..plane import size_of
 
@@ -80,6 +81,10 @@ class JointRow:
         The same as "C³", "C¹, G²" or "break".
     kind, words
         The kind that this makes it, and the same in a sentence.
+    speed_ratio
+        The speed after the joint over that before it; NaN where the curve stands still.
+    measured
+        The angle as it was measured, and the ratio of speeds, in words; empty where it stands still.
     """
 
     joint: int
@@ -93,6 +98,8 @@ class JointRow:
     smoothness: str
     kind: JointKind
     words: str
+    speed_ratio: float
+    measured: str
 
 
 @dataclass(frozen=True)
@@ -142,7 +149,15 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
         smoothness=joint.label.translate(_RAISED),
         kind=kind,
         words=_RESTS if kind is JointKind.REST else _WORDS[continuity[0], min(continuity[1], 2)],
+        speed_ratio=joint.speed_ratio,
+        measured="" if math.isnan(joint.angle) else _measured(joint),
     )
+
+
+def _measured(joint: Joint) -> str:
+    """Return what was measured of the tangents, without a word on what is taken for none."""
+    angle = f"{number(math.degrees(joint.angle), 2)}°"
+    return f"Tangents {angle} apart; the speed after is {number(joint.speed_ratio, 4)} × that before."
 
 
 def _curvature_jump(joint: Joint) -> float:
@@ -203,8 +218,10 @@ def as_text(certificate: Certificate) -> str:
     jumps = [f"jump of {what}" for what in ("c", "c'", "c''", "c'''")]
     lines = [certificate.summary]
     if certificate.rows:
-        lines.append("\t".join(["joint", "t", "class", *jumps, "angle (degrees)", "jump of curvature"]))
+        lines.append(
+            "\t".join(["joint", "t", "class", *jumps, "angle (degrees)", "jump of curvature", "speed ratio"])
+        )
     for row in certificate.rows:
-        numbers = (*row.jumps, row.angle, row.curvature)
+        numbers = (*row.jumps, row.angle, row.curvature, row.speed_ratio)
         lines.append("\t".join([str(row.joint), repr(row.t), row.smoothness, *map(repr, numbers)]))
     return "\n".join(lines) + "\n"

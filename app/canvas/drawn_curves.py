@@ -1,0 +1,103 @@
+"""The curves of a document on the canvas, in the order in which they print, whichever of them is edited."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from ..plotting.plot_widget import PlotWidget
+from ..view_model.curve_view import CurveView
+from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
+from .looks import Shape, is_plain
+from .other_curves_layer import OtherCurvesLayer
+from .selected_curves_layer import SelectedCurvesLayer
+
+_ABOVE = -0.8
+"""Height of what prints over the shape that is edited."""
+
+
+class DrawnCurves:
+    """Layers of all curves: what prints below the edited shape, that, what prints over it, and marks.
+
+    A plain line that is edited is drawn over all others, as long as none of these is painted otherwise.
+
+    Attributes
+    ----------
+    others, above
+        The shapes that are not edited, below the edited one and over it; only the first finds curves.
+    selected
+        What marks the curves that are selected together with the edited one.
+    edited, curve
+        The shape that is edited, as it prints; the line of the curve that is edited.
+    """
+
+    def __init__(self, plot: PlotWidget) -> None:
+        self.others = OtherCurvesLayer(plot)
+        self.edited = EditedShapeLayer(plot)
+        self.above = OtherCurvesLayer(plot, z=_ABOVE)
+        self.selected = SelectedCurvesLayer(plot)
+        self.curve = CurveLayer(plot)
+        self._is_thin = False
+        self._shown: tuple[Sequence[CurveView], int, frozenset[int]] = ((), 0, frozenset())
+
+    def render(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
+        """Show the curves of a document, of which one is edited and some are selected."""
+        self._shown = (views, active, selected)
+        other = [place for place in range(len(views)) if place != active]
+        found = [
+            (place, views[place])
+            for place in other
+            if place not in selected and views[place].source.visible and views[place].has_curve
+        ]
+        below, edited, above = self._in_order(views, active, selected)
+        self.others.render_shapes(below, found)
+        self.edited.render(edited)
+        self.above.render_shapes(above, [])
+        self.selected.render(views, [place for place in other if place in selected])
+        self.curve.set_covered(bool(above))
+
+    def _in_order(
+        self, views: Sequence[CurveView], active: int, selected: Collection[int]
+    ) -> tuple[list[Shape], Shape, list[Shape]]:
+        """Return the shapes below the edited one, that where it is no plain line, and those over it."""
+        below: list[Shape] = []
+        above: list[Shape] = []
+        edited: Shape = ()
+        is_layered = False
+        for places in _shapes(views):
+            shape = tuple(views[place] for place in places)
+            is_line = self._is_thin or is_plain(shape[0].source.style)
+            if active in places and not is_line and not is_faint(views[active]):
+                edited, is_layered = shape, True
+                continue
+            if is_line:
+                # What is selected is drawn by its marks.
+                rest = (place for place in places if place != active and place not in selected)
+                shape = tuple(views[place] for place in rest)
+            shape = tuple(view for view in shape if view.source.visible and view.has_curve)
+            if shape:
+                is_over = places.start > active
+                is_layered |= is_over and not is_line
+                (above if is_over else below).append(shape)
+        return (below, edited, above) if is_layered else ([*below, *above], edited, [])
+
+    def set_thin(self, thin: bool) -> None:
+        """Draw plain lines, whatever the styles."""
+        self._is_thin = thin
+        for layer in (self.others, self.above, self.selected, self.curve):
+            layer.set_thin(thin)
+        self.render(*self._shown)
+
+    def set_cased(self, cased: bool) -> None:
+        """Keep plain lines apart from what lies below them, a picture to trace, or not."""
+        for layer in (self.others, self.above, self.curve):
+            layer.set_cased(cased)
+
+
+def _shapes(views: Sequence[CurveView]) -> Iterator[range]:
+    """Yield the places of the curves of each shape, in order."""
+    first = 0
+    for place in range(1, len(views) + 1):
+        name = views[first].source.shape
+        if place == len(views) or not name or views[place].source.shape != name:
+            yield range(first, place)
+            first = place

@@ -1,0 +1,67 @@
+"""How curves look on the canvas: as they print, or as thin lines to edit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtGui import QPainter
+
+from ..appearance.colours import curve_colour, fill_colour
+from ..appearance.theme import Theme
+from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
+from ..plotting.pixel_map import PixelMap
+from ..plotting.printed import Ink, Part, paint_printed
+from ..view_model.curve_view import CurveView, Polyline
+
+TOLERANCE = 0.1
+"""Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
+
+_WIDE = 8.0
+"""Pixels of a line above which its edges show corners that its middle does not."""
+
+_MOST_FINER = 8.0
+
+Shape = tuple[CurveView, ...]
+"""The curves of a shape, in order."""
+
+
+def is_plain(style: Style) -> bool:
+    """Whether a style is a line of the usual width, whatever its colour."""
+    return style is PLAIN_STYLE or (
+        style.width is None
+        and style.fill == NO_PAINT
+        and style.stroke != NO_PAINT
+        and not style.dash
+        and style.cap is LineCap.ROUND
+        and style.join is LineJoin.ROUND
+        and style.stroke_opacity == style.opacity == 1.0
+    )
+
+
+def thinned_out(style: Style) -> Style:
+    """Return the plain line that stands for a style while lines are thin."""
+    return Style(stroke=style.colour)
+
+
+def line_of(view: CurveView, shown: PixelMap) -> Polyline:
+    """Return a curve as a polyline of the plane, exact enough to be drawn as wide as it is."""
+    scale = max(shown.sx, shown.sy)
+    width = view.source.style.width or 0.0
+    if width * scale <= _WIDE:
+        return view.flattened(TOLERANCE / scale, shown.box)
+    # Where the middle turns by some angle the edge turns with a larger radius.
+    finer = min(width * scale / _WIDE, _MOST_FINER)
+    left, low, right, high = shown.box
+    box = (left - width, low - width, right + width, high + width)
+    return view.flattened(TOLERANCE / finer / scale, box)
+
+
+def paint_shape(
+    painter: QPainter, shape: Sequence[CurveView], shown: PixelMap, theme: Theme, usual: float
+) -> None:
+    """Paint a shape as it prints; `usual` is the width in pixels of a line that has none of its own."""
+    style = shape[0].source.style
+    width = usual if style.width is None else style.width * shown.sx
+    ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width)
+    parts = [Part(line_of(view, shown).points, view.source.is_closed) for view in shape if view.has_curve]
+    paint_printed(painter, parts, style, ink, shown)

@@ -1,0 +1,263 @@
+"""Edits of shapes and groups: made, taken apart, named, and moved in the order with all that is in them.
+
+Pure functions like those of ``edits``; `tidy_shapes` gives what they leave its final form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import count
+from typing import NamedTuple
+
+from msgspec.structs import replace
+
+from .curve_edits import free_copy_name, with_each
+from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, tree_of, whole_nodes
+from .edits import EditError
+from .model import Curve, Document
+from .shapes import SHARED, shape_of, shared_start, whole_shapes, with_values
+from .style import NO_PAINT, FillRule
+
+
+class Gathered(NamedTuple):
+    """A document in which some curves were brought together.
+
+    Attributes
+    ----------
+    document
+        The document.
+    places
+        Where they are in it.
+    order
+        Where each of its curves was before.
+    """
+
+    document: Document
+    places: range
+    order: tuple[int, ...]
+
+
+# Order
+
+
+def gathered(document: Document, curves: Mapping[int, Curve], at: int) -> Gathered:
+    """Put `curves`, by their places now, one after the other before place `at`."""
+    before = [place for place in range(at) if place not in curves]
+    behind = [place for place in range(at, len(document.curves)) if place not in curves]
+    order = (*before, *sorted(curves), *behind)
+    new = tuple(curves.get(place, document.curves[place]) for place in order)
+    return Gathered(replace(document, curves=new), range(len(before), len(before) + len(curves)), order)
+
+
+def moved_into(
+    document: Document, curves: Collection[int], at: int, container: Container = OUTSIDE
+) -> Gathered:
+    """Bring curves together before place `at`, in a shape or group; shapes and groups of them stay whole."""
+    return gathered(document, contained(document.curves, curves, container), at)
+
+
+def contained(curves: Sequence[Curve], chosen: Collection[int], container: Container) -> dict[int, Curve]:
+    """Return the chosen curves as they are in a shape or group, by their places.
+
+    Raises
+    ------
+    EditError
+        If nothing would be left there to go to.
+    """
+    there = [curve for place, curve in enumerate(curves) if container.holds(curve) and place not in chosen]
+    if container != OUTSIDE and not there:
+        raise EditError("A shape or a group cannot go into itself.")
+    of_shape = {name: getattr(there[0], name) for name in SHARED} if container.shape else {}
+    found = {}
+    for node in whole_nodes(curves, chosen):
+        for place in node.places:
+            own = curves[place]
+            groups = (*container.groups, *own.groups[len(node.around.groups) :])
+            shape = "" if node.kind is NodeKind.CURVE else own.shape
+            values = of_shape | {"shape": container.shape} if of_shape else {"shape": shape, "groups": groups}
+            found[place] = with_values(own, values)
+    return found
+
+
+def stepped(document: Document, curves: Collection[int], step: int) -> list[int]:
+    """Return the order of places in which shapes and groups are one step to the front (1) or back (−1).
+
+    Each goes past the next thing beside it in the group that it is in, as far as there is one.
+    """
+    chosen = whole_shapes(document, curves)
+    return list(_stepped(tree_of(document.curves), chosen, step))
+
+
+def _stepped(nodes: Sequence[Node], chosen: frozenset[int], step: int) -> Iterator[int]:
+    order = [(node, all(place in chosen for place in node.places)) for node in nodes]
+    for at in range(len(order) - 1, -1, -1) if step > 0 else range(len(order)):
+        to = at + step
+        if order[at][1] and 0 <= to < len(order) and not order[to][1]:
+            order[at], order[to] = order[to], order[at]
+    for node, is_chosen in order:
+        if is_chosen or node.kind is not NodeKind.GROUP:
+            yield from node.places
+        else:
+            yield from _stepped(node.parts, chosen, step)
+
+
+def place_above(document: Document, curve: int) -> int:
+    """Return the place in front of a curve, and of the shape and the groups that it is in."""
+    own = document.curves[curve]
+    around = group_around(document.curves, curve, 0) if own.groups else shape_of(document, curve)
+    return around.stop
+
+
+# Shapes
+
+
+def combined(document: Document, curves: Collection[int], *, alternate: bool = False) -> Gathered:
+    """Make one shape of curves, where the topmost is.
+
+    It has the style of the hindmost that is filled, or else of the hindmost. `alternate` says that one of
+    them lies in another and runs the same way: the even-odd rule then makes a hole of it.
+    """
+    chosen = sorted(whole_shapes(document, curves))
+    if len(chosen) < 2:
+        raise EditError("Choose two curves or more to combine them.")
+    parts = [document.curves[place] for place in chosen]
+    model = next((part for part in parts if part.style.fill != NO_PAINT), parts[0])
+    style = replace(model.style, fill_rule=FillRule.EVENODD) if alternate else model.style
+    name = next((part.shape for part in parts if part.shape), "") or free_group_name(document, "Shape")
+    shared = {
+        "style": style,
+        "shape": name,
+        "groups": parts[-1].groups,
+        "visible": any(part.visible for part in parts),
+        "locked": any(part.locked for part in parts),
+    }
+    new = {place: replace(document.curves[place], **shared) for place in chosen}
+    return gathered(document, new, chosen[-1] + 1)
+
+
+def broken_apart(document: Document, curves: Collection[int]) -> Document:
+    """Make a curve of its own of each curve of the shapes."""
+    chosen = whole_shapes(document, curves)
+    if not any(document.curves[place].shape for place in chosen):
+        raise EditError("Choose a shape of several curves to break it apart.")
+    return with_each(document, chosen, lambda curve: replace(curve, shape=""))
+
+
+# Groups
+
+
+def grouped(document: Document, curves: Collection[int]) -> Gathered:
+    """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them."""
+    chosen = whole_shapes(document, curves)
+    nodes, top = whole_nodes(document.curves, chosen), max(chosen)
+    around = shared_start(*(node.around.groups for node in nodes))
+    own, name = document.curves[top].groups, free_group_name(document, "Group")
+    is_deeper = len(own) > len(around)
+    at = group_around(document.curves, top, len(around)).stop if is_deeper else top + 1
+    inside = {
+        place: replace(curve, groups=(*around, name, *curve.groups[len(around) :]))
+        for place, curve in contained(document.curves, chosen, Container(around)).items()
+    }
+    return gathered(document, inside, at)
+
+
+def groups_meant(document: Document, curves: Collection[int]) -> list[Node]:
+    """Return the groups all of whose curves are chosen, the outermost; or else those right around curves."""
+    whole = [node for node in whole_nodes(document.curves, curves) if node.kind is NodeKind.GROUP]
+    if whole:
+        return whole
+    found = {}
+    for place in sorted(curves):
+        if groups := document.curves[place].groups:
+            places = group_around(document.curves, place, len(groups) - 1)
+            found[places] = Node(NodeKind.GROUP, groups[-1], places, Container(groups[:-1]))
+    return list(found.values())
+
+
+def ungrouped(document: Document, curves: Collection[int]) -> Document:
+    """Take groups apart by one level; see `groups_meant`."""
+    nodes = groups_meant(document, curves)
+    if not nodes:
+        raise EditError("Choose a group to take it apart.")
+    depths = {place: node.depth for node in nodes for place in node.places}
+    return replace(
+        document,
+        curves=tuple(
+            _without_group(curve, depths[place]) if place in depths else curve
+            for place, curve in enumerate(document.curves)
+        ),
+    )
+
+
+def _without_group(curve: Curve, depth: int) -> Curve:
+    return replace(curve, groups=(*curve.groups[:depth], *curve.groups[depth + 1 :]))
+
+
+def pressed(document: Document, curve: int, active: int, chosen: Collection[int]) -> frozenset[int]:
+    """Return the curves that a press on one of them means: its outermost group, or else its shape.
+
+    A group is entered, and what is in it meant, while a curve of it is edited and not all of it is chosen.
+    """
+    curves = document.curves
+    groups, here = curves[curve].groups, curves[active].groups
+    for depth in range(len(groups)):
+        around = group_around(curves, curve, depth)
+        is_entered = active in around and here[: depth + 1] == groups[: depth + 1]
+        if not is_entered or all(place in chosen for place in around):
+            return frozenset(around)
+    return frozenset(shape_of(document, curve))
+
+
+# Names
+
+
+def free_group_name(document: Document, stem: str) -> str:
+    """Return a name "Shape 1" that no shape and no group has."""
+    taken = names_of(document.curves)
+    return next(name for number in count(1) if (name := f"{stem} {number}") not in taken)
+
+
+def names_of(curves: Iterable[Curve]) -> set[str]:
+    """Return the names of shapes and groups."""
+    return {name for curve in curves for name in (curve.shape, *curve.groups)}
+
+
+def named_anew(document: Document, node: Node, name: str) -> Document:
+    """Give a shape or a group another name, without the blanks around it."""
+    name = name.strip()
+    kind = node.kind.name.lower()
+    if not name:
+        raise EditError(f"A {kind} needs a name.")
+    if name == node.name:
+        return document
+    if name in names_of(document.curves):
+        raise EditError(f"“{name}” is the name of another shape or group.")
+    if node.kind is NodeKind.SHAPE:
+        return with_each(document, node.places, lambda curve: replace(curve, shape=name))
+    at = node.depth
+    return with_each(
+        document,
+        node.places,
+        lambda curve: replace(curve, groups=(*curve.groups[:at], name, *curve.groups[at + 1 :])),
+    )
+
+
+def with_own_names(
+    curves: Sequence[Curve], document: Document, container: Container = OUTSIDE
+) -> list[Curve]:
+    """Return curves for a place of a document, their shapes and groups under names that none has there.
+
+    That of the `container` which they come into stays.
+    """
+    taken = names_of(document.curves)
+    fresh = {name: name for name in ("", container.shape, *container.groups)}
+    for name in (each for curve in curves for each in (curve.shape, *curve.groups)):
+        if name not in fresh:
+            fresh[name] = free_copy_name(name, taken)
+            taken.add(fresh[name])
+    return [
+        replace(curve, shape=fresh[curve.shape], groups=tuple(fresh[name] for name in curve.groups))
+        if curve.shape or curve.groups
+        else curve
+        for curve in curves
+    ]

@@ -1,0 +1,112 @@
+"""Ties: velocities before and after a point that go the same way, each at a speed of its own.
+
+A point that is tied is a corner whose two velocities are parallel: the curve has a tangent there (G¹), and
+its two handles have lengths of their own. Whoever turns one velocity turns the other along, and a straight
+segment beside the point gives both their direction. No Qt, no arrays.
+"""
+
+from __future__ import annotations
+
+import math
+
+from msgspec.structs import replace
+
+from .derivatives import DERIVATIVES
+from .lines import line_beside
+from .model import Curve, Point, Vector
+
+PARALLEL = 1e-9
+"""Angle in radians up to which two velocities go the same way: what the certificate of joints takes for
+none. Turning one to the other leaves some 1e-16."""
+
+
+def angle_between(v: Vector, w: Vector) -> float:
+    """Return the angle between two vectors, 0 to π; 0 where one of them is zero and has no direction."""
+    (a, b), (c, d) = unit(v), unit(w)
+    return 2.0 * math.atan2(math.hypot(a - c, b - d), math.hypot(a + c, b + d)) if any(v) and any(w) else 0.0
+
+
+def unit(v: Vector) -> Vector:
+    """Return the direction of a vector, zero where it has none."""
+    largest = max(abs(v[0]), abs(v[1]))
+    if not largest:
+        return (0.0, 0.0)
+    # Scaled first: the square of a small number vanishes.
+    x, y = v[0] / largest, v[1] / largest
+    length = math.hypot(x, y)
+    return (x / length, y / length)
+
+
+def turned(v: Vector, along: Vector) -> Vector:
+    """Return a vector as long as `v` that goes the way of `along`; where that is zero, `v` itself."""
+    if not any(along) or unit(v) == unit(along):
+        return v
+    (x, y), length = unit(along), math.hypot(*v)
+    return (length * x, length * y)
+
+
+def holds(point: Point) -> bool:
+    """Whether the two velocities of a point are what a tie says: both set, and parallel."""
+    before, after = point.velocity, point.velocity_after
+    return (
+        point.corner and before is not None and after is not None and angle_between(before, after) <= PARALLEL
+    )
+
+
+def tied(point: Point, before: Vector, after: Vector) -> Point:
+    """Return a point whose velocities are tied: the shorter one is turned to the longer."""
+    if math.hypot(*before) < math.hypot(*after):
+        before = turned(before, after)
+    else:
+        after = turned(after, before)
+    cornered = point if point.corner else point.as_corner()
+    return replace(cornered, tied=True, velocity=before, velocity_after=after)
+
+
+def untied(point: Point) -> Point:
+    """Return a point whose velocities are free of each other, themselves what they are."""
+    return replace(point, tied=False) if point.tied else point
+
+
+def with_derivative(
+    curve: Curve,
+    index: int,
+    order: int,
+    vector: Vector | None,
+    *,
+    ahead: bool,
+    point: Point | None = None,
+) -> Point:
+    """Return point `index` of a curve with another derivative on one side, and what is tied to that.
+
+    Of a tied point the velocity on the other side turns along and keeps its length. Where a straight segment
+    lies there, it stays straight: the velocity goes along it, as far as it did. One that is left to the rules
+    (None) ends the tie. `point` stands for the one of the curve where that has been changed already.
+    """
+    point, each = point or curve.points[index], DERIVATIVES[order - 1]
+    name, other = (each.after, each.name) if point.corner and ahead else (each.name, each.after)
+    if not point.tied or order > 1:
+        return replace(point, **{name: vector})
+    if vector is None:
+        return replace(point, tied=False, **{name: None})
+    held: Vector = getattr(point, other)
+    if line_beside(curve, index, ahead=not ahead):
+        x, y = unit(held)
+        far = max(vector[0] * x + vector[1] * y, 0.0)
+        return replace(point, **{name: (far * x, far * y)})
+    return replace(point, **{name: vector, other: turned(held, vector)})
+
+
+def along_lines(curve: Curve, index: int) -> Point:
+    """Return point `index` with its tie kept, where straight segments beside it may have turned.
+
+    One line gives the velocity on its other side the direction; two of different directions end the tie.
+    """
+    point = curve.points[index]
+    if not point.tied or point.velocity is None or point.velocity_after is None:
+        return untied(point)
+    if line_beside(curve, index, ahead=True):
+        if not line_beside(curve, index, ahead=False):
+            return replace(point, velocity=turned(point.velocity, point.velocity_after))
+        return point if holds(point) else untied(point)
+    return replace(point, velocity_after=turned(point.velocity_after, point.velocity))

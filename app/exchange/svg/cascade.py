@@ -1,0 +1,143 @@
+"""The properties that SVG elements declare: attributes, the rules of <style>, and ``style`` attributes.
+
+tinycss2 reads the rules and cssselect2 finds their elements. Nothing is fetched: an @import is passed over.
+
+Reference: Scalable Vector Graphics 2, section 6; CSS Cascading and Inheritance 4, section 6.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import cssselect2
+import tinycss2
+
+from ..missed import Missed
+from .xml_tree import tag_of
+
+INHERITED = {
+    "clip-rule": "nonzero",
+    "color": "#000000",
+    "fill": "#000000",
+    "fill-opacity": "1",
+    "fill-rule": "nonzero",
+    "paint-order": "normal",
+    "stroke": "none",
+    "stroke-dasharray": "none",
+    "stroke-dashoffset": "0",
+    "stroke-linecap": "butt",
+    "stroke-linejoin": "miter",
+    "stroke-miterlimit": "4",
+    "stroke-opacity": "1",
+    "stroke-width": "1",
+    "visibility": "visible",
+    "marker-start": "none",
+    "marker-mid": "none",
+    "marker-end": "none",
+}
+"""Properties that pass to what an element holds, with what they are at first."""
+
+OWN = {
+    "clip-path": "none",
+    "display": "inline",
+    "filter": "none",
+    "mask": "none",
+    "mix-blend-mode": "normal",
+    "opacity": "1",
+    "overflow": "",
+    "stop-color": "#000000",
+    "stop-opacity": "1",
+    "transform": "",
+    "vector-effect": "none",
+}
+"""Properties that do not, likewise."""
+
+_KNOWN = frozenset((*INHERITED, *OWN))
+_MARKERS = ("marker-start", "marker-mid", "marker-end")
+_HARMLESS = ("font-face", "charset", "namespace", "keyframes")
+
+_Declared = tuple[str, str, bool]
+"""A property, its value, and whether it is important."""
+
+
+class Cascade:
+    """The declarations that are in force for each element of a file.
+
+    Attributes
+    ----------
+    missed
+        The rules that are not followed.
+    """
+
+    def __init__(self, root: ET.Element) -> None:
+        self.missed: list[Missed] = []
+        self._matcher = cssselect2.Matcher()
+        self._has_rules = False
+        for number, element in enumerate(root.iter(), start=1):
+            if tag_of(element) == "style" and element.text:
+                self._add_sheet(element.text, number)
+        # Only selectors need to know where an element stands.
+        self._wrapped: dict[ET.Element, Any] = {}
+        if self._has_rules:
+            wrapped = cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
+            self._wrapped = {each.etree_element: each for each in wrapped}
+
+    def of(self, element: ET.Element) -> dict[str, str]:
+        """Return the values of the known properties that an element declares."""
+        found = {name: value.strip() for name, value in element.attrib.items() if name in _KNOWN}
+        found.pop("transform", None)
+        inline = element.get("style", "")
+        layers = [self._matched(element), _declarations(inline) if inline else []]
+        for is_important in (False, True):
+            for layer in layers:
+                found.update({name: value for name, value, important in layer if important == is_important})
+        return {name: value for name, value in found.items() if value}
+
+    def _matched(self, element: ET.Element) -> list[_Declared]:
+        """Return what the rules declare for an element, the weakest first."""
+        wrapped = self._wrapped.get(element)
+        if wrapped is None:
+            return []
+        matches = self._matcher.match(wrapped)
+        return [each for _, _, pseudo, payload in matches if pseudo is None for each in payload]
+
+    def _add_sheet(self, text: str, number: int) -> None:
+        for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):
+            if rule.type == "at-rule":
+                if rule.lower_at_keyword not in _HARMLESS:
+                    self._miss(f"@{rule.at_keyword}", number, "such rules are not followed")
+            elif rule.type == "qualified-rule":
+                self._add_rule(rule, number)
+
+    def _add_rule(self, rule: tinycss2.ast.QualifiedRule, number: int) -> None:
+        declared = list(_named(tinycss2.parse_blocks_contents(rule.content)))
+        if not declared:
+            return
+        try:
+            selectors = cssselect2.compile_selector_list(rule.prelude)
+        except cssselect2.SelectorError:
+            self._miss(tinycss2.serialize(rule.prelude).strip()[:60], number, "this selector is not known")
+            return
+        for selector in selectors:
+            self._matcher.add_selector(selector, declared)
+        self._has_rules = True
+
+    def _miss(self, name: str, number: int, why: str) -> None:
+        self.missed.append(Missed("<style>", name, number, why, "left out"))
+
+
+def _declarations(text: str) -> list[_Declared]:
+    """Return what a ``style`` attribute declares of the known properties."""
+    return list(_named(tinycss2.parse_blocks_contents(text)))
+
+
+def _named(nodes: Iterable[Any]) -> Iterator[_Declared]:
+    for node in nodes:
+        if node.type != "declaration":
+            continue
+        name, value = node.lower_name, tinycss2.serialize(node.value).strip()
+        for each in _MARKERS if name == "marker" else (name,):
+            if each in _KNOWN:
+                yield each, value, node.important

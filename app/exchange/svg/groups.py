@@ -1,0 +1,85 @@
+"""Groups of an SVG file as those of a document."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ..cubics_in import ImportedPath
+from ..naming import Names
+
+
+@dataclass(frozen=True)
+class Group:
+    """A group around shapes.
+
+    Attributes
+    ----------
+    number
+        Another one for each, however they are called.
+    name
+        What the file calls it; empty where it does not.
+    is_layer
+        Whether it is a layer of Inkscape's.
+    """
+
+    number: int
+    name: str
+    is_layer: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A path, the number of its element, and the groups around it."""
+
+    path: ImportedPath
+    element: int
+    groups: tuple[Group, ...]
+
+
+def settled(drawn: Sequence[Drawn]) -> list[ImportedPath]:
+    """Return paths with the names of their groups, other ones for each among its siblings.
+
+    A group without a name, around a single shape, is none; nor is the only layer of a file.
+    """
+    held: dict[Group, set[int]] = {}
+    for each in drawn:
+        for group in each.groups:
+            held.setdefault(group, set()).add(each.element)
+    kept = {group for group, elements in held.items() if group.name or len(elements) > 1}
+    outer = {each.groups[:1] for each in drawn}
+    if len(outer) == 1 and (only := next(iter(outer))) and only[0].is_layer:
+        kept.discard(only[0])
+    names = _Given()
+    return [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
+
+
+class _Given:
+    """Names that were given to groups and shapes."""
+
+    def __init__(self) -> None:
+        self._of_group: dict[Group, str] = {}
+        self._of_shape: dict[int, str] = {}
+        self._within: defaultdict[tuple[str, ...], Names] = defaultdict(Names)
+        self._shapes = Names()
+
+    def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
+        """Return a path with names of its groups, and one of its shape, that no others have."""
+        look = drawn.path.look
+        return replace(drawn.path, look=replace(look, shape=self._shape(drawn), groups=self._chain(groups)))
+
+    def _shape(self, drawn: Drawn) -> str:
+        wanted = drawn.path.look.shape
+        if wanted and drawn.element not in self._of_shape:
+            self._of_shape[drawn.element] = self._shapes.different(wanted)
+        return self._of_shape.get(drawn.element, "")
+
+    def _chain(self, groups: Sequence[Group]) -> tuple[str, ...]:
+        """Return the names of groups within each other."""
+        chain: tuple[str, ...] = ()
+        for group in groups:
+            if group not in self._of_group:
+                self._of_group[group] = self._within[chain].different(group.name or "Group")
+            chain = (*chain, self._of_group[group])
+        return chain

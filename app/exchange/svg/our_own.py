@@ -1,0 +1,60 @@
+"""Pictures of Curvebench's own as SVG: what in them is the program's choice, and not the document's."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+from msgspec.structs import replace
+
+from ...document.style import INK, Style
+from ..drawing import styles
+from .matrices import box_of
+from .xml_tree import tag_of
+
+STROKE = 0.003
+"""Width of a line of the usual width against the picture's longer side."""
+
+MARK = "Largest deviation from the true curves"
+"""Words in the description of every picture."""
+
+NO_CURVES = ("paper", "points", "grid", "handles", "basis")
+"""Ids of what is drawn beside the curves."""
+
+PAGE = "page"
+"""Id of a drawing that shows the page of its document, and not what its curves take."""
+
+_INKS = (styles.INK.ink, styles.DARK.ink)
+_ROUNDING = 1e-9
+
+
+class OurOwn:
+    """Whether a file is one of our own, and what that means.
+
+    Attributes
+    ----------
+    has_nominal_size
+        Whether the size of the file says nothing.
+    has_page
+        Whether it shows a page, and not what its curves take.
+    """
+
+    def __init__(self, root: ET.Element) -> None:
+        description = next((child.text or "" for child in root if tag_of(child) == "desc"), "")
+        self._is_so = MARK in description
+        self.has_nominal_size = self._is_so and root.get("width", "")[-1:].isdigit()
+        self.has_page = not self._is_so or root.get("id") == PAGE
+        box = box_of(root.get("viewBox", ""))
+        self._usual_width = STROKE * max(box[2:]) if box else 0.0
+
+    def is_no_curve(self, element: ET.Element) -> bool:
+        """Whether an element is the paper, or something else beside the curves."""
+        return self._is_so and element.get("id") in NO_CURVES
+
+    def restored(self, style: Style) -> Style:
+        """Return a style as it was before it had the ink and the line of a picture."""
+        if not self._is_so:
+            return style
+        stroke, fill = (INK if paint in _INKS else paint for paint in (style.stroke, style.fill))
+        usual = self._usual_width
+        is_usual = style.width is not None and abs(style.width - usual) <= _ROUNDING * usual
+        return replace(style, stroke=stroke, fill=fill, width=None if is_usual else style.width)

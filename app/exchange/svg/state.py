@@ -1,0 +1,72 @@
+"""What an SVG element passes on to those in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from .groups import Group
+from .lengths import Viewport
+from .matrices import Box, moved
+from .properties import Flaw, Properties
+
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """A box beyond which nothing is shown.
+
+    Attributes
+    ----------
+    box
+        In the units of some element.
+    matrix
+        From those to the document's plane.
+    flaw
+        What is said of a shape that reaches beyond.
+    """
+
+    box: Box
+    matrix: FloatArray
+    flaw: Flaw
+
+    def holds(self, points: FloatArray) -> bool:
+        """Whether points (n, 2) of the document lie in it; only boxes with upright edges know that."""
+        x, y, width, height = self.box
+        corners = moved(np.array([(x, y), (x + width, y + height)]), self.matrix)
+        room = _ROUNDING * float(np.ptp(corners, axis=0).max())
+        low, high = corners.min(axis=0) - room, corners.max(axis=0) + room
+        return bool((points >= low).all() and (points <= high).all())
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """Inherited state of an element.
+
+    Attributes
+    ----------
+    matrix
+        (2, 3), to the document's plane.
+    viewport
+        What percentages are parts of.
+    inside
+        The elements that are being used.
+    groups
+        Those around it, the outermost first.
+    windows
+        The boxes that it is shown in, but for that of the file.
+    is_locked
+        Whether Inkscape keeps it from being touched.
+    """
+
+    matrix: FloatArray
+    viewport: Viewport
+    properties: Properties = field(default_factory=Properties)
+    inside: tuple[str, ...] = ()
+    groups: tuple[Group, ...] = ()
+    windows: tuple[Window, ...] = ()
+    is_locked: bool = False

@@ -1,0 +1,56 @@
+"""Styles as attributes of SVG."""
+
+from __future__ import annotations
+
+from ...document.style import FillRule, LineCap, LineJoin, Style
+from ...view_model import palette
+from ..drawing.styles import PictureStyle
+from .numbers import number
+
+
+def style_attributes(style: Style, picture: PictureStyle, usual_width: float) -> str:
+    """Return a style as attributes, each after a blank; what SVG takes for granted is left out.
+
+    What somebody chose to fill with white is white on any paper.
+    """
+    pairs = [("fill", style.fill or picture.ink), *_of_fill(style)]
+    pairs += _of_stroke(style, picture, usual_width)
+    if style.opacity < 1:
+        pairs.append(("opacity", number(style.opacity)))
+    return "".join(f' {name}="{value}"' for name, value in pairs)
+
+
+def stroke_colour(style: Style, picture: PictureStyle) -> str:
+    """Return the paint of the line; one that lies on paper alone is moved so that it is seen there."""
+    if not style.stroke or not style.has_stroke:
+        return style.stroke or picture.ink
+    return style.stroke if style.has_fill else palette.colour_on(picture.paper, style.stroke)
+
+
+def _of_fill(style: Style) -> list[tuple[str, str]]:
+    pairs = []
+    if style.has_fill and style.fill_rule is not FillRule.NONZERO:
+        pairs.append(("fill-rule", str(style.fill_rule.value)))
+    if style.has_fill and style.fill_opacity < 1:
+        pairs.append(("fill-opacity", number(style.fill_opacity)))
+    return pairs
+
+
+def _of_stroke(style: Style, picture: PictureStyle, usual_width: float) -> list[tuple[str, str]]:
+    if not style.has_stroke:
+        return []
+    width = usual_width if style.width is None else style.width
+    pairs = [("stroke", stroke_colour(style, picture)), ("stroke-width", number(width))]
+    if style.cap is not LineCap.BUTT:
+        pairs.append(("stroke-linecap", str(style.cap.value)))
+    if style.join is not LineJoin.MITER:
+        pairs.append(("stroke-linejoin", str(style.join.value)))
+    elif style.miter_limit != 4:
+        pairs.append(("stroke-miterlimit", number(style.miter_limit)))
+    if style.dash:
+        pairs.append(("stroke-dasharray", " ".join(number(each * width) for each in style.dash)))
+    if style.dash and style.dash_offset:
+        pairs.append(("stroke-dashoffset", number(style.dash_offset * width)))
+    if style.stroke_opacity < 1:
+        pairs.append(("stroke-opacity", number(style.stroke_opacity)))
+    return pairs

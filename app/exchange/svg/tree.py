@@ -1,0 +1,118 @@
+"""The curves of a drawing as elements of SVG: paths in their groups, with names and ids."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ..drawing.drawing import Outline
+from ..drawing.styles import PictureStyle
+from ..naming import Names
+from .numbers import number
+from .our_own import NO_CURVES, PAGE
+from .style_attributes import style_attributes
+
+# XML 1.0 has no way at all to write these.
+_NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
+_ROUNDING = 4 * np.finfo(float).eps
+_NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
+
+
+class Tree:
+    """Lines of SVG for shapes, one after the other; each opens and closes the groups that it has to.
+
+    Attributes
+    ----------
+    lines
+        What was written so far.
+    """
+
+    def __init__(self, style: PictureStyle, usual_width: float) -> None:
+        self._style, self._usual_width = style, usual_width
+        self._open: tuple[str, ...] = ()
+        self._ids = Names({*NO_CURVES, PAGE}, between="_")
+        self.lines: list[str] = []
+
+    def add(self, shape: tuple[Outline, ...]) -> None:
+        """Write the outlines of a shape as one path."""
+        first = shape[0]
+        self._go_into(first.groups)
+        data = path_data(shape)
+        style = style_attributes(first.style, self._style, self._usual_width)
+        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}/>')
+
+    def close(self) -> None:
+        """Close all groups."""
+        self._go_into(())
+
+    def _go_into(self, groups: tuple[str, ...]) -> None:
+        common = 0
+        while groups[common : common + 1] == self._open[common : common + 1] != ():
+            common += 1
+        while len(self._open) > common:
+            self._open = self._open[:-1]
+            self._write("</g>")
+        for name in groups[common:]:
+            self._write(f"<g{self._called(name)}>")
+            self._open = (*self._open, name)
+
+    def _write(self, element: str) -> None:
+        self.lines.append("  " * (len(self._open) + 1) + element)
+
+    def _called(self, name: str) -> str:
+        """Return a name as an id of its own and, where that is another word, as Inkscape's label."""
+        stem = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
+        stem = stem if stem[:1].isalpha() else f"curve_{stem}".rstrip("_")
+        own = self._ids.different(stem)
+        return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
+
+
+def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:
+    """Return the pieces of outlines as path data, y negated, one piece per line; if need be all as cubics."""
+    return "\n      ".join(line for outline in shape for line in _data_lines(outline, has_lines))
+
+
+def _data_lines(outline: Outline, has_lines: bool) -> Iterator[str]:
+    control_points = outline.control_points
+    start, *_ = control_points[0].tolist()
+    yield f"M {pair(start)}"
+    for piece, is_line in zip(control_points.tolist(), _are_lines(control_points), strict=True):
+        yield (
+            f"L {pair(piece[3])}"
+            if is_line and has_lines
+            else f"C {' '.join(pair(point) for point in piece[1:])}"
+        )
+    # Closed, the stroke has a join at the seam like everywhere else.
+    if outline.closed:
+        yield "Z"
+
+
+def _are_lines(pieces: FloatArray) -> list[bool]:
+    """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding."""
+    start, end = pieces[:, 0], pieces[:, 3]
+    third = (end - start) / 3
+    off = np.abs(pieces[:, 1:3] - np.stack([start + third, end - third], axis=1)).max(axis=(1, 2))
+    return list(off <= _ROUNDING * np.abs(pieces).max(axis=(1, 2)))
+
+
+def pair(point: list[float]) -> str:
+    """Return a point, y negated."""
+    x, y = point
+    return f"{number(x)} {number(-y)}"
+
+
+def quoted(text: str) -> str:
+    """Return text as an attribute in quotation marks may hold it."""
+    return escaped(" ".join(text.splitlines())).replace('"', "&quot;")
+
+
+def escaped(text: str) -> str:
+    """Return text as XML may hold it."""
+    # Compiled here, and kept by `re`: that takes longer than importing this module.
+    text = re.sub(_NOT_IN_XML, "\ufffd", text)
+    # What xml.sax.saxutils does, without the network modules that it imports.
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

@@ -1,0 +1,157 @@
+"""Curves combined to shapes and gathered in groups, and both taken apart."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from ...actions.declaration import action, also
+from ...actions.needs import Need
+from ...actions.sections import CURVE_GROUPS, CURVE_SHAPES
+from ...actions.situation import Situation
+from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
+from ...document.curve_edits import remove_curve
+from ...document.several_curves import active_after_removal, named
+from ...document.shape_edits import Gathered, broken_apart, combined, grouped, groups_meant, ungrouped
+from ...document.shapes import shape_of
+from ...document.words import count_of
+from ...view_model.fills import fills_holes
+from ...workbench.context import WindowContext
+
+
+def _is_several(now: Situation) -> bool:
+    document, curves = now.session.document, now.session.selected.whole
+    return len(curves) > 1 and set(shape_of(document, min(curves))) != curves
+
+
+def _are_in_shapes(now: Situation) -> bool:
+    return any(now.session.document.curves[place].shape for place in now.selected)
+
+
+def _are_in_groups(now: Situation) -> bool:
+    return any(now.session.document.curves[place].groups for place in now.selected)
+
+
+class ShapeCommands:
+    """Actions on shapes and groups."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session = context.session
+
+    # Shapes
+
+    @action(
+        "combineCurves",
+        "Combine",
+        CURVE_SHAPES,
+        "Ctrl+Alt+K",
+        "combine",
+        full_name="Combine Curves",
+        needs=Need("two chosen curves or more", _is_several),
+        keywords="compound path, hole, make shape, counter",
+    )
+    @also(CURVE_MENU(40), CURVE_LIST_MENU(50))
+    def _combine(self) -> None:
+        """Make one shape of the chosen curves: one fill, with holes where one lies within another."""
+        session, curves = self._session, self._session.selected.whole
+        views = [session.views[place] for place in sorted(curves)]
+        has_holes = fills_holes([view.polyline for view in views if view.has_curve])
+        made = combined(session.document, curves, alternate=has_holes)
+        if self._put(f"Combine {named(session.document, curves)}", made):
+            name = session.active_curve.shape
+            rule = "; the even-odd rule keeps its holes open" if has_holes else ""
+            session.say(f"“{name}” is one shape of {count_of(len(made.places), 'curve')}{rule}.")
+
+    @action(
+        "breakApart",
+        "Break Apart",
+        CURVE_SHAPES,
+        "Ctrl+Shift+K",
+        "break-apart",
+        full_name="Break Shape Apart",
+        needs=Need("a shape of several curves", _are_in_shapes),
+        keywords="release compound path, uncombine",
+    )
+    @also(CURVE_MENU(41), CURVE_LIST_MENU(51))
+    def _break_apart(self) -> None:
+        """Make a curve of its own of each curve of the shape."""
+        session, curves = self._session, self._session.selected.whole
+        what = named(session.document, curves)
+        if session.change(f"Break {what} apart", lambda document: broken_apart(document, curves)):
+            self._choose(curves)
+            session.say(f"{count_of(len(curves), 'curve')} now, each with a fill of its own.")
+
+    @action(
+        "deleteContour",
+        "Delete This Curve Alone",
+        CURVE_SHAPES,
+        icon="delete",
+        full_name="Delete This Curve of the Shape",
+        needs=Need("a shape of several curves", lambda now: bool(now.view.source.shape)),
+        keywords="remove hole, contour, subpath",
+    )
+    @also(CURVE_LIST_MENU(52))
+    def _delete_contour(self) -> None:
+        """Delete the curve that is edited, and leave the others of its shape."""
+        session, place = self._session, self._session.active_index
+        session.change(
+            f"Delete {session.active_curve.name}",
+            lambda document: remove_curve(document, place),
+            active=active_after_removal(session.document, {place}, place),
+        )
+
+    # Groups
+
+    @action(
+        "groupCurves",
+        "Group",
+        CURVE_GROUPS,
+        "Ctrl+G",
+        "group",
+        full_name="Group Curves",
+        needs=Need("two chosen curves or more", lambda now: len(now.session.selected.whole) > 1),
+    )
+    @also(CURVE_MENU(42), CURVE_LIST_MENU(53))
+    def _group(self) -> None:
+        """Gather the chosen curves in a group, which is chosen and moved as one."""
+        session, curves = self._session, self._session.selected.whole
+        made = grouped(session.document, curves)
+        if self._put(f"Group {named(session.document, curves)}", made):
+            name = named(session.document, made.places)
+            session.say(f"“{name}” has {count_of(len(made.places), 'curve')}.")
+
+    @action(
+        "ungroupCurves",
+        "Ungroup",
+        CURVE_GROUPS,
+        "Ctrl+Shift+G",
+        "ungroup",
+        full_name="Ungroup Curves",
+        needs=Need("a curve in a group", _are_in_groups),
+    )
+    @also(CURVE_MENU(43), CURVE_LIST_MENU(54))
+    def _ungroup(self) -> None:
+        """Take the chosen group apart, or the one around the curve; shapes stay whole."""
+        session = self._session
+        nodes = groups_meant(session.document, session.selected.curves)
+        what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
+        curves = session.selected.curves
+        if session.change(f"Ungroup {what}", lambda document: ungrouped(document, curves)):
+            self._choose([place for node in nodes for place in node.places])
+            session.say(f"{what} is taken apart." if len(nodes) == 1 else f"{what} are taken apart.")
+
+    # Both
+
+    def _put(self, text: str, made: Gathered) -> bool:
+        """Make what was brought together the document, and choose it; return whether it is."""
+        session = self._session
+        active = made.order.index(session.active_index)
+        is_done = bool(session.change(text, lambda _: made.document, active=active))
+        if is_done:
+            self._choose(made.places)
+        return is_done
+
+    def _choose(self, curves: Collection[int]) -> None:
+        self._session.selected.set_curves(curves)
+
+
+COMMAND_SETS = (ShapeCommands,)

@@ -1,0 +1,186 @@
+"""Shapes painted as they print: one fill and one line of several polylines, with caps, joins and dashes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import msgspec
+import numpy as np
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+
+from curvecore.arrays import FloatArray
+
+from ..document.style import FillRule, LineCap, LineJoin, Style
+from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
+from .pictures import transparent
+from .pixel_map import PixelMap
+from .rings import ring_within
+
+_CAPS = {
+    LineCap.BUTT: Qt.PenCapStyle.FlatCap,
+    LineCap.ROUND: Qt.PenCapStyle.RoundCap,
+    LineCap.SQUARE: Qt.PenCapStyle.SquareCap,
+}
+_JOINS = {
+    LineJoin.MITER: Qt.PenJoinStyle.SvgMiterJoin,
+    LineJoin.ROUND: Qt.PenJoinStyle.RoundJoin,
+    LineJoin.BEVEL: Qt.PenJoinStyle.BevelJoin,
+}
+_RULES = {FillRule.NONZERO: Qt.FillRule.WindingFill, FillRule.EVENODD: Qt.FillRule.OddEvenFill}
+
+_NARROW = 4.0
+"""Pixels of a line up to which it is cut where others are."""
+
+_WIDEST = 1e5
+"""Pixels of the widest pen that Qt is given: with it all is covered."""
+
+_SHORTEST_DASHES = 0.5
+"""Pixels of a pattern below which dashes cannot be told apart, and are a paler line."""
+
+_LEAST_DASH = 1e-3
+"""In place of a dash of length 0, of which Qt draws no cap."""
+
+_FARTHEST_DASH = 20_000.0
+"""Pixels from the area to which dashes are counted through; a dashed line is not cut nearer by."""
+
+
+class Part(msgspec.Struct, frozen=True, eq=False):
+    """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins."""
+
+    points: FloatArray
+    is_closed: bool
+
+
+class Ink(msgspec.Struct, frozen=True, eq=False):
+    """Colours of a shape as they are on the screen, and the width of its line in pixels."""
+
+    stroke: QColor
+    fill: QColor
+    width: float
+
+
+def paint_printed(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
+    """Paint a shape: its fill, and its line over that."""
+    is_both = style.has_fill and style.has_stroke
+    if style.opacity < 1.0 and is_both:
+        _paint_together(painter, parts, style, ink, shown)
+        return
+    if style.has_fill:
+        _fill(painter, parts, style, ink.fill, shown)
+    if style.has_stroke and ink.width > 0:
+        _stroke(painter, parts, style, ink, shown)
+
+
+def _paint_together(
+    painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap
+) -> None:
+    """Paint fill and line as one thing that can be looked through."""
+    picture = transparent(shown.width, shown.height, painter.device().devicePixelRatioF())
+    with QPainter(picture) as inner:
+        inner.setRenderHint(QPainter.RenderHint.Antialiasing)
+        paint_printed(inner, parts, msgspec.structs.replace(style, opacity=1.0), ink, shown)
+    before = painter.opacity()
+    painter.setOpacity(before * style.opacity)
+    painter.drawPixmap(QRectF(0, 0, shown.width, shown.height), picture, QRectF(picture.rect()))
+    painter.setOpacity(before)
+
+
+def _fill(painter: QPainter, parts: Sequence[Part], style: Style, colour: QColor, shown: PixelMap) -> None:
+    area = QPainterPath()
+    area.setFillRule(_RULES[style.fill_rule])
+    for part in parts:
+        ring = ring_within(shown.points(part.points), shown.width, shown.height, MARGIN)
+        if len(ring) > 2:
+            area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
+            area.closeSubpath()
+    painter.fillPath(area, _with_opacity(colour, style.fill_opacity * style.opacity))
+
+
+def _stroke(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
+    width = min(ink.width, _WIDEST)
+    opacity = style.stroke_opacity * style.opacity
+    dash = _dash_of(style, width)
+    if style.dash and not dash:
+        opacity *= sum(style.dash[::2]) / sum(style.dash)
+    pen = QPen(_with_opacity(ink.stroke, opacity), width)
+    pen.setCapStyle(_CAPS[style.cap])
+    pen.setJoinStyle(_JOINS[style.join])
+    pen.setMiterLimit(style.miter_limit)
+    reach = _reach_of(style, width)
+    if dash:
+        pen.setDashPattern(dash)
+        _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
+    elif opacity == 1.0 and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
+        painter.setPen(pen)
+        for part in parts:
+            stroke = Stroke(reach)
+            stroke.fill(shown.points(part.points), shown.width, shown.height)
+            stroke.draw(painter)
+    else:
+        line = QPainterPath()
+        for part in parts:
+            _add_line(line, part, shown, reach)
+        painter.strokePath(line, pen)
+
+
+def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:
+    """Add a polyline to a path, cut to what may be seen; a closed one that is whole has no ends."""
+    pixels = shown.points(part.points)
+    runs = list(_runs(pixels, shown, reach))
+    is_whole = len(runs) == 1 and len(runs[0]) == len(pixels)
+    if part.is_closed and not is_whole and len(runs) > 1 and (runs[-1][-1] == runs[0][0]).all():
+        runs[0] = np.concatenate([runs.pop()[:-1], runs[0]])
+    for run in runs:
+        line.addPolygon(polygon(run[:, 0], run[:, 1]))
+        if part.is_closed and is_whole:
+            line.closeSubpath()
+
+
+def _runs(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[FloatArray]:
+    segments = np.hstack([pixels[:-1], pixels[1:]])
+    yield from runs_of(cut_segments(segments, shown.width, shown.height, reach))
+
+
+def _stroke_dashed(
+    painter: QPainter, parts: Sequence[Part], pen: QPen, offset: float, shown: PixelMap, reach: float
+) -> None:
+    """Stroke with dashes that run on from the beginning of each polyline, however little of it is seen."""
+    for part in parts:
+        pixels = np.clip(shown.points(part.points), -1e15, 1e15)
+        lengths = np.hypot(*np.diff(pixels, axis=0).T)
+        starts = np.concatenate([[0.0], np.cumsum(lengths)])
+        for first, end in _stretches(pixels, shown, reach + _FARTHEST_DASH):
+            pen.setDashOffset(offset + float(starts[first]) / pen.widthF())
+            line, run = QPainterPath(), pixels[first:end]
+            line.addPolygon(polygon(run[:, 0], run[:, 1]))
+            painter.strokePath(line, pen)
+
+
+def _stretches(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[tuple[int, int]]:
+    """Yield where vertices follow each other whose segments are near, as (first, end)."""
+    low, high = np.minimum(pixels[:-1], pixels[1:]), np.maximum(pixels[:-1], pixels[1:])
+    is_near = ((high >= -reach) & (low <= (shown.width + reach, shown.height + reach))).all(axis=1)
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], is_near, [False]]).astype(np.int8)))
+    for first, last in edges.reshape(-1, 2).tolist():
+        yield first, last + 1
+
+
+def _reach_of(style: Style, width: float) -> float:
+    """Return how far beyond the area a line may be cut without its end being seen."""
+    is_pointed = style.join is LineJoin.MITER
+    return MARGIN if width <= _NARROW else MARGIN + width * (style.miter_limit if is_pointed else 1.0)
+
+
+def _dash_of(style: Style, width: float) -> list[float]:
+    """Return the pattern for a pen, an even number of lengths; empty where it cannot be seen."""
+    if not style.dash or sum(style.dash) * width < _SHORTEST_DASHES:
+        return []
+    pattern = style.dash if len(style.dash) % 2 == 0 else style.dash * 2
+    return [max(length, _LEAST_DASH) for length in pattern]
+
+
+def _with_opacity(colour: QColor, opacity: float) -> QColor:
+    result = QColor(colour)
+    result.setAlphaF(opacity)
+    return result

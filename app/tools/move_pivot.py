@@ -1,0 +1,57 @@
+"""The mark of the pivot: dragged somewhere else, it snaps; a double click puts it back."""
+
+from __future__ import annotations
+
+import math
+
+from ..document import words
+from ..document.model import Vector
+from .drag import plus
+from .drag_machine import CANCELLED, THRESHOLD
+from .pointer import Cursor, Hint, Pointer
+from .snapping import with_snap
+from .tool import Gesture, ToolContext
+
+_REACH = 7.0
+"""Pixels from the mark within which a press takes it."""
+
+PIVOT_HINT = Hint(
+    "Drag the pivot: what is turned, scaled and mirrored is so about it · Double click: back to the middle",
+    cursor=Cursor.MOVE,
+)
+
+
+def is_on_pivot(place: Vector, pointer: Pointer) -> bool:
+    """Whether a press would take the mark of a pivot at `place`."""
+    return math.dist(place, pointer.position) * pointer.scale <= _REACH
+
+
+class MovePivot(Gesture):
+    """Drag of the pivot; it changes nothing in the document."""
+
+    def __init__(self, context: ToolContext) -> None:
+        self._press, self._start = context.pointer, context.target.centre
+        self._before = context.host.selected.pivot
+        self._snapper = context.snappers.for_pivot(context.target.bounds)
+        self._is_moving = False
+
+    def move(self, context: ToolContext) -> None:
+        """Follow the pointer."""
+        pointer = context.pointer
+        self._is_moving |= math.dist(pointer.pixel, self._press.pixel) >= THRESHOLD
+        if self._is_moving:
+            way = pointer.way_from(self._press.position)
+            context.target.set_pivot(self._snapper.snap(plus(self._start, way), pointer))
+
+    def cancel(self, context: ToolContext) -> None:
+        """Put it where it was."""
+        context.host.selected.set_pivot(self._before)
+        if self._is_moving:
+            context.host.say(CANCELLED)
+
+    def progress(self, context: ToolContext) -> str:
+        """Tell where it is."""
+        if not self._is_moving:
+            return ""
+        text = f"Pivot {words.vector(context.target.centre)} · Ctrl: snap, or not · Escape cancels"
+        return with_snap(text, self._snapper.caught)

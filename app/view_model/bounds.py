@@ -1,0 +1,113 @@
+"""Bounds of points that change together: of whole curves those of the curves, of other points their own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import msgspec
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ..document.model import Vector
+from ..document.several_curves import PointGroup
+from .curve_view import CurveView
+
+
+class Bounds(msgspec.Struct, frozen=True):
+    """A box with its sides along the axes, by its lower left and its upper right corner."""
+
+    low: Vector
+    high: Vector
+
+    @property
+    def size(self) -> Vector:
+        """Width and height."""
+        return (self.high[0] - self.low[0], self.high[1] - self.low[1])
+
+    @property
+    def centre(self) -> Vector:
+        """The middle."""
+        return self.place(0, 0)
+
+    def place(self, across: int, up: int) -> Vector:
+        """Return one of nine places: −1, 0 or 1 for left, middle, right, and for bottom, middle, top."""
+        return (self._along(0, across), self._along(1, up))
+
+    def _along(self, axis: int, step: int) -> float:
+        low, high = self.low[axis], self.high[axis]
+        return low if step < 0 else high if step > 0 else low / 2 + high / 2
+
+    def joined(self, other: Bounds) -> Bounds:
+        """Return the box around both."""
+        low = (min(self.low[0], other.low[0]), min(self.low[1], other.low[1]))
+        return Bounds(low, (max(self.high[0], other.high[0]), max(self.high[1], other.high[1])))
+
+
+NINE: Final = tuple((across, up) for up in (1, 0, -1) for across in (-1, 0, 1))
+"""The nine places of a box, as they are read: from the upper left one to the lower right one."""
+
+_ACROSS, _UP = ("left", "middle", "right"), ("bottom", "middle", "top")
+
+
+def name_of_place(across: int, up: int) -> str:
+    """Return the words for one of the nine places: "top left", "right", "middle"."""
+    names = [_UP[up + 1]] * bool(up) + [_ACROSS[across + 1]] * bool(across)
+    return " ".join(names) or "middle"
+
+
+def nine_places(bounds: Bounds) -> dict[str, Vector]:
+    """Return the nine places of a box by their names."""
+    return {name_of_place(*at): bounds.place(*at) for at in NINE}
+
+
+def bounds_of(views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool = False) -> Bounds | None:
+    """Return the bounds of a group, None where it has no points.
+
+    Of a curve all of whose points are in the group they are those of the curve, exact, or `as_drawn`: while
+    it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
+    of a curve, they are those of the points.
+    """
+    whole = [views[curve] for curve, indices in group.parts if is_whole(views[curve], indices)]
+    if not as_drawn:
+        _find_bounds(whole)
+    boxes = [
+        (views[curve].polyline if as_drawn else _found(views[curve]))
+        if is_whole(views[curve], indices)
+        else views[curve].points[sorted(indices)]
+        for curve, indices in group.parts
+        if indices
+    ]
+    return around(boxes)
+
+
+def around(boxes: Sequence[FloatArray]) -> Bounds | None:
+    """Return the box around points, (k, 2) each; None where there are none."""
+    if not boxes:
+        return None
+    low = np.min([points.min(axis=0) for points in boxes], axis=0).tolist()
+    high = np.max([points.max(axis=0) for points in boxes], axis=0).tolist()
+    return Bounds((low[0], low[1]), (high[0], high[1]))
+
+
+def is_whole(view: CurveView, indices: frozenset[int]) -> bool:
+    """Whether points are all of a curve that there is: its bounds count, not those of its points."""
+    return len(indices) == len(view.points) > 1 and view.is_current
+
+
+def _found(view: CurveView) -> FloatArray:
+    found: FloatArray = view.__dict__["bounds"]
+    return found
+
+
+def _find_bounds(views: Sequence[CurveView]) -> None:
+    """Find the exact bounds of curves, all at once, and keep them with their views."""
+    from curvecore.analysis.bounding_boxes import bounding_boxes  # noqa: PLC0415 - when first looked at
+    from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415
+
+    missing = [view for view in views if "bounds" not in view.__dict__]
+    curves = [view.curve for view in missing if view.curve is not None]
+    boxes = bounding_boxes(curves, [bezier_pieces(curve) for curve in curves])
+    for view, box in zip(missing, boxes, strict=True):
+        view.__dict__["bounds"] = np.array([box.minimum, box.maximum])

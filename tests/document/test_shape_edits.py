@@ -1,0 +1,294 @@
+"""Shapes and groups made, taken apart, named and moved."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from app.document.curve_tree import Container, NodeKind, tree_of, whole_nodes
+from app.document.edits import EditError
+from app.document.model import Document, make_curve
+from app.document.several_curves import add_copies, add_curves, add_imported, in_order, named
+from app.document.shape_edits import (
+    broken_apart,
+    combined,
+    grouped,
+    groups_meant,
+    moved_into,
+    named_anew,
+    place_above,
+    pressed,
+    stepped,
+    ungrouped,
+)
+from app.document.shapes import shape_problem, tidy_shapes
+from app.document.style import FillRule, Style
+
+
+def document(text):
+    """Curves a, b, c …; round brackets are shapes, square ones are groups, named by their order."""
+    curves, groups, shape, shapes, count = [], [], "", 0, 0
+    for letter in text:
+        if letter == "[":
+            count += 1
+            groups.append(f"G{count}")
+        elif letter == "]":
+            groups.pop()
+        elif letter == "(":
+            shapes += 1
+            shape = f"S{shapes}"
+        elif letter == ")":
+            shape = ""
+        else:
+            curve = make_curve([(0, 0), (1, 1)], name=letter)
+            curves.append(replace(curve, shape=shape, groups=tuple(groups)))
+    made = Document(tuple(curves))
+    assert shape_problem(made) == ""
+    return made
+
+
+def text(document):
+    """The same the other way round, without the names of shapes and groups."""
+
+    def of(node):
+        inside = "".join(of(part) for part in node.parts)
+        return {NodeKind.CURVE: node.name, NodeKind.SHAPE: f"({inside})", NodeKind.GROUP: f"[{inside}]"}[
+            node.kind
+        ]
+
+    tidy = tidy_shapes(document)
+    assert shape_problem(tidy) == ""
+    return "".join(map(of, tree_of(tidy.curves)))
+
+
+def places(document, letters):
+    return {place for place, curve in enumerate(document.curves) if curve.name in letters}
+
+
+def named_places(made):
+    return "".join(made.document.curves[place].name for place in made.places)
+
+
+@pytest.mark.parametrize("drawn", ["abc", "a(bc)d", "[ab]c", "[a(bc)[de]]f(gh)", "[[ab]]"])
+def test_the_tree_is_that_of_the_brackets(drawn):
+    assert text(document(drawn)) == drawn
+
+
+@pytest.mark.parametrize(
+    ("drawn", "chosen", "made"),
+    [
+        ("abc", "ab", "(ab)c"),
+        ("abc", "ac", "b(ac)"),
+        ("a(bc)d", "ab", "(abc)d"),
+        ("a[bc]d", "ab", "[(ab)c]d"),
+        ("[ab]c", "bc", "[a](bc)"),
+        ("(ab)(cd)", "ad", "(abcd)"),
+    ],
+)
+def test_combined_curves_are_neighbours_where_the_topmost_is(drawn, chosen, made):
+    some = document(drawn)
+    assert text(combined(some, places(some, chosen)).document) == made
+
+
+def test_a_shape_has_the_style_of_the_hindmost_that_is_filled():
+    some = document("abc")
+    some = some.with_curve(1, replace(some.curves[1], style=Style(stroke="none", fill="#aa0000")))
+    made = combined(some, {0, 1, 2}, alternate=True)
+    assert {curve.style for curve in made.document.curves} == {
+        Style(stroke="none", fill="#aa0000", fill_rule=FillRule.EVENODD)
+    }
+    assert made.places == range(3)
+    with pytest.raises(EditError, match="two curves or more"):
+        combined(some, {1})
+
+
+def test_a_shape_broken_apart_is_its_curves_where_they_were():
+    some = document("a(bc)[(de)f]")
+    assert text(broken_apart(some, places(some, "bd"))) == "abc[def]"
+    with pytest.raises(EditError, match="break it apart"):
+        broken_apart(some, places(some, "a"))
+
+
+@pytest.mark.parametrize(
+    ("drawn", "chosen", "made"),
+    [
+        ("abc", "ac", "b[ac]"),
+        ("a(bc)d", "ab", "[a(bc)]d"),
+        ("[abc]d", "ab", "[[ab]c]d"),
+        ("[ab]c[de]", "abd", "c[e][[ab]d]"),
+        ("a[bc]", "ab", "[c][ab]"),
+        ("[ab]", "ab", "[[ab]]"),
+        ("[[ab]c]", "ab", "[[[ab]]c]"),
+    ],
+)
+def test_grouped_curves_are_in_the_group_that_holds_all(drawn, chosen, made):
+    some = document(drawn)
+    result = grouped(some, places(some, chosen))
+    assert text(result.document) == made
+    assert set(named_places(result)) == {
+        curve.name for place, curve in enumerate(result.document.curves) if place in result.places
+    }
+
+
+@pytest.mark.parametrize(
+    ("drawn", "chosen", "made"),
+    [
+        ("[ab]c", "ab", "abc"),
+        ("[ab]c", "a", "abc"),
+        ("[[ab]c]d", "abc", "[ab]cd"),
+        ("[[ab]c]d", "a", "[abc]d"),
+        ("[ab][c(de)]", "abcde", "abc(de)"),
+    ],
+)
+def test_groups_are_taken_apart_by_one_level(drawn, chosen, made):
+    some = document(drawn)
+    assert text(ungrouped(some, places(some, chosen))) == made
+
+
+def test_no_group_is_no_group_to_take_apart():
+    some = document("a(bc)")
+    assert groups_meant(some, {0, 1}) == []
+    with pytest.raises(EditError, match="Choose a group"):
+        ungrouped(some, {0, 1})
+
+
+@pytest.mark.parametrize(
+    ("drawn", "chosen", "step", "made"),
+    [
+        ("a(bc)d", "a", 1, "(bc)ad"),
+        ("a(bc)d", "b", 1, "ad(bc)"),
+        ("a(bc)d", "d", -1, "ad(bc)"),
+        ("a[bc]d", "a", 1, "[bc]ad"),
+        ("a[bc]d", "b", 1, "a[cb]d"),
+        ("a[bc]d", "c", 1, "a[bc]d"),
+        ("a[bc]d", "bc", -1, "[bc]ad"),
+        ("a[b(cd)]", "c", -1, "a[(cd)b]"),
+    ],
+)
+def test_a_step_goes_past_the_next_thing_in_the_same_group(drawn, chosen, step, made):
+    some = document(drawn)
+    assert text(in_order(some, stepped(some, places(some, chosen), step))) == made
+
+
+@pytest.mark.parametrize(
+    ("drawn", "chosen", "at", "container", "made"),
+    [
+        ("a(bc)", "a", 3, Container((), "S1"), "(bca)"),
+        ("a(bcd)", "c", 0, Container(), "ca(bd)"),
+        ("a(bc)", "c", 0, Container(), "cab"),
+        ("a[bc]", "a", 2, Container(("G1",)), "[bac]"),
+        ("a[b(cd)]", "cd", 0, Container(), "(cd)a[b]"),
+        ("[ab][cd]", "ab", 3, Container(("G2",)), "[c[ab]d]"),
+        ("[ab](cd)", "ab", 3, Container((), "S1"), "(cabd)"),
+    ],
+)
+def test_what_is_moved_into_something_is_in_it(drawn, chosen, at, container, made):
+    some = document(drawn)
+    assert text(moved_into(some, places(some, chosen), at, container).document) == made
+
+
+def test_a_curve_moved_into_a_shape_looks_like_it():
+    some = document("a(bc)")
+    red = tuple(replace(curve, style=Style(fill="#ff0000"), visible=False) for curve in some.curves[1:])
+    made = moved_into(Document((some.curves[0], *red)), {0}, 1, Container((), "S1")).document
+    assert {(curve.style.fill, curve.visible) for curve in made.curves} == {("#ff0000", False)}
+
+
+def test_nothing_goes_into_itself():
+    some = document("a[bc]")
+    with pytest.raises(EditError, match="into itself"):
+        moved_into(some, {1, 2}, 2, Container(("G1",)))
+
+
+@pytest.mark.parametrize(
+    ("drawn", "pressed_at", "active", "chosen", "meant"),
+    [
+        ("a(bc)", "b", "a", "a", "bc"),
+        ("a[b(cd)]", "c", "a", "a", "bcd"),
+        ("a[b(cd)]", "c", "b", "b", "cd"),
+        ("a[b(cd)]", "c", "b", "bcd", "bcd"),
+        ("a[b[cd]]", "c", "b", "b", "cd"),
+        ("a[b[cd]]", "c", "d", "d", "c"),
+        ("a[b[cd]]", "b", "d", "d", "b"),
+    ],
+)
+def test_a_press_means_the_outermost_group_that_is_not_entered(drawn, pressed_at, active, chosen, meant):
+    some = document(drawn)
+    (curve,), (edited,) = places(some, pressed_at), places(some, active)
+    assert pressed(some, curve, edited, places(some, chosen)) == places(some, meant)
+
+
+def test_new_curves_tear_nothing_apart():
+    some = document("a(bc)[d[ef]]g")
+    assert [place_above(some, place) for place in range(7)] == [1, 3, 3, 6, 6, 6, 7]
+
+
+def test_copies_of_shapes_and_groups_have_names_of_their_own():
+    some = document("(ab)[cd]")
+    copied = add_copies(some, {0, 1}, ["", ""]).document
+    assert text(copied).replace("a copy", "A").replace("b copy", "B") == "(ab)(AB)[cd]"
+    assert [curve.shape for curve in copied.curves[2:4]] == ["S1 copy", "S1 copy"]
+    inside = add_copies(some, {2}, [""]).document
+    assert [curve.groups for curve in inside.curves[2:]] == [("G1",)] * 3
+    whole = add_copies(some, {2, 3}, ["", ""]).document
+    assert [curve.groups for curve in whole.curves[2:]] == [("G1",), ("G1",), ("G1 copy",), ("G1 copy",)]
+    pasted = add_curves(some, some.curves, 4)
+    assert [curve.shape for curve in pasted.curves] == ["S1", "S1", "", "", "S1 copy", "S1 copy", "", ""]
+
+
+def test_imported_shapes_do_not_melt_into_those_that_are_there():
+    some = document("(ab)")
+    both, first = add_imported(some, some)
+    assert (first, [curve.shape for curve in both.curves]) == (2, ["S1", "S1", "S1 copy", "S1 copy"])
+
+
+def test_shapes_and_groups_are_renamed():
+    some = document("(ab)[c[de]]")
+    shape, group = tree_of(some.curves)
+    assert {curve.shape for curve in named_anew(some, shape, " R ").curves} == {"R", ""}
+    inner = group.parts[1]
+    assert named_anew(some, inner, "Leaves").curves[3].groups == ("G1", "Leaves")
+    assert named_anew(some, inner, "G2") is some
+    with pytest.raises(EditError, match="needs a name"):
+        named_anew(some, shape, "  ")
+    with pytest.raises(EditError, match="another shape or group"):
+        named_anew(some, shape, "G2")
+
+
+def test_whole_shapes_and_groups_are_named():
+    some = document("a(bc)[de]")
+    assert [named(some, places(some, each)) for each in ("a", "bc", "de", "ab", "bcde")] == [
+        "a",
+        "S1",
+        "G1",
+        "2 curves",
+        "4 curves",
+    ]
+
+
+def test_torn_groups_become_two_and_endless_ones_end():
+    some = document("[ab]")
+    torn = Document((some.curves[0], make_curve(()), some.curves[1]))
+    assert [curve.groups for curve in tidy_shapes(torn).curves] == [("G1",), (), ("G1 2",)]
+    assert shape_problem(torn).startswith("curves[2].groups must name 50 groups at most, each of curves")
+    deep = Document((replace(some.curves[0], groups=("x",) * 99),))
+    assert len(tidy_shapes(deep).curves[0].groups) == 50
+
+
+@given(st.lists(st.tuples(st.sampled_from("abc"), st.lists(st.sampled_from("gh"), max_size=3)), min_size=1))
+def test_tidy_is_tidy(given_curves):
+    curves = [
+        replace(make_curve(()), shape=shape.replace("c", ""), groups=tuple(groups))
+        for shape, groups in given_curves
+    ]
+    tidy = tidy_shapes(Document(tuple(curves)))
+    assert tidy_shapes(tidy) is tidy
+    assert tidy_shapes(tidy, tidy) is tidy
+    for kind in (NodeKind.SHAPE, NodeKind.GROUP):
+        names = [node.name for top in tree_of(tidy.curves) for node in top.walk() if node.kind is kind]
+        assert len(set(names)) == len(names)
+    assert [node.places for node in whole_nodes(tidy.curves, range(len(tidy.curves)))] == [
+        node.places for node in tree_of(tidy.curves)
+    ]

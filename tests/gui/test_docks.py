@@ -1,0 +1,143 @@
+"""Docks: their buttons tell how they stand, and what is docked or put away leaves the right one in front."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDockWidget, QToolButton
+
+from app.appearance.theme import ThemeMode
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def dock(editor, name):
+    return editor.window.findChild(QDockWidget, name)
+
+
+def button(editor, name):
+    return editor.window.findChild(QToolButton, name)
+
+
+def is_in_front(editor, name):
+    return not dock(editor, name).visibleRegion().isEmpty()
+
+
+@pytest.mark.parametrize("name", ["pointsDock", "historyDock"])
+def test_a_panel_that_is_docked_again_comes_to_the_front(editor, name):
+    editor.show_dock(name)
+    button_ = button(editor, f"{name}Float")
+    QTest.mouseClick(button_, LEFT)
+    assert dock(editor, name).isFloating()
+    editor.show_dock("curvesDock")
+    QTest.mouseClick(button_, LEFT)
+    assert not dock(editor, name).isFloating()
+    editor.settle()
+    assert is_in_front(editor, name)
+    assert not is_in_front(editor, "curvesDock")
+
+
+def test_a_double_click_on_the_title_floats_a_panel_and_docks_it_in_front(editor):
+    points = dock(editor, "pointsDock")
+    title = points.titleBarWidget()
+    for floats in (True, False):
+        QTest.mouseDClick(title, LEFT, pos=title.rect().center())
+        assert points.isFloating() is floats
+        editor.settle()
+    assert is_in_front(editor, "pointsDock")
+
+
+def test_the_button_says_which_way_it_goes(editor):
+    button_ = button(editor, "pointsDockFloat")
+    assert (button_.isChecked(), button_.accessibleName()) == (False, "Float Points")
+    assert button_.toolTip().startswith("Float")
+    docked = button_.icon().cacheKey()
+    QTest.mouseClick(button_, LEFT)
+    assert (button_.isChecked(), button_.accessibleName()) == (True, "Dock Points")
+    assert button_.toolTip().startswith("Dock")
+    assert button_.icon().cacheKey() != docked
+    QTest.mouseClick(button_, LEFT)
+    assert (button_.isChecked(), button_.toolTip().partition(":")[0]) == (False, "Float")
+
+
+def colours(widget):
+    image = widget.grab().toImage()
+    return {image.pixelColor(x, y).name() for x in range(image.width()) for y in range(image.height())}
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+@pytest.mark.parametrize("name", ["pointsDockFloat", "pointsDockClose"])
+def test_the_buttons_show_the_pointer_the_press_and_the_focus(editor, mode, name):
+    editor.window.store.change(theme_mode=mode)
+    editor.settle()
+    button_ = button(editor, name)
+    QTest.mouseMove(editor.window, editor.window.rect().center())
+    editor.settle()
+    looks = [colours(button_)]
+    QTest.mouseMove(button_)
+    editor.settle()
+    looks.append(colours(button_))
+    QTest.mousePress(button_, LEFT)
+    looks.append(colours(button_))
+    QTest.mouseMove(editor.window, editor.window.rect().center())
+    QTest.mouseRelease(button_, LEFT, pos=button_.rect().bottomRight() * 9)
+    button_.setFocus(Qt.FocusReason.TabFocusReason)
+    editor.settle()
+    looks.append(colours(button_))
+    assert all(one != other for place, one in enumerate(looks) for other in looks[:place])
+    editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
+
+
+def test_the_buttons_are_reached_by_tab_and_pressed_by_space(editor):
+    editor.show_dock("curvesDock")
+    float_button = button(editor, "curvesDockFloat")
+    editor.window.findChild(QDockWidget, "curvesDock").activateWindow()
+    float_button.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(float_button, Qt.Key.Key_Tab)
+    assert QApplication.focusWidget() is button(editor, "curvesDockClose")
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Backtab)
+    QTest.keyClick(float_button, Qt.Key.Key_Space)
+    assert dock(editor, "curvesDock").isFloating()
+    QTest.keyClick(float_button, Qt.Key.Key_Space)
+    assert not dock(editor, "curvesDock").isFloating()
+
+
+def test_the_keys_to_the_next_panel_lead_to_what_is_in_it(editor):
+    editor.window.canvas.setFocus()
+    seen = set()
+    for _ in range(12):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_F6)
+        seen.add(QApplication.focusWidget().objectName())
+    assert "pointTable" in seen
+    assert not {name for name in seen if name.endswith(("DockFloat", "DockClose"))}
+
+
+@pytest.mark.parametrize("front", ["curveDock", "jointsDock"])
+def test_what_was_in_front_before_an_explanation_is_so_after_escape(editor, front):
+    editor.show_dock(front)
+    editor.select([2])
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_W)
+    assert is_in_front(editor, "wiggleDock")
+    assert editor.session.selected.scrub is not None
+    editor.escape()
+    assert dock(editor, "wiggleDock").isHidden()
+    assert is_in_front(editor, front)
+    assert editor.session.selected.scrub is None
+    assert editor.action("selectTool").isChecked()
+    assert editor.session.selection == {2}
+
+
+def test_a_scrub_line_that_was_there_goes_back_where_it_was(editor):
+    editor.scrub(0.3)
+    t = editor.session.selected.scrub
+    editor.trigger("explainWidest")
+    assert editor.session.selected.scrub != t
+    QTest.mouseClick(button(editor, "wiggleDockClose"), LEFT)
+    assert editor.session.selected.scrub == t
+    editor.trigger("explainWiggle")
+    editor.click(tuple(np.array(editor.session.active_view.curve.evaluate(0.8)).tolist()))
+    editor.escape()
+    assert editor.session.selected.scrub == t

@@ -1,0 +1,276 @@
+"""Mirror images, and the pivot that they, rotations and scales are about; real keys and mouse."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from extents import CLOSE, box_shown, sampled_bounds
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+
+from app.document.model import Document, make_curve
+from app.families import FAMILIES, HERMITE
+from app.tools.snapping import SnapKind, Snapping
+
+Key = Qt.Key
+SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
+POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.5))
+
+
+@pytest.fixture
+def two(editor):
+    """Two curves, "Arch" is edited; "Base" lies below."""
+    curves = (
+        make_curve(POINTS, name="Arch", family=HERMITE),
+        make_curve([(0, -2), (2, -1), (4, -2)], name="Base", family=HERMITE),
+    )
+    editor.session.commit(Document(curves), "Begin")
+    editor.window.canvas.camera.show_box((-5, 9), (-5, 6))
+    editor.settle()
+    return editor
+
+
+def points(editor, place=None):
+    curves = editor.session.document.curves
+    curve = editor.curve if place is None else curves[place]
+    return np.array([point.position for point in curve.points])
+
+
+def undo_text(editor):
+    return editor.session.undo_stack.undoText()
+
+
+def pivot(editor):
+    return editor.window.canvas.marks.pivot
+
+
+def choose_both(editor):
+    editor.session.selected.set_curves({0, 1})
+
+
+# Flip
+
+
+@pytest.mark.parametrize(("key", "axis", "way"), [("H", 0, "horizontally"), ("V", 1, "vertically")])
+def test_a_key_mirrors_all_points_about_the_middle_of_the_curve(two, key, axis, way):
+    before, centre = points(two), sampled_bounds(two).mean(axis=0)
+    two.key(getattr(Key, f"Key_{key}"), SHIFT if key == "V" else Qt.KeyboardModifier.NoModifier)
+    expected = before.copy()
+    expected[:, axis] = 2 * centre[axis] - before[:, axis]
+    assert points(two) == pytest.approx(expected, abs=CLOSE)
+    assert undo_text(two) == f"Flip all 4 points {way}"
+    two.trigger("undo")
+    assert points(two).tolist() == before.tolist()
+
+
+def test_selected_points_are_mirrored_alone(two):
+    two.select([1, 2, 3])
+    two.key(Key.Key_H)
+    assert points(two).tolist() == [[0, 0], [4, 2], [2, 2], [1, 0.5]]
+    assert undo_text(two) == "Flip 3 points horizontally"
+
+
+def test_chosen_curves_are_mirrored_together(two):
+    choose_both(two)
+    middle = sampled_bounds(two, 0, 1).mean(axis=0)
+    before = [points(two, place) for place in (0, 1)]
+    two.trigger("flipVertically")
+    for place in (0, 1):
+        assert points(two, place)[:, 0].tolist() == before[place][:, 0].tolist()
+        assert points(two, place)[:, 1] == pytest.approx(2 * middle[1] - before[place][:, 1], abs=CLOSE)
+    assert undo_text(two) == "Flip 2 curves vertically"
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_the_mirror_image_of_a_curve_is_the_curve_of_the_mirrored_points(two, family):
+    two.choose_family(family)
+    two.session.change(
+        "Set", lambda document: document.with_curve(0, with_velocity(document.curves[0], 1, (3.0, 1.0)))
+    )
+    before = two.session.active_view.curve
+    x = two.window.canvas.tools.target.centre[0]
+    two.key(Key.Key_H)
+    t = np.linspace(*before.domain, 41)
+    expected = before.evaluate(t) * (-1, 1) + (2 * x, 0)
+    # Roundings of coordinates of about 4, which the basis may enlarge.
+    assert two.session.active_view.curve.evaluate(t) == pytest.approx(expected, abs=1e-12)
+
+
+def with_velocity(curve, index, velocity):
+    new = list(curve.points)
+    new[index] = replace(new[index], velocity=velocity)
+    return replace(curve, points=tuple(new))
+
+
+def test_the_palette_finds_it_as_mirror(two):
+    assert set(two.find_command("mirror")[:2]) == {"Flip Horizontally", "Flip Vertically"}
+
+
+def test_a_locked_curve_is_not_mirrored_and_says_so(two):
+    two.trigger("curveLocked")
+    document = two.session.document
+    two.key(Key.Key_H)
+    assert two.session.document is document
+    assert "locked" in two.status
+
+
+# Pivot
+
+
+def test_the_middle_of_the_box_is_marked(two):
+    two.trigger("selectAll")
+    assert pivot(two) == pytest.approx(box_shown(two).mean(axis=0))
+    two.select([])
+    assert pivot(two) is None
+
+
+def drag_pivot(editor, to, **keys):
+    start = pivot(editor)
+    editor.hover(start)
+    assert "Drag the pivot" in editor.window.status_line.hint
+    editor.drag(start, to, **keys)
+
+
+def test_it_is_dragged_and_everything_turns_about_it(two):
+    two.trigger("selectAll")
+    document = two.session.document
+    drag_pivot(two, (-1.0, 1.0))
+    assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
+    assert two.session.document is document, "no step of the history"
+    x, y = pivot(two)
+    two.key(Key.Key_R)
+    two.type_amount("90")
+    two.key(Key.Key_Return)
+    assert points(two) == pytest.approx(np.array([(x - (b - y), y + (a - x)) for a, b in POINTS]), abs=1e-12)
+    # It stays where it is, so that the next turn is about the same place.
+    assert pivot(two) == (x, y)
+    two.key(Key.Key_H)
+    assert points(two) == pytest.approx(np.array([(x + (b - y), y + (a - x)) for a, b in POINTS]), abs=1e-12)
+    assert pivot(two) == (x, y)
+    two.key(Key.Key_S)
+    two.type_amount("2")
+    two.key(Key.Key_Return)
+    expected = np.array([(x + 2 * (b - y), y + 2 * (a - x)) for a, b in POINTS])
+    assert points(two) == pytest.approx(expected, abs=1e-12)
+    two.trigger("undo")
+    two.trigger("undo")
+    assert pivot(two) == pytest.approx((x, y), abs=1e-12)
+
+
+def test_escape_takes_a_drag_of_it_back(two):
+    two.trigger("selectAll")
+    middle = pivot(two)
+    two.press(middle)
+    two.move((2.5, -3.0))
+    assert pivot(two) == pytest.approx((2.5, -3.0), abs=two.pixel)
+    assert "Pivot" in two.status
+    two.escape()
+    two.release((2.5, -3.0))
+    assert pivot(two) == middle
+    assert two.session.selected.pivot is None
+
+
+def test_it_goes_along_when_what_it_belongs_to_is_moved(two):
+    two.trigger("selectAll")
+    drag_pivot(two, (-1.0, 1.0))
+    x, y = pivot(two)
+    two.key(Key.Key_G)
+    two.type_amount("2")
+    two.key(Key.Key_Return)
+    assert pivot(two) == pytest.approx((x + 2, y))
+    start = two.grip(1, 1)
+    box = box_shown(two)
+    two.drag(start, (start[0] + 1, start[1] + 1))
+    grown = np.ptp(box_shown(two), axis=0) / np.ptp(box, axis=0)
+    assert pivot(two) == pytest.approx(box[0] + (np.array([x + 2, y]) - box[0]) * grown, abs=1e-9)
+
+
+def test_it_is_forgotten_with_the_selection_and_comes_back_with_it(two):
+    two.trigger("selectAll")
+    drag_pivot(two, (-1.0, 1.0))
+    place = pivot(two)
+    two.select([1, 2])
+    assert pivot(two) == pytest.approx((2.0, 2.0))
+    two.trigger("selectAll")
+    assert pivot(two) == place
+    two.session.new()
+    assert two.session.selected.pivot is None
+
+
+def test_copies_have_it_too(two):
+    two.trigger("selectAll")
+    drag_pivot(two, (-1.0, 1.0))
+    place = pivot(two)
+    two.key(Key.Key_D, CTRL)
+    assert len(two.session.document.curves) == 3
+    assert pivot(two) == place
+    two.key(Key.Key_R)
+    two.type_amount("72")
+    two.key(Key.Key_Return)
+    assert pivot(two) == place
+    two.key(Key.Key_D, CTRL)
+    assert pivot(two) == place
+
+
+def test_it_snaps_to_a_point_and_to_the_box(two):
+    two.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.POINTS})))
+    two.trigger("selectAll")
+    box = box_shown(two)
+    drag_pivot(two, (4.0 + 3 * two.pixel, 0.5 - 2 * two.pixel))
+    assert pivot(two) == (4.0, 0.5)
+    two.drag(pivot(two), (box[0][0] + 3 * two.pixel, box[1][1] + 3 * two.pixel))
+    assert pivot(two) == (box[0][0], box[1][1])
+
+
+def test_shift_scales_by_a_grip_about_it(two):
+    two.trigger("selectAll")
+    before = box_shown(two)
+    drag_pivot(two, (-1.0, -1.0))
+    x, y = pivot(two)
+    start = two.grip(1, 1)
+    two.drag(start, (start[0] + 1, start[1] + 1), keys=SHIFT)
+    factors = (box_shown(two)[1] - (x, y)) / (before[1] - (x, y))
+    assert factors == pytest.approx(
+        [(before[1][0] + 1 - x) / (before[1][0] - x), (before[1][1] + 1 - y) / (before[1][1] - y)],
+        abs=2 * two.pixel,
+    )
+    assert box_shown(two)[0] == pytest.approx((x, y) + factors * (before[0] - (x, y)), abs=2 * two.pixel)
+    # A twentieth of a pixel is what a drag leaves of a curve that answers with another shape.
+    assert pivot(two) == pytest.approx((x, y), abs=0.05 * two.pixel)
+
+
+def test_the_round_grip_turns_about_it(two):
+    two.trigger("selectAll")
+    drag_pivot(two, (-1.0, -1.0))
+    x, y = pivot(two)
+    start = np.array(two.grip())
+    way = start - (x, y)
+    two.drag(tuple(start), (x - way[1], y + way[0]), keys=CTRL)
+    assert points(two) == pytest.approx(np.array([(x - (b - y), y + (a - x)) for a, b in POINTS]), abs=1e-12)
+
+
+def test_the_box_is_live_while_curves_are_dragged(two):
+    choose_both(two)
+    before = box_shown(two)
+    two.key(Key.Key_R)
+    two.move((6, 3), held=False)
+    marks = two.window.canvas.marks
+    assert marks.box is None
+    frame = np.array([marks.frame.low, marks.frame.high])
+    assert frame != pytest.approx(before, abs=0.1)
+    # The polyline that is drawn, within a thousandth of the size of the curves.
+    assert frame == pytest.approx(sampled_bounds(two, 0, 1), abs=0.01)
+    two.escape()
+    assert two.window.canvas.marks.frame is None
+    assert box_shown(two) == pytest.approx(before)
+
+
+def test_the_pivot_of_a_turn_is_marked_also_without_a_box(two):
+    two.key(Key.Key_R)
+    assert pivot(two) == pytest.approx(sampled_bounds(two).mean(axis=0), abs=CLOSE)
+    two.move((6, 3), held=False)
+    assert math.dist(pivot(two), sampled_bounds(two).mean(axis=0)) < 2
+    two.escape()
+    assert pivot(two) is None

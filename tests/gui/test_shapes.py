@@ -1,0 +1,404 @@
+"""Shapes with holes and groups: made, opened in the list, chosen and taken apart; real mouse and keys."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from app.document.model import Document, make_curve
+from app.document.style import FillRule, Style
+from app.families import HERMITE
+from app.features.curve_list.commands import CurveListCommands
+from app.features.curve_list.rows import Spot, spot_rect
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
+NO_KEYS = Qt.KeyboardModifier.NoModifier
+LEFT = Qt.MouseButton.LeftButton
+RING = Style(stroke="none", fill="#cc3311")
+
+
+def diamond(size, name, x=0.0, style=RING):
+    points = [(x + size, 0.0), (x, size), (x - size, 0.0), (x, -size)]
+    return replace(make_curve(points, name=name, family=HERMITE), closed=True, style=style)
+
+
+@pytest.fixture
+def rings(editor):
+    """Outer and Inner run the same way around the origin, Side lies beside; Outer is active, and filled."""
+    curves = (
+        diamond(3.0, "Outer"),
+        diamond(1.5, "Inner", style=Style()),
+        diamond(1.0, "Side", x=6.0, style=Style(fill="#0072b2")),
+    )
+    editor.session.commit(Document(curves), "Begin", active=0)
+    editor.session.selected.activate(0)
+    editor.show_dock("curvesDock")
+    editor.fit()
+    return editor
+
+
+def view_of(editor):
+    return editor.window.commands[CurveListCommands].panel.view
+
+
+def rows(editor):
+    """The texts of the rows from the top, each as deep as it is drawn."""
+    model = view_of(editor).curves
+    return ["  " * entry.node.depth + model.index(row).data() for row, entry in enumerate(model.entries)]
+
+
+def row_named(editor, name):
+    return [text.strip() for text in rows(editor)].index(name)
+
+
+def place_in(editor, name, spot=Spot.NAME):
+    view = view_of(editor)
+    return spot_rect(view.entry_rect(row_named(editor, name)), spot).center()
+
+
+def click_row(editor, name, keys=NO_KEYS, spot=Spot.NAME):
+    QTest.mouseClick(view_of(editor).viewport(), LEFT, keys, place_in(editor, name, spot))
+    editor.settle()
+
+
+def fold(editor, name):
+    view = view_of(editor)
+    place = view.opener_rect(row_named(editor, name)).center()
+    QTest.mouseClick(view.viewport(), LEFT, pos=place)
+    editor.settle()
+
+
+def key_in_list(editor, *keys):
+    view = view_of(editor)
+    view.setFocus()
+    for key in keys:
+        QTest.keyClick(view, key)
+        editor.settle()
+
+
+def drag_row(editor, name, to, right=0):
+    """Drag a row by its name to a height of the list, and to the right by pixels."""
+    port, start = view_of(editor).viewport(), place_in(editor, name)
+    QTest.mousePress(port, LEFT, pos=start)
+    for y in ((start.y() + to) // 2, to):
+        QTest.mouseMove(port, QPoint(start.x() + right, y))
+    QTest.mouseRelease(port, LEFT, pos=QPoint(start.x() + right, to))
+    editor.settle()
+
+
+def top_of(editor, name):
+    return view_of(editor).entry_rect(row_named(editor, name)).top()
+
+
+def names(editor):
+    return [curve.name for curve in editor.session.document.curves]
+
+
+def shapes(editor):
+    return [curve.shape for curve in editor.session.document.curves]
+
+
+def groups(editor):
+    return [curve.groups for curve in editor.session.document.curves]
+
+
+def chosen(editor):
+    return {editor.session.document.curves[place].name for place in editor.session.selected.curves}
+
+
+def step_name(editor):
+    return editor.session.undo_stack.undoText()
+
+
+@pytest.fixture
+def ring(rings):
+    """The same with Outer and Inner combined, and Side edited."""
+    click_row(rings, "Inner", CTRL)
+    rings.key(Qt.Key.Key_K, CTRL | ALT)
+    click_row(rings, "Side")
+    return rings
+
+
+@pytest.fixture
+def group(rings):
+    """The same with Inner and Side in a group, and Outer edited."""
+    click_row(rings, "Inner")
+    click_row(rings, "Side", CTRL)
+    rings.key(Qt.Key.Key_G, CTRL)
+    click_row(rings, "Outer")
+    return rings
+
+
+# Combine and Break Apart
+
+
+def test_combined_curves_are_one_shape_whose_hole_is_a_hole(rings):
+    click_row(rings, "Inner", CTRL)
+    rings.key(Qt.Key.Key_K, CTRL | ALT)
+    assert (shapes(rings), step_name(rings)) == (["Shape 1", "Shape 1", ""], "Combine 2 curves")
+    assert rings.status == "“Shape 1” is one shape of 2 curves; the even-odd rule keeps its holes open."
+    assert {curve.style for curve in rings.session.document.curves[:2]} == {
+        replace(RING, fill_rule=FillRule.EVENODD)
+    }
+    assert chosen(rings) == {"Outer", "Inner"}
+    rings.trigger("undo")
+    assert shapes(rings) == ["", "", ""]
+
+
+def test_what_runs_the_other_way_keeps_its_rule(rings):
+    click_row(rings, "Inner")
+    rings.trigger("reverseCurve")
+    click_row(rings, "Outer", CTRL)
+    rings.trigger("combineCurves")
+    assert rings.curve.style.fill_rule is FillRule.NONZERO
+
+
+def test_one_curve_is_not_combined_and_a_plain_one_not_broken_apart(rings):
+    assert not rings.action("combineCurves").isEnabled()
+    assert not rings.action("breakApart").isEnabled()
+    assert not rings.action("groupCurves").isEnabled()
+    assert not rings.action("ungroupCurves").isEnabled()
+
+
+def test_a_shape_is_broken_apart_and_its_curves_are_chosen(ring):
+    click_row(ring, "Shape 1")
+    assert not ring.action("combineCurves").isEnabled()
+    ring.key(Qt.Key.Key_K, CTRL | SHIFT)
+    assert (shapes(ring), chosen(ring)) == (["", "", ""], {"Outer", "Inner"})
+    assert (rows(ring), step_name(ring)) == (["Side", "Inner", "Outer"], "Break Shape 1 apart")
+
+
+def test_more_is_combined_with_a_shape(ring):
+    click_row(ring, "Shape 1", CTRL)
+    ring.trigger("combineCurves")
+    assert shapes(ring) == ["Shape 1"] * 3
+
+
+# The entry that opens
+
+
+def test_a_shape_is_one_entry_that_opens_and_folds(ring):
+    assert rows(ring) == ["Side", "Shape 1"]
+    fold(ring, "Shape 1")
+    assert rows(ring) == ["Side", "Shape 1", "  Inner", "  Outer"]
+    assert ring.curve.name == "Side"
+    fold(ring, "Shape 1")
+    assert rows(ring) == ["Side", "Shape 1"]
+
+
+def test_left_and_right_open_and_fold_and_walk(ring):
+    click_row(ring, "Shape 1")
+    key_in_list(ring, Qt.Key.Key_Right)
+    assert rows(ring) == ["Side", "Shape 1", "  Inner", "  Outer"]
+    key_in_list(ring, Qt.Key.Key_Right)
+    assert chosen(ring) == {"Inner"}
+    key_in_list(ring, Qt.Key.Key_Down)
+    assert chosen(ring) == {"Outer"}
+    key_in_list(ring, Qt.Key.Key_Left)
+    assert chosen(ring) == {"Inner", "Outer"}
+    key_in_list(ring, Qt.Key.Key_Left)
+    assert rows(ring) == ["Side", "Shape 1"]
+    key_in_list(ring, Qt.Key.Key_Up)
+    assert chosen(ring) == {"Side"}
+
+
+def test_an_entry_stays_open_through_changes_and_another_name(ring):
+    fold(ring, "Shape 1")
+    click_row(ring, "Side", spot=Spot.EYE)
+    ring.trigger("duplicateCurve")
+    assert rows(ring)[-2:] == ["  Inner", "  Outer"]
+    view = view_of(ring)
+    QTest.mouseDClick(view.viewport(), LEFT, pos=place_in(ring, "Shape 1"))
+    editor = view.viewport().findChild(object, "curveNameEditor")
+    assert editor.accessibleName() == "Name of the shape"
+    ring.type_text(editor, "R")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    ring.settle()
+    assert (shapes(ring)[:2], step_name(ring)) == (["R", "R"], "Rename shape")
+    assert rows(ring)[-3:] == ["R", "  Inner", "  Outer"]
+
+
+def test_a_curve_of_a_shape_is_renamed_too(ring):
+    fold(ring, "Shape 1")
+    click_row(ring, "Inner")
+    key_in_list(ring, Qt.Key.Key_F2)
+    editor = view_of(ring).viewport().findChild(object, "curveNameEditor")
+    editor.selectAll()
+    ring.type_text(editor, "Counter")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    ring.settle()
+    assert rows(ring) == ["Side", "Shape 1", "  Counter", "  Outer"]
+    assert shapes(ring) == ["Shape 1", "Shape 1", ""]
+
+
+def test_a_name_that_is_taken_is_refused(ring):
+    ring.trigger("selectAllCurves")
+    ring.trigger("groupCurves")
+    view = view_of(ring)
+    fold(ring, "Group 1")
+    model = view.curves
+    model.setData(model.index(row_named(ring, "Shape 1")), "Group 1")
+    assert ring.status == "“Group 1” is the name of another shape or group."
+
+
+def test_a_screen_reader_hears_of_shapes(ring):
+    model = view_of(ring).curves
+    text = model.index(1).data(Qt.ItemDataRole.AccessibleTextRole)
+    assert text == "Shape 1, shape of 2 curves, folded"
+    fold(ring, "Shape 1")
+    assert model.index(1).data(Qt.ItemDataRole.AccessibleTextRole) == "Shape 1, shape of 2 curves, open"
+    view = view_of(ring)
+    assert view.tip_at(view.opener_rect(1).center()) == "Fold “Shape 1” (Left, Right)"
+
+
+# Whole shapes
+
+
+@pytest.mark.parametrize("folded", [True, False])
+def test_what_is_done_to_a_shape_is_done_to_all_of_it(ring, folded):
+    if not folded:
+        fold(ring, "Shape 1")
+    click_row(ring, "Shape 1", spot=Spot.EYE)
+    click_row(ring, "Shape 1", spot=Spot.LOCK)
+    assert [(curve.visible, curve.locked) for curve in ring.session.document.curves] == [
+        (False, True),
+        (False, True),
+        (True, False),
+    ]
+    assert step_name(ring) == "Lock Shape 1"
+
+
+def test_commands_take_the_whole_shape_of_the_curve_that_is_edited(ring):
+    ring.session.selected.activate(0)
+    ring.trigger("raiseCurve")
+    assert names(ring) == ["Side", "Outer", "Inner"]
+    assert (ring.curve.name, step_name(ring)) == ("Outer", "Raise Shape 1")
+    assert not ring.action("raiseCurve").isEnabled()
+    ring.trigger("duplicateCurve")
+    assert names(ring) == ["Side", "Outer", "Inner", "Outer copy", "Inner copy"]
+    assert shapes(ring) == ["", "Shape 1", "Shape 1", "Shape 1 copy", "Shape 1 copy"]
+    ring.session.selected.activate(3)
+    ring.trigger("deleteCurve")
+    assert (names(ring), step_name(ring)) == (["Side", "Outer", "Inner"], "Delete Shape 1 copy")
+
+
+def test_a_new_curve_does_not_tear_a_shape(ring):
+    ring.session.selected.activate(0)
+    ring.trigger("newCurve")
+    assert names(ring) == ["Outer", "Inner", "Curve 1", "Side"]
+    assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
+
+
+@pytest.mark.parametrize("how", ["key", "menu"])
+def test_a_curve_is_deleted_alone_from_the_opened_entry(ring, how):
+    fold(ring, "Shape 1")
+    click_row(ring, "Inner")
+    if how == "key":
+        key_in_list(ring, Qt.Key.Key_Delete)
+    else:
+        ring.trigger("deleteContour")
+    assert (names(ring), shapes(ring), step_name(ring)) == (["Outer", "Side"], ["", ""], "Delete Inner")
+    assert rows(ring) == ["Side", "Outer"]
+    ring.trigger("undo")
+    assert shapes(ring) == ["Shape 1", "Shape 1", ""]
+
+
+def test_delete_on_a_folded_entry_deletes_all_of_it(ring):
+    ring.session.selected.activate(1)
+    key_in_list(ring, Qt.Key.Key_Delete)
+    assert names(ring) == ["Side"]
+
+
+def test_a_split_curve_of_a_shape_stays_in_it(ring):
+    ring.session.selected.activate(0)
+    ring.select([2])
+    ring.trigger("splitCurve")
+    ring.select([1])
+    ring.trigger("splitCurve")
+    assert shapes(ring) == ["Shape 1", "Shape 1", "Shape 1", ""]
+
+
+# Order
+
+
+def test_a_shape_is_dragged_whole(ring):
+    fold(ring, "Shape 1")
+    drag_row(ring, "Shape 1", top_of(ring, "Side") + 1)
+    assert (names(ring), rows(ring)[0]) == (["Side", "Outer", "Inner"], "Shape 1")
+    assert step_name(ring) == "Reorder Shape 1"
+
+
+def test_a_curve_is_dragged_into_a_shape_and_out_of_it(ring):
+    fold(ring, "Shape 1")
+    drag_row(ring, "Side", top_of(ring, "Outer"))
+    assert rows(ring) == ["Shape 1", "  Inner", "  Side", "  Outer"]
+    assert ring.session.document.curves[1].style == ring.session.document.curves[0].style
+    assert ring.curve.name == "Side"
+    drag_row(ring, "Inner", top_of(ring, "Shape 1") + 1)
+    assert rows(ring) == ["Inner", "Shape 1", "  Side", "  Outer"]
+
+
+def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
+    fold(ring, "Shape 1")
+    bottom = view_of(ring).entry_rect(3).bottom()
+    drag_row(ring, "Side", bottom)
+    assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "Side"]
+    ring.trigger("undo")
+    drag_row(ring, "Side", bottom, right=14)
+    assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "  Side"]
+
+
+def test_a_group_does_not_go_into_itself(group):
+    fold(group, "Group 1")
+    document = group.session.document
+    drag_row(group, "Group 1", top_of(group, "Inner"))
+    assert group.session.document is document
+    assert group.status == "A shape or a group cannot go into itself."
+
+
+# Groups
+
+
+def test_grouped_curves_have_an_entry_that_chooses_all(group):
+    assert groups(group) == [(), ("Group 1",), ("Group 1",)]
+    assert (rows(group), step_name(group)) == (["Group 1", "Outer"], "Group 2 curves")
+    click_row(group, "Group 1")
+    assert chosen(group) == {"Inner", "Side"}
+    fold(group, "Group 1")
+    assert rows(group) == ["Group 1", "  Side", "  Inner", "Outer"]
+    group.key(Qt.Key.Key_G, CTRL | SHIFT)
+    assert (groups(group), chosen(group)) == ([(), (), ()], {"Inner", "Side"})
+    assert (group.status, step_name(group)) == ("Group 1 is taken apart.", "Ungroup Group 1")
+
+
+def test_groups_are_in_groups_with_shapes_in_them(group):
+    group.trigger("selectAllCurves")
+    group.trigger("groupCurves")
+    fold(group, "Group 2")
+    assert rows(group) == ["Group 2", "  Group 1", "  Outer"]
+    group.trigger("ungroupCurves")
+    assert rows(group) == ["Group 1", "Outer"]
+
+
+def test_a_copy_of_a_group_is_a_group(group):
+    click_row(group, "Group 1")
+    group.trigger("duplicateCurve")
+    assert rows(group) == ["Group 1 copy", "Group 1", "Outer"]
+
+
+# As it is in the file
+
+
+def test_shapes_and_groups_are_saved(group, tmp_path):
+    click_row(group, "Group 1")
+    group.trigger("combineCurves")
+    group.trigger("groupCurves")
+    document = group.session.document
+    group.session.save(tmp_path / "r.curve.json")
+    group.session.open(tmp_path / "r.curve.json")
+    assert group.session.document == document
+    assert rows(group) == ["Group 2", "Outer"]
