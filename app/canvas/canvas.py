@@ -8,6 +8,7 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from ..document.model import Axis
+from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.rulers import Extent
 from ..plotting.tool_plot import ToolPlot
 from ..tools.guides import GuideTool, hint_on_ruler
@@ -52,6 +53,7 @@ class Canvas(ToolPlot):
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
         self.framing = Framing(self.camera, self.drawing)
+        self._edge = EdgeScroll(self.camera, self._move_again)
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
 
@@ -61,6 +63,17 @@ class Canvas(ToolPlot):
     def marks(self) -> GestureMarks:
         """The marks of the gestures over the drawing."""
         return self.drawing.marks.marks
+
+    # Gestures
+
+    def _moved(self, pointer: Pointer) -> None:
+        super()._moved(pointer)
+        if self._is_held and self.tools.scrolls:
+            self._edge.follow(pointer.pixel)
+
+    def _end_gesture(self) -> None:
+        self._edge.stop()
+        super()._end_gesture()
 
     def show_marks(self) -> None:
         self.drawing.show_marks(self.tools.marks())
@@ -123,6 +136,7 @@ class Canvas(ToolPlot):
         return None if ruler is None else (Axis.Y, Axis.X)[ruler]
 
     def _pressed(self, pointer: Pointer) -> None:
+        self._edge.begin(pointer.pixel)
         axis = self._axis_at(pointer)
         if axis is None:
             super()._pressed(pointer)

@@ -25,6 +25,11 @@ class Drag(msgspec.Struct, frozen=True):
         """The name of the step in the history."""
         raise NotImplementedError
 
+    @property
+    def scrolls(self) -> bool:
+        """Whether the view moves on where it comes to the edge."""
+        return True
+
     def name_at(self, pointer: Pointer) -> str:
         """Return the name of the step that ends here."""
         return self.name

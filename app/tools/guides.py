@@ -43,7 +43,7 @@ class MoveGuide(Drag, frozen=True):
     is_new: bool = False
 
     name = "Guide"
-
+    scrolls = False
     keys = "Back to the ruler: no guide"
 
     @property
@@ -131,7 +131,7 @@ class GuidePicker:
         host = self._host
         if host is None or self.lit is None or self.lit >= len(host.document.guides):
             return False
-        return not host.selected.points and len(host.selected.curves) < 2
+        return not host.selected.points and not host.selected.chosen
 
     def claims(self, key: str) -> bool:
         """Whether a key is for the guide."""

@@ -59,8 +59,11 @@ REMEMBERED = {
     "pencil",
     "transform_box",
     "rulers",
+    "keep_proportions",
+    "scale_strokes",
     "with_estimates",
     "theme_mode",
+    "as_printed",
 }
 
 
