@@ -13,6 +13,7 @@ from app.canvas.guides_layer import _CALM
 from app.document.expression import ExpressionError
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Guide, make_curve
+from app.families import HERMITE
 from app.features.guides.commands import GuideCommands
 from app.features.guides.places import TypedPlace, read_place
 from app.storage.files import load, save
@@ -348,14 +349,38 @@ def test_snapping_to_guides_is_a_choice_of_its_own(drawing):
     assert label is None or "guide" not in label
 
 
-def test_the_box_and_the_end_of_a_handle_snap_to_guides(drawing):
+def test_a_side_of_the_box_snaps_to_guides(drawing):
     with_guides(drawing, ("x", 5.123))
+    drawing.trigger("toggleSnap")
     drawing.select([1, 2])
     grip, off = drawing.grip(1, 0), 3 * drawing.pixel
     side = drawing.window.canvas.marks.box.high[0]
     drawing.press(grip)
-    drawing.move((grip[0] + 5.123 - side + off, grip[1]), keys=CTRL)
+    drawing.move((grip[0] + 5.123 - side + off, grip[1]))
     assert drawing.window.canvas.marks.snap.label == "guide x = 5.123"
+    drawing.escape()
+
+
+def test_a_curve_that_is_dragged_and_the_end_of_a_handle_snap_to_guides(drawing):
+    curves = (
+        make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 2.0)), family=HERMITE),
+        make_curve(((0.0, -2.0), (2.0, -2.0))),
+    )
+    drawing.session.commit(Document(curves), "Curves")
+    with_guides(drawing, ("y", -1.123), ("x", 5.123))
+    drawing.trigger("toggleSnap")
+    off = 3 * drawing.pixel
+    drawing.press((1.0, -2.0))
+    drawing.move((1.05, -1.123 + off))
+    assert "guide y = −1.123" in drawing.window.canvas.marks.snap.label
+    drawing.release((1.05, -1.123 + off))
+    assert drawing.session.document.curves[1].points[0].y == -1.123
+    drawing.session.selected.activate(0)
+    drawing.select([1])
+    drawing.press(drawing.handle().position)
+    drawing.move((5.123 + off, 2.6))
+    assert "guide x = 5.123" in drawing.window.canvas.marks.snap.label
+    drawing.escape()
     drawing.escape()
 
 
