@@ -62,6 +62,7 @@ class CurveListCommands:
     def _connect(self, panel: CurveList) -> None:
         session = self._session
         panel.view.activated_row.connect(session.selected.activate)
+        panel.view.chosen_entry.connect(session.selected.choose)
         panel.view.rows_selected.connect(session.selected.set_curves)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._set_name)
@@ -85,8 +86,7 @@ class CurveListCommands:
         "duplicateCurve",
         "Duplicate Curve",
         CURVE_NUMBER,
-        "Ctrl+D",
-        "duplicate",
+        icon="duplicate",
         title=lambda now: f"Duplicate {_curves(now)}",
     )
     @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
