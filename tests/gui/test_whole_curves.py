@@ -8,11 +8,13 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 
 from app.appearance.colours import point_colours
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
+from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -155,6 +157,19 @@ def test_the_action_goes_both_ways(three):
     three.trigger("editCurve")
     assert state(three) == (True, "", "B")
     assert three.action("editCurve").isChecked()
+
+
+def test_the_list_and_the_sheet_say_what_is_chosen(whole):
+    model = whole.window.commands[CurveListCommands].panel.model
+    told = [model.data(model.index_of(row), Qt.ItemDataRole.AccessibleTextRole) for row in range(3)]
+    assert [text.rpartition("points")[2] for text in told] == ["", "", ""]
+    whole.click(on_curve(whole, 2))
+    text = model.data(model.index_of(2), Qt.ItemDataRole.AccessibleTextRole)
+    assert text.endswith(", chosen")
+    whole.trigger("showShortcuts")
+    texts = [label.text() for label in whole.window.findChild(object, "shortcutSheet").findChildren(QLabel)]
+    assert "<b>Now: 1 curve chosen</b>" in texts
+    whole.trigger("showShortcuts")
 
 
 # Moved

@@ -60,8 +60,8 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         """Paint a row; called by Qt."""
         view, number = self._view, index.row()
         entry, row, theme = view.curves.entries[number], view.curves.row(number), theme_of(view.palette())
-        is_active, is_chosen = view.shows_active(entry), entry.places <= view.selected
-        is_one_of_many = is_chosen and len(view.selected) > 1
+        is_active, is_chosen = view.shows_edited(entry), entry.places <= view.selected
+        is_one_of_many = is_chosen and (len(view.selected) > 1 or not view.is_editing)
         if is_active or is_chosen:
             painter.fillRect(option.rect, mix(theme.accent, theme.paper, 0.2 if view.hasFocus() else 0.12))
         if is_active and is_one_of_many:

@@ -78,7 +78,9 @@ class ViewCommands:
         """Choose the curve that is edited alone, then as a whole that is edited no longer, then none."""
         session, selected = self._session, self._session.selected
         if not selected.is_editing:
-            selected.choose(())
+            if selected.chosen:
+                selected.choose(())
+                session.say("No curve is chosen.")
             return
         if selected.chosen:
             selected.set_curves((session.active_index,))
