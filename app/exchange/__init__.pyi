@@ -5,6 +5,7 @@ from . import cubics_in as cubics_in
 from . import dxf_library as dxf_library
 from . import facts as facts
 from . import parts as parts
+from . import rescaled as rescaled
 from . import units as units
 from .drawing.image import png_file as png_file
 from .formats.formulas import svg_path_data as svg_path_data

@@ -7,12 +7,11 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 
 from app.document.model import Document, make_curve
-from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.drawing import POINT_RADIUS, USUAL_WIDTH, drawing_of
 from app.exchange.drawing.styles import DARK, INK
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
-from app.exchange.svg.writer import POINT_RADIUS, STROKE
 from app.exchange.writing import export
 from app.families import HERMITE
 from app.storage import files
@@ -53,7 +52,7 @@ def test_ink_is_where_the_curve_is_and_nowhere_else(example, tmp_path):
     x, y = curve.evaluate(t).T
     scale = 600 / frame.width
     column, row = ((x - frame.left) * scale).astype(int), ((frame.top - y) * scale).astype(int)
-    width = STROKE * frame.side * scale
+    width = USUAL_WIDTH * frame.side * scale
     # A line narrower than a pixel covers each pixel it crosses in part.
     assert np.quantile(ink[row, column], 0.02) > 0.3 * min(width, 1)
     # All the ink together is the line's length times its width; caps and crossings are within 6 %.

@@ -468,9 +468,11 @@ def test_a_table_of_several_curves(editor, tmp_path):
 def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.svg", SVG), "importDrawingDialog")
     assert dialog.summary.text() == "2 curves with 4 points, exact."
-    assert dialog.remarks.text() == (
-        "<text> is not read.\nOf the style, this is not taken over: filled areas."
-    )
+    rows = [dialog.missed.topLevelItem(row) for row in range(dialog.missed.topLevelItemCount())]
+    assert [[row.text(column) for column in range(3)] for row in rows] == [
+        ["<text> “hi”", "text is no curve", "left out, but as paths it would come in"]
+    ]
+    assert not dialog.remarks.isVisible()
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     editor.settle()
     first, second = editor.session.document.curves[-2:]

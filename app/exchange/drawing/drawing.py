@@ -30,6 +30,12 @@ MARGIN = 0.06
 SLIMMEST = 0.2
 """Least ratio of a frame's shorter to its longer side."""
 
+USUAL_WIDTH = 0.003
+"""Of a line whose style does not say it, against the drawing's longer side."""
+
+POINT_RADIUS = 0.006
+"""Of the discs at the points, likewise."""
+
 LARGEST = 1e30
 SMALLEST = 1e-30
 """Sizes that every reader of pictures can hold: many compute in single precision, 1e-38 to 1e38."""
@@ -167,6 +173,11 @@ class Drawing(msgspec.Struct, frozen=True):
             else:
                 found.append([outline])
         return list(map(tuple, found))
+
+    @property
+    def usual_width(self) -> float:
+        """Width of a line whose style does not say it."""
+        return USUAL_WIDTH * self.frame.side
 
     @property
     def deviation(self) -> float:

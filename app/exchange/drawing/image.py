@@ -1,7 +1,7 @@
-"""Documents as PNG and PDF; the only module of the exchange that needs Qt. No display is needed.
+"""Documents as PNG and PDF, with Qt. No display is needed.
 
-Both are the SVG of `app.exchange.svg.writer`, moved to the picture's own coordinates in NumPy first: Qt then
-never sees the coordinates of the document, however large, small or far away they are.
+Both are painted from the drawing that an SVG is written from, moved to the picture's own coordinates in NumPy
+first: Qt then never sees the coordinates of the document, however large, small or far away they are.
 """
 
 from __future__ import annotations
@@ -12,9 +12,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from msgspec.structs import replace
-from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QSizeF
+from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
-from PySide6.QtSvg import QSvgRenderer, QtSvg
 
 from ... import __version__
 from ...document.model import Document
@@ -23,9 +22,10 @@ from ...view_model.palette import adjustment_of
 from ..errors import ExchangeError
 from ..formats import Written
 from ..options import Options
-from ..svg.writer import accuracy_of, nominal_width, picture_of, svg_text
+from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing, Frame
+from .painting import Painting
 from .styles import PictureStyle
 
 DEFAULT_WIDTH = 1600
@@ -125,7 +125,11 @@ def _preview(
 
 def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
-    moved = [each for each in drawing.outlines if adjustment_of(style.paper, each.colour)]
+    moved = [
+        each
+        for each in drawing.outlines
+        if not each.style.has_fill and adjustment_of(style.paper, each.colour)
+    ]
     if not moved:
         return ""
     more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""
@@ -261,13 +265,7 @@ def paint_drawing(
     fitted: Drawing, painter: QPainter, style: PictureStyle, *, points: bool, report: Report = silent
 ) -> None:
     """Paint a drawing whose frame is the painter's whole device."""
-    frame = fitted.frame
-    text = svg_text(fitted, style=style, points=points, width=frame.width, report=report)
-    renderer = QSvgRenderer()
-    # Otherwise Qt silently cuts off paths of more than some ten thousand pieces.
-    renderer.setOptions(QtSvg.Option.AssumeTrustedSource)
-    renderer.load(QByteArray(text.encode()))
-    renderer.render(painter, QRectF(0, 0, frame.width, frame.height))
+    Painting(fitted, painter, style).paint(points=points, report=report)
 
 
 @contextmanager

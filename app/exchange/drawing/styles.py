@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
+from ...document.style import Style
 from ...view_model import palette
 
 
@@ -16,6 +17,18 @@ class PictureStyle(msgspec.Struct, frozen=True):
     ink: str
     paper: str | None = None
     theme: str = "light"
+
+    def seen(self, colour: str) -> str:
+        """Return a colour as it is drawn on the paper, the same as on the screen's; empty for the ink."""
+        return palette.colour_on(self.paper, colour) if colour else self.ink
+
+    def stroke_of(self, style: Style) -> str:
+        """Return the colour of a line; only one that lies on paper alone is moved to be seen there."""
+        return style.stroke if style.stroke and style.has_fill else self.seen(style.stroke)
+
+    def fill_of(self, style: Style) -> str:
+        """Return the colour of an inside: what somebody chose to be white is white on any paper."""
+        return style.fill or self.ink
 
 
 INK = PictureStyle(palette.INK["light"])

@@ -8,11 +8,9 @@ from msgspec.structs import replace
 
 from ...document.style import INK, Style
 from ..drawing import styles
+from ..drawing.drawing import USUAL_WIDTH
 from .matrices import box_of
 from .xml_tree import tag_of
-
-STROKE = 0.003
-"""Width of a line of the usual width against the picture's longer side."""
 
 MARK = "Largest deviation from the true curves"
 """Words in the description of every picture."""
@@ -44,7 +42,7 @@ class OurOwn:
         self.has_nominal_size = self._is_so and root.get("width", "")[-1:].isdigit()
         self.has_page = not self._is_so or root.get("id") == PAGE
         box = box_of(root.get("viewBox", ""))
-        self._usual_width = STROKE * max(box[2:]) if box else 0.0
+        self._usual_width = USUAL_WIDTH * max(box[2:]) if box else 0.0
 
     def is_no_curve(self, element: ET.Element) -> bool:
         """Whether an element is the paper, or something else beside the curves."""

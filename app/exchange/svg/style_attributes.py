@@ -2,29 +2,18 @@
 
 from __future__ import annotations
 
-from ...document.style import FillRule, LineCap, LineJoin, Style
-from ...view_model import palette
+from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ..drawing.styles import PictureStyle
 from .numbers import number
 
 
 def style_attributes(style: Style, picture: PictureStyle, usual_width: float) -> str:
-    """Return a style as attributes, each after a blank; what SVG takes for granted is left out.
-
-    What somebody chose to fill with white is white on any paper.
-    """
-    pairs = [("fill", style.fill or picture.ink), *_of_fill(style)]
+    """Return a style as attributes, each after a blank; what SVG takes for granted is left out."""
+    pairs = [("fill", picture.fill_of(style) if style.has_fill else NO_PAINT), *_of_fill(style)]
     pairs += _of_stroke(style, picture, usual_width)
     if style.opacity < 1:
         pairs.append(("opacity", number(style.opacity)))
     return "".join(f' {name}="{value}"' for name, value in pairs)
-
-
-def stroke_colour(style: Style, picture: PictureStyle) -> str:
-    """Return the paint of the line; one that lies on paper alone is moved so that it is seen there."""
-    if not style.stroke or not style.has_stroke:
-        return style.stroke or picture.ink
-    return style.stroke if style.has_fill else palette.colour_on(picture.paper, style.stroke)
 
 
 def _of_fill(style: Style) -> list[tuple[str, str]]:
@@ -40,7 +29,7 @@ def _of_stroke(style: Style, picture: PictureStyle, usual_width: float) -> list[
     if not style.has_stroke:
         return []
     width = usual_width if style.width is None else style.width
-    pairs = [("stroke", stroke_colour(style, picture)), ("stroke-width", number(width))]
+    pairs = [("stroke", picture.stroke_of(style)), ("stroke-width", number(width))]
     if style.cap is not LineCap.BUTT:
         pairs.append(("stroke-linecap", str(style.cap.value)))
     if style.join is not LineJoin.MITER:

@@ -5,20 +5,16 @@ from __future__ import annotations
 from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
-from ...view_model import palette
 from .. import drawing
-from ..drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
+from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, Outline, drawing_of
 from ..drawing.styles import PictureStyle
 from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .numbers import number
-from .our_own import MARK, PAGE, STROKE
+from .our_own import MARK, PAGE
 from .tree import Tree, escaped, pair
-
-POINT_RADIUS = 0.006
-"""Radius of the discs at the points, likewise."""
 
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
@@ -121,7 +117,7 @@ def _paper(frame: Frame, colour: str) -> str:
 
 
 def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
-    tree = Tree(style, STROKE * drawing.frame.side)
+    tree = Tree(style, drawing.usual_width)
     for shape in told(drawing.shapes, report, "Writing"):
         tree.add(shape)
     tree.close()
@@ -140,12 +136,7 @@ def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
 
 def _disc_colour(outline: Outline, style: PictureStyle) -> str:
     """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
-    return f' fill="{_colour(outline.colour, style)}"' if outline.colour else ""
-
-
-def _colour(code: str, style: PictureStyle) -> str:
-    """Return a colour as it is drawn on the picture's paper, the same as on the screen's."""
-    return palette.colour_on(style.paper, code) if code else style.ink
+    return f' fill="{style.seen(outline.colour)}"' if outline.colour else ""
 
 
 def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
@@ -156,7 +147,7 @@ def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
 
 def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     data = " ".join(f"M {' L '.join(pair(point) for point in line.tolist())}" for line in annotation.lines)
-    colour = _colour(annotation.colour, style)
+    colour = style.seen(annotation.colour)
     opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
     if annotation.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'

@@ -3,7 +3,7 @@
 - ``commands``: the actions.  ``import_series``: several files, one after the other.
 - ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,
-  ``import_foot``: what a file holds, before it comes in.
+  ``import_foot``, ``import_picture``, ``missed_list``: what a file holds, before it comes in.
 - ``work_dialog``, ``form_parts``: what the dialogs share.
 """
 

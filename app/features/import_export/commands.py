@@ -17,7 +17,7 @@ from ...actions.declaration import action
 from ...actions.needs import Need
 from ...actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
 from ...document.model import Document
-from ...document.several_curves import add_imported
+from ...document.several_curves import add_imported, is_blank
 from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import FORMATS, ContentKind, Written, ending_in, format_of, is_document, with_ending
@@ -181,6 +181,11 @@ class ExchangeCommands:
             if not self._context.files.may_discard():
                 return
             self._session.new()
+        if not is_blank(self._session.document):
+            # What is an inch there is an inch here.
+            unit = self._session.document.unit
+            deviation *= exchange.rescaled.factor_between(new.unit, unit)
+            new = exchange.rescaled.in_unit(new, unit)
         document, first = add_imported(self._session.document, new)
         if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
             return

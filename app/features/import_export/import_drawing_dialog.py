@@ -9,16 +9,18 @@ from ...document.words import count_of, number
 from ...exchange.cubics_in import Imported
 from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of
-from ...widgets.fitting import FittedDialog
 from .form_parts import into_box
 from .group_tree import GroupTree
 from .import_foot import ImportFoot
+from .import_picture import ImportPicture
+from .missed_list import MissedList
+from .work_dialog import WorkDialog
 
 _MOST_REMARKS = 8
 
 
-class ImportDrawingDialog(FittedDialog):
-    """Says what was found and asks where it goes.
+class ImportDrawingDialog(WorkDialog):
+    """Shows what was found, says what of it comes in otherwise, and asks where it goes.
 
     Signals
     -------
@@ -29,37 +31,53 @@ class ImportDrawingDialog(FittedDialog):
     chosen = Signal(object, bool)
 
     def __init__(self, title: str, found: Imported, parent: QWidget | None = None) -> None:
-        super().__init__("importDrawingDialog", f"Import {title}", parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        super().__init__("importDrawingDialog", f"Import {title}", "importProblem", parent)
         self._found = found
         groups = [curve.groups for curve in found.document.curves]
         self.groups = GroupTree(groups) if len(set(groups)) > 1 else None
-        self.summary = Label(_summary(found), name="importSummary")
+        self.picture = ImportPicture(self.jobs)
+        self.summary = Label(_summary(found), name="importSummary", wordWrap=True)
+        self.missed = MissedList(found.missed) if found.missed else None
         self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))
         self.into = into_box()
         self.foot = ImportFoot(self, "importDrawing", "Take the curves in")
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
-        into = row_of("Into", self.into, 1)
-        parts = (self.summary, self.remarks, into)
-        layout = column_of(*parts, margins=(16, 14, 16, 0), spacing=10, parent=self.body)
+        self._lay_out()
+        self.picture.show_document(found.document)
+
+    def _lay_out(self) -> None:
+        side = column_of(self.summary, margins=0, spacing=8)
         if self.groups is None:
-            layout.addStretch(1)
+            side.addStretch(1)
         else:
-            layout.insertWidget(1, self.groups, 1)
+            side.addWidget(self.groups, 1)
             self.groups.chosen.connect(self._show_taken)
-        self.hold(self.foot, wished=QSize(380, 0))
+        above = row_of((self.picture, Qt.AlignmentFlag.AlignTop), (side, 1), margins=0, spacing=18)
+        layout = column_of((above, 1), margins=(16, 14, 16, 0), spacing=10, parent=self.body)
+        if self.missed is not None:
+            count = count_of(len(self._found.missed), "element")
+            verb = "comes" if len(self._found.missed) == 1 else "come"
+            layout.addWidget(Label(f"{count} {verb} in otherwise than drawn:", name="importMissedTitle"))
+            layout.addWidget(self.missed)
+        layout.addWidget(self.remarks)
+        layout.addLayout(row_of("Into", self.into, 1))
+        self.hold(self.foot, wished=QSize(660, 0))
 
     def _taken(self) -> list[bool]:
         return self.groups.taken if self.groups is not None else [True] * len(self._found.document.curves)
 
     def _show_taken(self) -> None:
-        """Say how much of the drawing is taken; without a curve there is nothing to import."""
+        """Show how much of the drawing is taken; without a curve there is nothing to import."""
         taken = self._taken()
         self.ok.setEnabled(any(taken))
         some = self._found if all(taken) or not any(taken) else self._found.only(taken)
         self.summary.setText(_summary(some, sum(taken), len(taken)))
+        if any(taken):
+            self.picture.show_document(some.document)
+        else:
+            self.picture.clear()
 
     def _import(self) -> None:
         # First, for a new document closes the dialogs of the one before.
