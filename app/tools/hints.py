@@ -6,6 +6,8 @@ from ..document import words
 from ..document.edits import LEAST_TO_CLOSE
 from ..document.several_curves import PointGroup
 from ..view_model.curve_view import CurveView
+from ..view_model.point_kinds import toggled
+from ..view_model.smoothness import inner_points
 from .drags import bend_keys, handle_keys, what_bends, what_handle_sets
 from .pen_drags import PenAct
 from .pointer import Cursor, Hint, Hit, Part, Pointer
@@ -45,6 +47,8 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], pointer: Point
     text += f" · Ctrl: {_snap_word(snaps)}"
     if view.source.family.derivatives:
         text += " · Alt: pull out its velocity"
+        if inner_points(view.source, [hit.index]):
+            text += f" · Double click: {toggled(view, hit.index).title.lower()}"
     return Hint(text, grab=True)
 
 
@@ -96,7 +100,7 @@ def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
     if act is PenAct.BEGIN:
         return Hint(f"Click to begin another curve · Shift: add point {index} to this one · {keys}")
     if view.source.family.derivatives:
-        drag = "Drag to set its velocity, Shift: steps of 15°"
+        drag = "Drag to set its velocity, Shift: steps of 15°, Alt: one handle alone"
     else:
         drag = "On the curve: insert between neighbours"
     parts = (f"Click to add point {index}", _ENTER if can_finish(view) else "", drag, keys)

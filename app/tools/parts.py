@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
+from ..document.curve_edits import replace_curve
+from ..document.model import Document
 from ..document.several_curves import points_of
+from ..view_model.point_kinds import toggled
 from . import hints
 from .drag import Drag
 from .drags import DragHandle, MovePoints, PullVelocity, Refuse
@@ -13,6 +17,7 @@ from .tool import GestureRow, ToolContext
 
 GESTURES = (
     GestureRow("Drag a point", "move it; Shift keeps to one axis"),
+    GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
     GestureRow("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     GestureRow(
         "Drag a handle",
@@ -25,16 +30,31 @@ GESTURES = (
 
 
 def press_on_part(context: ToolContext, hit: Hit, click: Callable[[], None] | None = None) -> None:
-    """Begin to drag a point or a handle; a click does `click`, or else selects."""
+    """Begin to drag a point or a handle; a click does `click`, or else selects, and a second one toggles."""
     if hit.part is not Part.POINT:
         _press_on_handle(context, hit)
         return
+    pointer, has_kinds = context.pointer, context.view.source.family.derivatives > 0
     selecting = click_on(context, hit.index)
+    if pointer.is_double and has_kinds and not (pointer.shift or pointer.ctrl or pointer.alt):
+        selecting = partial(_toggle, context, hit.index)
     if hit.index not in context.host.selected.points:
         # Alone, for a drag with Shift moves this point along an axis; only a click adds it to the others.
         context.host.selected.set_points([hit.index])
     drag = unless_locked(context, _point_drag(context, hit))
     context.drags.press(context.pointer, drag, on_click=click or selecting)
+
+
+def _toggle(context: ToolContext, index: int) -> None:
+    """Make a smooth point of a corner, and a corner of any other."""
+    host, view = context.host, context.view
+    kind, active = toggled(view, index), host.active_index
+
+    def edit(document: Document) -> Document:
+        return replace_curve(document, active, kind.made(view, [index]))
+
+    if host.change(f"{kind.step} point {index}", edit):
+        host.say(f"{kind.title} at point {index}; a double click toggles corner and smooth.")
 
 
 def click_on(context: ToolContext, index: int) -> Callable[[], None]:

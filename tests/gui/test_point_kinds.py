@@ -254,6 +254,46 @@ def test_a_corner_has_nothing_to_break(bow):
         assert ("Alt: break the handles apart" in hints[-1]) is breaks
 
 
+# The double click
+
+
+def test_a_double_click_toggles_corner_and_smooth(bow):
+    steps = bow.session.undo_stack.count()
+    bow.double_click(bow.point(2))
+    assert kind_at(bow.session.active_view, 2) is CORNER
+    assert bow.session.undo_stack.undoText() == "Corner at point 2"
+    assert bow.session.selection == {2}
+    bow.double_click(bow.point(2))
+    assert kind_at(bow.session.active_view, 2) is SMOOTH
+    assert bow.session.undo_stack.undoText() == "Smooth point 2"
+    assert bow.status.startswith("Smooth at point 2")
+    assert bow.session.undo_stack.count() == steps + 2
+    bow.trigger("undo")
+    assert kind_at(bow.session.active_view, 2) is CORNER
+
+
+def test_a_double_click_toggles_only_where_it_is_meant(bow):
+    document = bow.session.document
+    bow.double_click(bow.point(0))
+    assert bow.session.document is document
+    assert bow.status == "Point 0 is an end of the curve; a corner needs curve on both sides."
+    # A point that is clicked twice and dragged is moved.
+    bow.click(bow.point(2))
+    bow.drag(bow.point(2), (3.0, 2.0))
+    assert kind_at(bow.session.active_view, 2) is not CORNER
+    bow.trigger("undo")
+    bow.choose_family(LAGRANGE)
+    document = bow.session.document
+    bow.double_click(bow.point(2))
+    assert bow.session.document is document
+    bow.choose_family(HERMITE)
+    bow.trigger("curveLocked")
+    document = bow.session.document
+    bow.double_click(bow.point(2))
+    assert bow.session.document is document
+    assert "is locked" in bow.status
+
+
 # Lines
 
 
