@@ -19,6 +19,7 @@ from app.features.curve_list.view import Spot, spot_rect
 from app.view_model import flattener
 
 CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
 LEFT = Qt.MouseButton.LeftButton
 
@@ -282,12 +283,12 @@ def test_a_row_dropped_where_it_was_changes_nothing(three):
 
 
 def test_keys_move_a_curve_in_the_order(three):
-    three.key(Qt.Key.Key_BracketRight, CTRL)
+    three.key(Qt.Key.Key_PageUp, CTRL | SHIFT)
     assert names(three) == "ACB"
-    three.key(Qt.Key.Key_BracketRight, CTRL)
+    three.key(Qt.Key.Key_PageUp, CTRL | SHIFT)
     assert names(three) == "ACB"
-    three.key(Qt.Key.Key_BracketLeft, CTRL)
-    three.key(Qt.Key.Key_BracketLeft, CTRL)
+    three.key(Qt.Key.Key_PageDown, CTRL | SHIFT)
+    three.key(Qt.Key.Key_PageDown, CTRL | SHIFT)
     assert names(three) == "BAC"
     assert three.curve.name == "B"
 
