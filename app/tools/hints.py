@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from ..document import words
 from ..document.edits import LEAST_TO_CLOSE
 from ..document.several_curves import PointGroup
@@ -30,7 +32,11 @@ def to_select(
         return Hint(LOCKED.format(view.source.name))
     if hit.part is Part.CURVE:
         return to_bend(view, pointer)
-    return on_part(hit, view, selection, pointer, snaps=snaps)
+    hint = on_part(hit, view, selection, pointer, snaps=snaps)
+    has_kind = view.source.family.derivatives and hit.part is Part.POINT
+    if not has_kind or pointer.alt or not inner_points(view.source, [hit.index]):
+        return hint
+    return replace(hint, text=f"{hint.text} · Double click: {toggled(view, hit.index).title.lower()}")
 
 
 def on_part(hit: Hit, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool) -> Hint:
@@ -47,8 +53,6 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], pointer: Point
     text += f" · Ctrl: {_snap_word(snaps)}"
     if view.source.family.derivatives:
         text += " · Alt: pull out its velocity"
-        if inner_points(view.source, [hit.index]):
-            text += f" · Double click: {toggled(view, hit.index).title.lower()}"
     return Hint(text, grab=True)
 
 

@@ -17,7 +17,6 @@ from .tool import GestureRow, ToolContext
 
 GESTURES = (
     GestureRow("Drag a point", "move it; Shift keeps to one axis"),
-    GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
     GestureRow("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     GestureRow(
         "Drag a handle",
@@ -30,19 +29,25 @@ GESTURES = (
 
 
 def press_on_part(context: ToolContext, hit: Hit, click: Callable[[], None] | None = None) -> None:
-    """Begin to drag a point or a handle; a click does `click`, or else selects, and a second one toggles."""
+    """Begin to drag a point or a handle; a click does `click`, or else selects."""
     if hit.part is not Part.POINT:
         _press_on_handle(context, hit)
         return
-    pointer, has_kinds = context.pointer, context.view.source.family.derivatives > 0
     selecting = click_on(context, hit.index)
-    if pointer.is_double and has_kinds and not (pointer.shift or pointer.ctrl or pointer.alt):
-        selecting = partial(_toggle, context, hit.index)
     if hit.index not in context.host.selected.points:
         # Alone, for a drag with Shift moves this point along an axis; only a click adds it to the others.
         context.host.selected.set_points([hit.index])
     drag = unless_locked(context, _point_drag(context, hit))
     context.drags.press(context.pointer, drag, on_click=click or selecting)
+
+
+def toggling(context: ToolContext, hit: Hit) -> Callable[[], None] | None:
+    """Return what the second click of a double click on a point does; None where it is a click like any."""
+    pointer = context.pointer
+    is_meant = pointer.is_double and not (pointer.shift or pointer.ctrl or pointer.alt)
+    if hit.part is not Part.POINT or not is_meant or not context.view.source.family.derivatives:
+        return None
+    return partial(_toggle, context, hit.index)
 
 
 def _toggle(context: ToolContext, index: int) -> None:

@@ -13,7 +13,7 @@ from ..drags import BendCurve
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
-from ..parts import GESTURES, press_on_part, unless_locked
+from ..parts import GESTURES, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
@@ -38,7 +38,7 @@ class SelectTool(Tool):
         elif hit is not None and hit.part is Part.OTHER_CURVE:
             self._picker.press(context, hit)
         elif hit is not None and hit.part is not Part.CURVE:
-            press_on_part(context, hit)
+            press_on_part(context, hit, toggling(context, hit))
         elif grip is not None:
             self._press_on_grip(context, grip)
         elif hit is not None:
@@ -167,6 +167,7 @@ SELECT = ToolRecord(
         GestureRow("Escape, a click beside them", "choose only the one edited", curves=True),
         *GESTURES,
         GestureRow("Click a point", "select it alone"),
+        GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
