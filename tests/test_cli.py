@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from PIL import Image
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
@@ -106,6 +107,20 @@ def test_info_as_json(capsys):
     assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
     assert curve["box"]["left"] == pytest.approx(0.35)
     assert curve["warnings"] == []
+
+
+def test_info_tells_shapes_and_groups(tmp_path, capsys):
+    path = tmp_path / "r.curve.json"
+    curves = [make_curve([(0, k), (1, k)], name=name) for k, name in enumerate(("Outer", "Counter", "Leaf"))]
+    inside = [replace(curve, shape="R", groups=("Logo", "Letters")) for curve in curves[:2]]
+    save(path, Document((*inside, curves[2])))
+    assert main(["info", str(path)]) == 0
+    outer, _, leaf = capsys.readouterr().out.split("\n\n")
+    assert outer.splitlines()[:3] == ["Outer", "  shape            R", "  group            Logo > Letters"]
+    assert not {"shape", "group"} & {line.split()[0] for line in leaf.splitlines()}
+    assert main(["info", "--json", str(path)]) == 0
+    told = [(each["shape"], each["groups"]) for each in json.loads(capsys.readouterr().out)["curves"]]
+    assert told == [("R", ["Logo", "Letters"])] * 2 + [(None, [])]
 
 
 @pytest.mark.parametrize(("count", "degree", "kind"), [(5, 4, None), (6, None, "rational, blended degree 3")])

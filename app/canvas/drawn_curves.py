@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 
+from ..document.model import Vector
+from ..document.shapes import shapes
+from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
+from ..tools.pointer import Hit
 from ..view_model.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
+from .filled_areas import FilledAreas
 from .looks import Shape, is_plain
 from .other_curves_layer import OtherCurvesLayer
 from .selected_curves_layer import SelectedCurvesLayer
@@ -28,6 +33,8 @@ class DrawnCurves:
         What marks the curves that are selected together with the edited one.
     edited, curve
         The shape that is edited, as it prints; the line of the curve that is edited.
+    areas
+        The insides of what is filled.
     """
 
     def __init__(self, plot: PlotWidget) -> None:
@@ -36,21 +43,26 @@ class DrawnCurves:
         self.above = OtherCurvesLayer(plot, z=_ABOVE)
         self.selected = SelectedCurvesLayer(plot)
         self.curve = CurveLayer(plot)
+        self.areas = FilledAreas()
         self._is_thin = False
-        self._shown: tuple[Sequence[CurveView], int, frozenset[int]] = ((), 0, frozenset())
+        self._shown: tuple[Sequence[CurveView], int | None, frozenset[int]] = ((), 0, frozenset())
 
-    def render(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
-        """Show the curves of a document, of which one is edited and some are selected."""
-        self._shown = (views, active, selected)
+    def render(self, views: Sequence[CurveView], edited: int | None, selected: frozenset[int]) -> None:
+        """Show the curves of a document, of which one is edited, or none is, and some are selected."""
+        self._shown = (views, edited, selected)
+        self.areas.render(views)
+        # Points are shown of what is edited, and of what is worked on together with it.
+        self.selected.set_rings(edited is not None)
+        active = -1 if edited is None else edited
         other = [place for place in range(len(views)) if place != active]
         found = [
             (place, views[place])
             for place in other
             if place not in selected and views[place].source.visible and views[place].has_curve
         ]
-        below, edited, above = self._in_order(views, active, selected)
+        below, shape, above = self._in_order(views, active, selected)
         self.others.render_shapes(below, found)
-        self.edited.render(edited)
+        self.edited.render(shape)
         self.above.render_shapes(above, [])
         self.selected.render(views, [place for place in other if place in selected])
         self.curve.set_covered(bool(above))
@@ -58,12 +70,15 @@ class DrawnCurves:
     def _in_order(
         self, views: Sequence[CurveView], active: int, selected: Collection[int]
     ) -> tuple[list[Shape], Shape, list[Shape]]:
-        """Return the shapes below the edited one, that where it is no plain line, and those over it."""
+        """Return the shapes below the edited one, that where it is no plain line, and those over it.
+
+        With no edited one, −1, all are below.
+        """
         below: list[Shape] = []
         above: list[Shape] = []
         edited: Shape = ()
         is_layered = False
-        for places in _shapes(views):
+        for places in shapes([view.source for view in views]):
             shape = tuple(views[place] for place in places)
             is_line = self._is_thin or is_plain(shape[0].source.style)
             if active in places and not is_line and not is_faint(views[active]):
@@ -75,10 +90,16 @@ class DrawnCurves:
                 shape = tuple(views[place] for place in rest)
             shape = tuple(view for view in shape if view.source.visible and view.has_curve)
             if shape:
-                is_over = places.start > active
+                is_over = places.start > active >= 0
                 is_layered |= is_over and not is_line
                 (above if is_over else below).append(shape)
         return (below, edited, above) if is_layered else ([*below, *above], edited, [])
+
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return the curve that is not edited at `pixel`; lines that are thin have no insides."""
+        _, active, _ = self._shown
+        line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
+        return line if self._is_thin else self.areas.hit(pixel, shown, active, line)
 
     def set_thin(self, thin: bool) -> None:
         """Draw plain lines, whatever the styles."""
@@ -91,13 +112,3 @@ class DrawnCurves:
         """Keep plain lines apart from what lies below them, a picture to trace, or not."""
         for layer in (self.others, self.above, self.curve):
             layer.set_cased(cased)
-
-
-def _shapes(views: Sequence[CurveView]) -> Iterator[range]:
-    """Yield the places of the curves of each shape, in order."""
-    first = 0
-    for place in range(1, len(views) + 1):
-        name = views[first].source.shape
-        if place == len(views) or not name or views[place].source.shape != name:
-            yield range(first, place)
-            first = place

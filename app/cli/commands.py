@@ -317,6 +317,8 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
         "corners": facts.corners,
         "smooth": facts.smooth,
         "visible": facts.visible,
+        "shape": facts.shape or None,
+        "groups": facts.groups,
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
         "lebesgue_constant": _finite_only(facts.lebesgue_constant),
@@ -327,7 +329,9 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
 
 
 def _as_text(facts: CurveFacts) -> str:
-    rows = [("family", facts.family.full_title)]
+    rows = [("shape", one_line(facts.shape))] if facts.shape else []
+    rows += [("group", " > ".join(map(one_line, facts.groups)))] if facts.groups else []
+    rows.append(("family", facts.family.full_title))
     rows += [(setting.title, setting.text_of(value)) for setting, value in facts.settings.items()]
     if facts.degree is not None:
         where = "" if facts.pieces == 1 else " on every segment"

@@ -11,6 +11,7 @@
 - ``several_curves``: of several curves at once, and curves from elsewhere.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
+- ``style_edits``: how curves look, and what several have in common.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
 - ``image_edits``: of the picture to trace.

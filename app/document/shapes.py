@@ -31,13 +31,14 @@ def shape_of(document: Document, curve: int) -> range:
     return range(first, end)
 
 
-def shapes(document: Document) -> Iterator[range]:
+def shapes(curves: Sequence[Curve]) -> Iterator[range]:
     """Yield the places of the curves of each shape, in order."""
-    end = 0
-    while end < len(document.curves):
-        found = shape_of(document, end)
-        yield found
-        end = found.stop
+    first = 0
+    for place in range(1, len(curves) + 1):
+        name = curves[first].shape
+        if place == len(curves) or not name or curves[place].shape != name:
+            yield range(first, place)
+            first = place
 
 
 def whole_shapes(document: Document, curves: Collection[int]) -> frozenset[int]:
@@ -78,7 +79,7 @@ def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
 def _with_whole_shapes(document: Document) -> Iterator[Curve]:
     """Yield the curves, those of a shape with what its first one has, under a name that no other has."""
     used: set[str] = set()
-    for places in shapes(document):
+    for places in shapes(document.curves):
         parts = document.curves[places.start : places.stop]
         name = _free(parts[0].shape, used) if len(parts) > 1 else ""
         used.add(name)

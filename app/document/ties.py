@@ -53,9 +53,12 @@ def holds(point: Point) -> bool:
     )
 
 
-def tied(point: Point, before: Vector, after: Vector) -> Point:
-    """Return a point whose velocities are tied: the shorter one is turned to the longer."""
-    if math.hypot(*before) < math.hypot(*after):
+def tied(point: Point, before: Vector, after: Vector, h: tuple[float, float] = (1.0, 1.0)) -> Point:
+    """Return a point whose velocities are tied: the shorter handle is turned to the longer.
+
+    `h` are the lengths in t of the segments before and after it, which handles are in proportion to.
+    """
+    if h[0] * math.hypot(*before) < h[1] * math.hypot(*after):
         before = turned(before, after)
     else:
         after = turned(after, before)

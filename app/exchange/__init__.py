@@ -6,10 +6,12 @@
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code_runtime``: what exported Python brings along.
 - ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
-  ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``missed``: what of them does not come in.
+  ``arcs``, ``cubics_in``, ``joints_in``: their pieces as Hermite curves.
+  ``missed``: what of them does not come in.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
-- ``units``: how large a length of one is on paper.  ``rescaled``: documents in another one.
+- ``units``: how large a length of one is on paper.  ``lengths``: lengths as they are typed.
+  ``rescaled``: documents in another unit.
 - ``naming``: names made different from each other.  ``errors``: what is raised.
 - ``facts``: what ``curvebench info`` prints.
 """

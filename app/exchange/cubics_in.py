@@ -1,9 +1,6 @@
 """Cubic Bézier pieces in: a path from another program becomes a cubic Hermite curve, exactly.
 
-A Hermite curve has one velocity at a smooth point, while a path has two handles of different lengths
-there. The lengths of the segments in t make up for it: the next segment is as long, in t, as makes its
-first handle fit the velocity that the one before ends with. Where the handles do not lie on a line, the
-point becomes a corner with two velocities.
+What becomes of the joints of its pieces is in `joints_in`.
 """
 
 from __future__ import annotations
@@ -32,10 +29,8 @@ from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
 from .errors import ExchangeError
+from .joints_in import SMOOTH, Joints, points_of
 from .missed import Missed
-
-SMOOTH = 1e-9
-"""By how much of the path's size a control point may move to make a joint smooth."""
 
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
@@ -44,7 +39,6 @@ _OUTER = 3
 _MOST_NAMES = 24
 """Of groups, when they are listed: the three outermost of each curve, and so many in all."""
 
-_FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
 
 # A control point moves the curve by at most the largest value of its Bernstein polynomial.
 _INFLUENCE = 4.0 / 9.0
@@ -241,13 +235,13 @@ def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
         pieces = _halves(pieces[0])
     leaving, arriving = 3 * (pieces[:, 1] - pieces[:, 0]), 3 * (pieces[:, 3] - pieces[:, 2])
     size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
-    joints = _Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, path.closed)
+    joints = Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, path.closed)
     t = np.append(0.0, np.cumsum(joints.steps))
     t /= t[-1]
     if not (np.diff(t) > 0).all():
         raise ExchangeError(f"“{path.name}” has pieces of too different lengths.")
     h = np.diff(t)[:, None]
-    points = _points(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
+    points = points_of(pieces, leaving / h, arriving / h, t, joints, closed=path.closed)
     curve = _made(path, Parametrization(ParametrizationKind.MANUAL), points)
     return curve, _INFLUENCE * joints.moved
 
@@ -263,97 +257,3 @@ def _halves(piece: FloatArray) -> FloatArray:
 
 def _lengths(pieces: FloatArray) -> FloatArray:
     return np.asarray(np.hypot(*np.moveaxis(np.diff(pieces, axis=1), 2, 0)).sum(axis=1))
-
-
-class _Joints:
-    """Smoothness of joints, and lengths of segments in t up to a common factor.
-
-    Attributes
-    ----------
-    smooth
-        For each piece, whether the joint at its end is smooth.
-    steps
-        For each piece its length in t.
-    moved
-        By how much a control point is moved at most.
-    """
-
-    def __init__(
-        self, leaving: FloatArray, arriving: FloatArray, lengths: FloatArray, tolerance: float, closed: bool
-    ) -> None:
-        count = len(lengths)
-        self._tolerance = tolerance
-        self.moved = 0.0
-        self.smooth = [False] * count
-        self.steps = lengths.copy()
-        after = np.roll(leaving, -1, axis=0)
-        apart = self._apart(arriving, after)
-        candidates = apart <= tolerance
-        if not closed:
-            candidates[-1] = False
-        # A closed path is followed from one of its corners, so that no corner is made where it begins.
-        first = int(np.argmin(candidates)) + 1 if not candidates.all() else 0
-        for place in range(first, first + count):
-            here, following = place % count, (place + 1) % count
-            if not candidates[here]:
-                continue
-            step = self._fitting_step(arriving[here], after[here], here, lengths[following])
-            last = place == first + count - 1
-            if step is None or (last and not self._agrees(step, following, after[here])):
-                continue
-            self.smooth[here] = True
-            self.moved = max(self.moved, float(apart[here]))
-            if not last:
-                self.steps[following] = step
-
-    @staticmethod
-    def _apart(arriving: FloatArray, leaving: FloatArray) -> FloatArray:
-        """Return how far the next control point is from the line of the one before; inf if it turns back."""
-        a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
-        with np.errstate(all="ignore"):
-            cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / a / 3
-        dot = np.einsum("kd,kd->k", arriving, leaving)
-        both_rest = (a == 0) & (b == 0)
-        return np.where(both_rest, 0.0, np.where((a > 0) & (b > 0) & (dot > 0), cross, np.inf))
-
-    def _fitting_step(
-        self, arriving: FloatArray, leaving: FloatArray, here: int, length: float
-    ) -> float | None:
-        speed, wanted = float(np.hypot(*arriving)), float(np.hypot(*leaving))
-        if speed == 0:
-            return float(length)
-        step = float(self.steps[here]) * wanted / speed
-        return step if 1 / _FASTEST < step / length < _FASTEST else None
-
-    def _agrees(self, step: float, following: int, leaving: FloatArray) -> bool:
-        """Whether the round trip of a closed path gives its first segment the length that it has."""
-        change = abs(step / float(self.steps[following]) - 1) * float(np.hypot(*leaving)) / 3
-        return change <= self._tolerance
-
-
-def _points(
-    pieces: FloatArray,
-    leaving: FloatArray,
-    arriving: FloatArray,
-    t: FloatArray,
-    smooth: list[bool],
-    closed: bool,
-) -> tuple[Point, ...]:
-    start, end = _pairs(leaving), _pairs(arriving)
-    positions, at = _pairs(pieces[:, 0]), t.tolist()
-    points = []
-    for i, (x, y) in enumerate(positions):
-        if i == 0 and not closed:
-            points.append(Point(x, y, at[0], start[0]))
-        elif smooth[i - 1]:
-            points.append(Point(x, y, at[i], end[i - 1]))
-        else:
-            points.append(Point(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
-    if not closed:
-        x, y = pieces[-1, 3].tolist()
-        points.append(Point(x, y, at[-1], end[-1]))
-    return tuple(points)
-
-
-def _pairs(values: FloatArray) -> list[Vector]:
-    return [(x, y) for x, y in values.tolist()]

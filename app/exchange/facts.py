@@ -63,6 +63,8 @@ class CurveFacts:
         Number of points.
     closed, visible
         Whether the curve returns to its first point, and whether it is drawn.
+    shape, groups
+        Names of the shape and of the groups that it is in, the outermost first.
     corners
         How many points it may turn sharply at.
     smooth
@@ -105,6 +107,8 @@ class CurveFacts:
     corners: int = 0
     smooth: int = 0
     visible: bool = True
+    shape: str = ""
+    groups: tuple[str, ...] = ()
     settings: Mapping[FamilySetting, SettingValue] = field(default_factory=dict)
 
 
@@ -194,7 +198,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
         warnings=(*warnings, *_amplification(growth)),
         closed=curve.is_closed,
         corners=len(shape.view.corners),
-        smooth=len(shape.view.two_sided) - len(shape.view.corners),
+        smooth=len(shape.view.two_sided) - len(shape.view.corners) if shape.view.arrays.ties.any() else 0,
     )
 
 
@@ -206,6 +210,8 @@ def _facts_of_points(curve: Curve) -> CurveFacts:
         curve.parametrization,
         len(curve.points),
         visible=curve.visible,
+        shape=curve.shape,
+        groups=curve.groups,
         settings=curve.family.settings.values(curve.settings_in_effect),
     )
 

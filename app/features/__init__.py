@@ -27,6 +27,7 @@ FEATURES = (
     "teaching",
     "point_table",
     "curve_list",
+    "style",
     "history",
     "curve_settings",
     "joints",

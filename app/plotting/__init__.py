@@ -4,12 +4,13 @@
 - ``drawing``: polylines drawn fast; nothing unsafe reaches Qt.  ``segments``: many shapes in one call.
   ``crowds``: strokes that fill an area.
 - ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
+- ``printed``: shapes as they print, with fills, ends and dashes.  ``rings``: areas cut to what is seen.
 - ``painted_plot``: a pyqtgraph plot that we paint.  ``plot_widget``: one with mouse and keys.  ``tool_plot``:
   one with tools.
 - ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``axes``,
   ``ticks``: the axes beside it, and where their numbers stand.
-- ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``keys``: keys and
-  shapes of the pointer, as Qt has them.
+- ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``edge_scroll``: a
+  drag at the edge.  ``keys``: keys and shapes of the pointer, as Qt has them.
 - ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.
   ``fonts``: a font in the sizes that are needed.
 - ``stamps``: many marks in one call, in the colours of the points.  ``pictures``: what is painted beside the

@@ -32,7 +32,7 @@ _RULES = {FillRule.NONZERO: Qt.FillRule.WindingFill, FillRule.EVENODD: Qt.FillRu
 _NARROW = 4.0
 """Pixels of a line up to which it is cut where others are."""
 
-_WIDEST = 1e5
+_WIDEST = 1e7
 """Pixels of the widest pen that Qt is given: with it all is covered."""
 
 _SHORTEST_DASHES = 0.5

@@ -102,6 +102,18 @@ class Preferences:
     transform_box = SwitchOfAction("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
 
+    as_printed = SwitchOfAction("view/as_printed", default=False)
+    """Whether the canvas shows light paper and the very colours that were chosen."""
+
+    recent_colours = SavedText("style/recent_colours")
+    """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
+
+    keep_proportions = SwitchOfAction("transform/keep_proportions", default=False)
+    """Whether the height follows where a width is typed, and the width a height."""
+
+    scale_strokes = SwitchOfAction("transform/scale_strokes", default=True)
+    """Whether strokes get wider with the curve that they are of."""
+
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 

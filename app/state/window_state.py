@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
 from ..appearance.theme import ThemeMode
+from ..document.transforms import Reference
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
@@ -49,12 +50,18 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the mouse has the reference image instead of the points.
     grid, basis, side_panel, lessons
         Whether the grid, the basis functions, the panels at the side and the lessons are shown.
+    thin_lines, as_printed
+        Whether curves are thin lines without fills; whether paper and colours are as they print.
     presentation
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, grid_spacing, unit_name, transform_box, with_estimates, theme_mode, pencil
+    snap_on, snap_kinds, grid_spacing, unit_name, with_estimates, theme_mode, pencil
         As the preferences remember them.
+    transform_box, keep_proportions, scale_strokes
+        As the preferences remember them.
+    align_to
+        What chosen curves are aligned to.
     analysis
         Overlays, plots, ghosts and laboratory.
     error_plot
@@ -75,6 +82,8 @@ class WindowState(msgspec.Struct, frozen=True):
     basis: bool = True
     side_panel: bool = True
     lessons: bool = False
+    thin_lines: bool = False
+    as_printed: bool = False
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False
@@ -82,6 +91,9 @@ class WindowState(msgspec.Struct, frozen=True):
     grid_spacing: float = 0.0
     unit_name: str = ""
     transform_box: bool = True
+    keep_proportions: bool = False
+    scale_strokes: bool = True
+    align_to: Reference = Reference.EACH_OTHER
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
     pencil: PencilDetail = PencilDetail.MEDIUM

@@ -1,5 +1,8 @@
 """Jumps at joints are the ones that were built in."""
 
+from fractions import Fraction
+from math import isqrt
+
 import numpy as np
 import pytest
 
@@ -178,3 +181,47 @@ def test_the_tolerance_is_relative(tolerance):
 def test_unusable_arguments():
     with pytest.raises(CurveError, match="tolerance"):
         joint_report(LagrangeCurve(POINTS, T), 0.0)
+
+
+def exact_ratio(v, w):
+    """|w| / |v| to well below a rounding, by exact squares."""
+    squares = [sum(Fraction(float(each)) ** 2 for each in vector) for vector in (v, w)]
+    scale = 10**40
+    return Fraction(isqrt(int(squares[1] / squares[0] * scale**2)), scale)
+
+
+@pytest.mark.parametrize("factor", [0.1, 1 / 3, 1.0, 1.8, 7.3, 1e3])
+@pytest.mark.parametrize("direction", [(1.0, 0.0), (0.3, 0.7), (-1e-3, 0.999), (3.0, -4.0)])
+@pytest.mark.parametrize("make", ["cubic", "quintic", "septic"])
+def test_the_direction_goes_on_and_the_speed_jumps(make, direction, factor):
+    """Tied velocities: what is measured is what exact fractions say of the data."""
+    before, after = np.array(direction), factor * np.array(direction)
+    orders = {"cubic": 1, "quintic": 2, "septic": 3}[make]
+    family = {"cubic": HermiteCurve, "quintic": QuinticHermiteCurve, "septic": SepticHermiteCurve}[make]
+    rest = [np.zeros((2, 2))] * (orders - 1)
+    left = family([[-1.0, -1.0], [0.0, 0.0]], [[1.0, 1.0], before], *rest, [0.0, 0.4])
+    right = family([[0.0, 0.0], [2.0, 1.0]], [after, [1.0, 0.0]], *rest, [0.4, 1.0])
+    (joint,) = joint_report(Chain([left, right]))
+    cross, dot = (
+        Fraction(before[0]) * Fraction(after[1]) - Fraction(before[1]) * Fraction(after[0]),
+        sum(Fraction(a) * Fraction(b) for a, b in zip(before, after, strict=True)),
+    )
+    # Two roundings of the product in each coordinate; the unit vectors add two more.
+    assert abs(joint.angle - float(cross / dot)) < 6 * 2.0**-53
+    assert joint.speed_ratio == pytest.approx(float(exact_ratio(before, after)), rel=8 * 2.0**-53)
+    assert joint.geometric >= 1
+    assert joint.label.startswith("C0, G" if factor != 1.0 else "C")
+
+
+def test_the_speed_of_a_curve_at_rest_has_no_ratio():
+    at_rest = HermiteCurve([[0, 0], [1, 0], [2, 0]], [[1, 0], [0, 0], [1, 0]], [0, 1, 2])
+    (joint,) = joint_report(at_rest)
+    assert np.isnan(joint.speed_ratio)
+    corner = Chain(
+        [
+            HermiteCurve([[0, 0], [1, 0]], [[1, 0], [1, 0]], [0, 1]),
+            HermiteCurve([[1, 0], [1, 1]], [[0, 1], [0, 1]], [1, 2]),
+        ]
+    )
+    # A corner that is run through at one speed.
+    assert joint_report(corner)[0].speed_ratio == 1.0

@@ -22,7 +22,7 @@ def document(*names, **values):
 
 def test_a_shape_is_a_run_of_neighbours_of_one_name():
     some = document("", "a", "a", "b", "b", "b", "")
-    assert [list(each) for each in shapes(some)] == [[0], [1, 2], [3, 4, 5], [6]]
+    assert [list(each) for each in shapes(some.curves)] == [[0], [1, 2], [3, 4, 5], [6]]
     assert shape_of(some, 4) == range(3, 6)
     assert whole_shapes(some, {0, 2, 3}) == {0, 1, 2, 3, 4, 5}
     assert tidy_shapes(some) is some

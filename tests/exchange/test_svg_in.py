@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 import pytest
 
+from app.document.lines import is_line
 from app.document.model import Document, Point, make_curve
 from app.exchange.arcs import arc
 from app.exchange.drawing.styles import DARK
@@ -18,7 +19,8 @@ from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
-from curvecore import bezier_segments, cubic_path
+from app.view_model.point_kinds import kind_at
+from curvecore import bezier_segments, cubic_path, joint_report
 from tests.effort import calls_of
 
 
@@ -213,13 +215,47 @@ def test_our_own_file_comes_back_within_the_stated_deviation(kind):
 def test_smooth_joints_of_our_own_file_stay_smooth():
     curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 4), (9, 0)], family=HERMITE)
     result = read_svg(svg_of(Document((curve,))).data)
-    assert not any(point.corner for point in result.document.curves[0].points)
+    read = view_of(result.document.curves[0])
+    assert read.corners == []
+    # Point 1 lies between equal chords; the handles of the others are tied. Nothing jumps: it is one piece.
+    assert read.two_sided == [2, 3]
+    assert len(read.pieces) == 1
     ring = msgspec.structs.replace(curve, closed=True)
     (back,) = read_svg(svg_of(Document((ring,))).data).document.curves
     core = view_of(ring).curve
     assert back.closed
     assert core.parameters.size == len(back.points) + 1
-    assert not any(point.corner for point in back.points)
+    assert view_of(back).corners == []
+    assert len(view_of(back).pieces) == 1
+
+
+@pytest.mark.parametrize(
+    ("ahead", "kind"),
+    [
+        # Behind (10, 5) a handle of 5; ahead as long a one, one of 2, turned by a rounding, by 2°, and back.
+        ("15 5", "point-symmetric"),
+        ("12 5", "point-smooth"),
+        ("12 5.008", "point-smooth"),
+        ("12 5.07", "point-corner"),
+        ("8 5", "point-corner"),
+    ],
+)
+def test_handles_on_one_line_are_tied(ahead, kind):
+    result = read_svg(svg(f'<path d="M0 0C0 5 5 5 10 5C{ahead} 20 5 20 10"/>'))
+    (curve,) = result.document.curves
+    view = view_of(curve)
+    assert kind_at(view, 1).name == kind
+    if kind == "point-smooth":
+        (joint,) = joint_report(view.curve)
+        assert joint.geometric >= 1
+        # The curve moves by at most 4/9 of the way of the handle's tip.
+        assert result.deviation <= 0.008001 * 4 / 9
+
+
+def test_the_handle_beside_a_straight_piece_is_tied_to_it():
+    (curve,) = curves('<path d="M0 0L10 0C14 0 20 5 20 10L20 20C20 25 10 20 0 0Z"/>')
+    assert [kind_at(view_of(curve), index).name for index in range(1, 4)] == ["point-smooth"] * 3
+    assert [is_line(curve, segment) for segment in range(4)] == [True, False, True, False]
 
 
 def test_a_corner_of_our_own_file_stays_the_only_one():

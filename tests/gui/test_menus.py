@@ -49,7 +49,7 @@ def test_the_curve_menu_is_short(editor):
     entries = [action for action in curve.actions() if not action.isSeparator()]
     assert len(entries) <= 12 + len(FAMILIES)
     submenus = [plain(action.text()) for action in entries if action.menu() is not None]
-    assert submenus == ["Points", "Tangents", "Parameters", "Properties", "Order"]
+    assert submenus == ["Points", "Tangents", "Parameters", "Properties", "Arrange"]
 
 
 def test_names_in_the_palette_stand_alone(editor):
@@ -81,7 +81,7 @@ def test_a_closed_panel_comes_back_from_the_menu_view(editor):
     assert dock.isHidden()
     menu = panels_menu(editor)
     assert [plain(action.text()) for action in menu.actions() if not action.isChecked()] == [
-        "Curves", "Lab", "Wiggle", "Hodograph", "Fewer Points", "Image", "Lessons",
+        "Curves", "Transform", "Lab", "Wiggle", "Hodograph", "Fewer Points", "Image", "Lessons",
     ]  # fmt: skip
     choose(menu, "Curves")
     assert dock.isVisible()

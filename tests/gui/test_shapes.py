@@ -402,3 +402,53 @@ def test_shapes_and_groups_are_saved(group, tmp_path):
     group.session.open(tmp_path / "r.curve.json")
     assert group.session.document == document
     assert rows(group) == ["Group 2", "Outer"]
+
+
+# What is filled is pressed within
+
+
+def test_a_press_within_a_fill_is_one_on_that_curve(ring):
+    ring.click((2.2, 0.3))
+    assert ring.session.document.curves[ring.session.active_index].shape == "Shape 1"
+    ring.session.selected.activate(2)
+    ring.click((0.2, 0.1))
+    assert ring.curve.name == "Side"
+
+
+def test_the_topmost_fill_is_meant_and_what_it_covers_is_not(rings):
+    covered = diamond(1.0, "Covered", x=1.2, style=Style())
+    rings.session.commit(Document((covered, *rings.session.document.curves)), "Cover", active=3)
+    rings.session.selected.activate(3)
+    rings.click((2.2, 0.0))
+    assert rings.curve.name == "Outer"
+
+
+@pytest.mark.parametrize("how", [Spot.EYE, Spot.LOCK])
+def test_a_hidden_or_locked_fill_is_not_in_the_way(ring, how):
+    click_row(ring, "Shape 1", spot=how)
+    ring.click((2.2, 0.3))
+    assert ring.curve.name == "Side"
+
+
+def test_within_the_shape_that_is_edited_a_rubber_band_begins(ring):
+    ring.session.selected.activate(0)
+    ring.drag((2.0, -0.5), (3.5, 0.5))
+    assert ring.session.selection == {0}
+    assert ring.curve.name == "Outer"
+
+
+@pytest.mark.parametrize("how", ["pen", "pencil", "paste"])
+def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, how):
+    ring.session.selected.activate(0)
+    if how == "pen":
+        ring.trigger("addTool")
+        ring.click((4.2, 2.0))
+    elif how == "pencil":
+        ring.trigger("pencilTool")
+        ring.drag((4.2, -2.0), (4.3, 2.0))
+        ring.wait_for_work()
+    else:
+        ring.paste_text("0 5\n1 6\n2 5")
+        ring.key(Qt.Key.Key_V, CTRL | SHIFT)
+    assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
+    assert names(ring)[2] == "Curve 1"

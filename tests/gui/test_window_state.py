@@ -58,8 +58,11 @@ REMEMBERED = {
     "unit_name",
     "pencil",
     "transform_box",
+    "keep_proportions",
+    "scale_strokes",
     "with_estimates",
     "theme_mode",
+    "as_printed",
 }
 
 

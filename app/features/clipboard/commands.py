@@ -17,6 +17,7 @@ from ...actions.strips import CANVAS_MENU, POINT_MENU
 from ...document import curve_edits, derivatives, edits
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
+from ...document.shape_edits import place_above
 from ...document.words import count_of
 from ...exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from ...storage.format import decode, encode
@@ -148,7 +149,8 @@ class ClipboardCommands:
             session.say(f"Pasted {count_of(len(pasted.points), 'point')}{pasted.note}.")
 
     def _add_curve(self, pasted: _Pasted) -> None:
-        session, place = self._session, self._session.active_index + 1
+        session = self._session
+        place = place_above(session.document, session.active_index)
         name = curve_edits.free_name(session.document)
         if pasted.like is not None:
             curve = copied_as_new_curve(pasted.like, name)

@@ -8,6 +8,7 @@ from PySide6.QtGui import QGuiApplication
 from ...document.edits import EditError
 from ...document.model import Document
 from ...document.several_curves import active_after_removal, add_curves, named, remove_curves
+from ...document.shape_edits import place_above
 from ...exchange.table.clipboard import write_block
 from ...storage.format import decode, encode
 from ...storage.format_error import FormatError
@@ -29,7 +30,7 @@ class CurveClipboard:
     @property
     def has_several(self) -> bool:
         """Whether there are curves to copy: several are selected, and no point is selected."""
-        return len(self._session.selected.curves) > 1 and not self._session.selection
+        return bool(self._session.selected.chosen) and not self._session.selection
 
     def copy(self) -> None:
         """Copy all selected curves."""
@@ -67,7 +68,8 @@ class CurveClipboard:
             curves = decode(bytes(data.data(CURVES).data())).curves
         except FormatError as reason:
             raise EditError(f"The curves on the clipboard cannot be read: {reason}.") from None
-        session, first = self._session, self._session.active_index + 1
+        session = self._session
+        first = place_above(session.document, session.active_index)
         pasted = add_curves(session.document, curves, first)
         if session.change(f"Paste {len(curves)} curves", lambda _: pasted, active=first):
             session.selected.set_curves(range(first, first + len(curves)))

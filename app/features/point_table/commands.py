@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
+from ...actions.strips import POINT_BUTTONS
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
@@ -29,6 +30,7 @@ class PointTableCommands:
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the table."""
         self.panel = PointTable(parent)
+        self.panel.add_buttons(self._context.actions.in_strip(POINT_BUTTONS)[1])
         self._controller = PointTableController(self._session, self.panel, self._show_points)
         self._session.selection_changed.connect(self.panel.set_selection)
         return self.panel

@@ -21,7 +21,7 @@ from ...view_model.curve_view import CurveView
 from ...view_model.point_columns import POSITION, Column, known_titles
 from ...widgets.boxes import column_of, row_of
 from ...widgets.number_text import decimal_mark, exact_text
-from ...widgets.tool_buttons import ICON, tool_button
+from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .edits import explicit_orders, keeping_sentence
 from .model import PointTableModel
 from .view import PointTableView
@@ -121,7 +121,19 @@ class PointTable(FollowsTheme, QWidget):
         self._message.setContentsMargins(10, 6, 10, 6)
         self._footer = QWidget()
         row_of((self._legend, 1), self._reset_button, margins=(10, 4, 6, 4), parent=self._footer)
-        column_of((self.view, 1), self._message, self._footer, margins=0, spacing=0, parent=self)
+        self._kinds = QWidget()
+        self._kind_row = row_of(margins=(8, 0, 8, 4), spacing=2, parent=self._kinds)
+        parts = (self._kinds, (self.view, 1), self._message, self._footer)
+        column_of(*parts, margins=0, spacing=0, parent=self)
+
+    def add_buttons(self, actions: Sequence[QAction]) -> None:
+        """Put a small button for each action above the table, for points that have handles."""
+        for action in actions:
+            button = action_button(action, name=f"{action.objectName()}Above", flat=True)
+            # The icons come with the theme, later; docks laid out anew by then would forget their widths.
+            button.setFixedSize(26, 26)
+            self._kind_row.addWidget(button)
+        self._kind_row.addStretch(1)
 
     def _connect(self) -> None:
         self._timer.timeout.connect(self._show_pending)
@@ -199,6 +211,7 @@ class PointTable(FollowsTheme, QWidget):
     def _render_footer(self) -> None:
         has_derivatives = any(column.reset for column in self.model.columns)
         self._footer.setVisible(has_derivatives)
+        self._kinds.setVisible(has_derivatives)
         self._reset.setVisible(has_derivatives)
         can_reset = has_derivatives and bool(self._columns_to_reset())
         self._reset_button.setEnabled(can_reset)

@@ -8,7 +8,7 @@ from ...actions.declaration import Action, PlaceAction, action, action_for_each,
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from ...actions.situation import Situation
-from ...actions.strips import POINT_MENU
+from ...actions.strips import POINT_BUTTONS, POINT_MENU
 from ...document import words
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
@@ -56,7 +56,9 @@ class TangentCommands:
             keywords=kind.keywords,
         ),
     )
-    @also_for_each(lambda kind: (POINT_MENU(10 + POINT_KINDS.index(kind)),))
+    @also_for_each(
+        lambda kind: [strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS)]
+    )
     def _make(self, kind: PointKind) -> None:
         """Make the selected points of a kind."""
         view, selected = self._session.active_view, sorted(self._session.selection)
@@ -77,7 +79,7 @@ class TangentCommands:
             why=lambda now: why_not_straight(now.view.source.family),
         ),
     )
-    @also(POINT_MENU(15))
+    @also(POINT_MENU(15), POINT_BUTTONS(15))
     def _straighten_chosen(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
         session = self._session

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from ...document.curve_edits import add_curve, fresh_curve, replace_curve
 from ...document.edits import EditError
 from ...document.model import Curve, Parametrization, Vector
+from ...document.shape_edits import place_above
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
@@ -93,7 +94,7 @@ def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
     if not active.points and not active.locked:
         return replace(active, closed=closed), place
     fresh = fresh_curve(host.document, active, Parametrization())
-    return replace(fresh, settings=active.settings, closed=closed), place + 1
+    return replace(fresh, settings=active.settings, closed=closed), place_above(host.document, place)
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:
@@ -124,7 +125,7 @@ def _take(host: EditingHost, model: Curve, press: Pointer, tolerance: float, mad
         host.refuse(made)
         return
     now, place = _model(host, closed=model.closed)
-    curve = replace(made.curve, name=now.name, style=now.style)
+    curve = replace(made.curve, name=now.name, style=now.style, shape=now.shape, groups=now.groups)
     if host.change(
         "Draw with the pencil",
         lambda document: (

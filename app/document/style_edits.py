@@ -1,0 +1,55 @@
+"""Edits of how curves look, and what several of them have in common.
+
+`curves` are places in the document. What is done to one curve of a shape is done to all of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from typing import Final
+
+from msgspec.structs import replace
+
+from .curve_edits import with_each
+from .model import Document
+from .shapes import whole_shapes
+from .style import Style
+
+STYLE_WORDS: Final = {
+    "stroke": "Stroke colour",
+    "width": "Stroke width",
+    "cap": "Line ends",
+    "join": "Line corners",
+    "miter_limit": "Miter limit",
+    "dash": "Dashes",
+    "dash_offset": "Start of the dashes",
+    "stroke_opacity": "Stroke opacity",
+    "fill": "Fill",
+    "fill_rule": "Fill rule",
+    "fill_opacity": "Fill opacity",
+    "opacity": "Opacity",
+}
+"""The fields of a style in words, as steps of the history name them: "Stroke width of Leaf"."""
+
+
+def with_style(document: Document, curves: Collection[int], **fields: object) -> Document:
+    """Give curves other values in some fields of their styles; the rest stays each curve's own."""
+    return with_each(
+        document,
+        whole_shapes(document, curves),
+        lambda curve: replace(curve, style=replace(curve.style, **fields)),
+    )
+
+
+def with_whole_style(document: Document, curves: Collection[int], style: Style) -> Document:
+    """Give curves a style."""
+    return with_each(document, whole_shapes(document, curves), lambda curve: replace(curve, style=style))
+
+
+def common_values(styles: Iterable[Style]) -> dict[str, object]:
+    """Return the values that all of the styles have, by their fields; what differs is left out."""
+    first, *others = styles
+    found = {name: getattr(first, name) for name in Style.__struct_fields__}
+    return {
+        name: value for name, value in found.items() if all(getattr(each, name) == value for each in others)
+    }

@@ -1,0 +1,10 @@
+"""Style: stroke and fill of all selected curves, copied and pasted, and how the canvas shows them.
+
+- ``commands``: the panel in the window, Copy Style and Paste Style.
+- ``view_commands``: thin lines, and paper as it prints.
+- ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
+"""
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,218 @@
+"""The panel of styles in the window, and styles on the clipboard."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+from typing import TYPE_CHECKING
+
+import msgspec
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
+
+from ...actions.declaration import action, also
+from ...actions.sections import CURVE_COLOUR, EDIT_STYLE
+from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
+from ...appearance.theme import Theme
+from ...document.model import Document
+from ...document.several_curves import named
+from ...document.shapes import whole_shapes
+from ...document.style import Style
+from ...document.style_edits import STYLE_WORDS, with_style, with_whole_style
+from ...features import style
+from ...storage.format_error import FormatError
+from ...storage.style_check import validate_style
+from ...tools.drag_machine import CANCELLED
+from ...view_model.curve_view import CurveView
+from ...view_model.palette import adjustment_of
+from ...workbench.clipboard import put_on_clipboard
+from ...workbench.context import WindowContext
+from ...workbench.docks import UPPER, LatePanel
+from ...workbench.slider_gesture import SliderGesture
+from .view_commands import StyleViewCommands
+
+if TYPE_CHECKING:
+    from .panel import StylePanel
+
+STYLE = "application/x-curvebench-style"
+"""MIME type of a style, as JSON."""
+
+_NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there."
+_SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
+_MOST_REMEMBERED = 12
+
+
+class StyleCommands:
+    """Keeps the panel in step with the selected curves, and changes how they look."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+        self._dock = context.docks["styleDock"]
+        self._panel: StylePanel | None = None
+        self._gestures: list[SliderGesture] = []
+        context.session.selected_curves_changed.connect(self._render)
+        context.store.changed.connect(self._render)
+
+    @LatePanel("styleDock", "Style", UPPER)
+    def build_panel(self, parent: QWidget) -> QWidget:
+        """Return the form."""
+        buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
+        panel = self._panel = style.panel.StylePanel(buttons, parent)
+        panel.wanted.connect(self._change)
+        panel.looked_at.connect(self._look_at)
+        panel.given_up.connect(self._give_up)
+        panel.shown.connect(self._render)
+        panel.refused.connect(self._session.refuse)
+        for name, field in panel.opacities.items():
+            edit, words = partial(self._with_share, name), partial(self._words_of_share, name)
+            self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
+        for paint in (panel.fill, panel.stroke):
+            self._session.interrupted.connect(paint.abandon)
+        return panel
+
+    # What is shown
+
+    def render(self, view: CurveView) -> None:
+        """Show how the selected curves look."""
+        self._render()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Say how the canvas shows the styles on the paper of `theme`."""
+        self._render()
+
+    def _render(self, *_: object) -> None:
+        panel = self._panel
+        if panel is None or not panel.isVisibleTo(self._context.window):
+            return
+        session = self._session
+        curves = sorted(whole_shapes(session.document, session.selected.curves))
+        styles = [session.document.curves[place].style for place in curves]
+        subject = named(session.document, session.selected.curves)
+        panel.show_recent(self._recent())
+        panel.render_styles(subject, styles, session.document.unit, self._note(styles))
+
+    def _note(self, styles: list[Style]) -> str:
+        """Return how the canvas shows them, where it is not as they print."""
+        state, paper = self._context.store.state, self._context.central.canvas.layers.theme.paper.name()
+        if state.thin_lines:
+            return "Thin Lines is on (in View, Display Mode): widths, dashes and fills are not shown."
+        if state.as_printed:
+            return ""
+        moved = [adjustment_of(paper, each.stroke) for each in styles if each.has_stroke]
+        if not any(moved):
+            return ""
+        return f"The line is {next(filter(None, moved))}. {_SHOWN_EXACTLY}"
+
+    # Changes
+
+    def _change(self, fields: dict[str, object]) -> None:
+        session, curves = self._session, self._session.selected.curves
+        self._remember(fields)
+        words = self._words(fields)
+        if session.is_previewing:
+            # The document before what was looked at, which locked curves may have refused.
+            session.cancel()
+        change = session.change(words, lambda document: with_style(document, curves, **fields))
+        if change.refusal and self._panel is not None:
+            self._panel.refuse(change.refusal)
+        self._render()
+
+    def _words(self, fields: dict[str, object]) -> str:
+        what = " and ".join(STYLE_WORDS[name] for name in fields)
+        return f"{what} of {named(self._session.committed, self._session.selected.curves)}"
+
+    def _look_at(self, fields: dict[str, object]) -> None:
+        session = self._session
+        session.preview(with_style(session.committed, session.selected.curves, **fields))
+
+    def _give_up(self) -> None:
+        if self._session.is_previewing:
+            self._session.cancel()
+            self._session.say(CANCELLED)
+
+    def _with_share(self, name: str, document: Document, position: int) -> Document:
+        return with_style(document, self._session.selected.curves, **{name: position / 100})
+
+    def _words_of_share(self, name: str, _position: int) -> str:
+        return self._words({name: None})
+
+    # Colours that were used last
+
+    def _recent(self) -> list[str]:
+        return re.findall("#[0-9a-f]{6}", self._context.preferences.recent_colours)
+
+    def _remember(self, fields: dict[str, object]) -> None:
+        used = [value for name, value in fields.items() if name in ("fill", "stroke")]
+        codes = [code for code in used if isinstance(code, str) and code.startswith("#")]
+        if codes:
+            found = list(dict.fromkeys([*codes, *self._recent()]))[:_MOST_REMEMBERED]
+            self._context.preferences.recent_colours = " ".join(found)
+
+    # Actions
+
+    @action(
+        "showStyle",
+        "Stroke and Fill…",
+        CURVE_COLOUR,
+        "Ctrl+Shift+F",
+        "palette",
+        full_name="Style: Stroke and Fill…",
+        keywords="colour width dash opacity line cap join outline",
+    )
+    @also(CURVE_MENU(23), CURVE_LIST_MENU(14))
+    def _show(self) -> None:
+        """Show colour, width, ends, corners, dashes and fill of the curve, or of all that are selected."""
+        self._dock.bring_up()
+        if self._panel is not None:
+            self._panel.fill.edit.setFocus()
+
+    @action(
+        "copyStyle",
+        "Copy Style",
+        EDIT_STYLE,
+        "Ctrl+Alt+Shift+C",
+        "style-copy",
+        keywords="colour format painter",
+    )
+    def _copy(self) -> None:
+        """Copy stroke and fill of the curve that is edited."""
+        session, data = self._session, QMimeData()
+        data.setData(STYLE, msgspec.json.encode(session.active_curve.style))
+        put_on_clipboard(data)
+        session.say(f"Copied the style of “{session.active_curve.name}”.")
+
+    @action(
+        "pasteStyle",
+        "Paste Style",
+        EDIT_STYLE,
+        "",
+        "style-paste",
+        keywords="colour format painter",
+    )
+    def _paste(self) -> None:
+        """Give the curve, or all that are selected, the stroke and the fill that were copied."""
+        session, found = self._session, _style_on_clipboard()
+        if found is None:
+            session.refuse(_NOTHING_TO_PASTE)
+            return
+        curves = session.selected.curves
+        subject = named(session.document, curves)
+        words = f"Paste style to {subject}"
+        if session.change(words, lambda document: with_whole_style(document, curves, found)):
+            session.say(f"Pasted the style to {subject}.")
+
+
+def _style_on_clipboard() -> Style | None:
+    data = QGuiApplication.clipboard().mimeData() or QMimeData()  # None where nothing was ever copied
+    if not data.hasFormat(STYLE):
+        return None
+    try:
+        found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
+        validate_style(found, "style")
+    except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
+        return None
+    return found
+
+
+COMMAND_SETS = (StyleCommands, StyleViewCommands)

@@ -1,0 +1,225 @@
+"""The form of stroke and fill, of one curve or of all that are selected."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction, QShowEvent
+from PySide6.QtWidgets import QFormLayout, QFrame, QSizePolicy, QWidget
+
+from ...appearance.theme import Theme
+from ...document.expression import ExpressionError
+from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
+from ...document.style_edits import common_values
+from ...qt.labels import Label
+from ...widgets.boxes import column_of, form_of, row_of
+from ...widgets.choice_row import ChoiceRow
+from ...widgets.field_edit import NumberEdit
+from ...widgets.field_form import FieldForm
+from ...widgets.length_text import length_text, read_length
+from ...widgets.paint_field import PaintField
+from ...widgets.percent_field import MIXED, PercentField
+from ...widgets.tool_buttons import action_button
+from .dash_field import DashField
+
+AUTO = "auto"
+"""Stands for a line of the usual width, whatever the zoom."""
+
+_NARROW = 40
+
+
+class StylePanel(FieldForm):
+    """A form that shows styles, and asks for changes of all of them.
+
+    Signals
+    -------
+    wanted
+        Fields of the styles shall have other values: a dictionary.
+    looked_at
+        How that would be is to be seen, until something is wanted or given up.
+    given_up
+        What was looked at is not wanted.
+    shown
+        It comes into sight, and has to be told what to show.
+
+    Attributes
+    ----------
+    opacities
+        The fields of shares, by the field of a style that they show.
+    """
+
+    wanted = Signal(object)
+    looked_at = Signal(object)
+    given_up = Signal()
+    shown = Signal()
+
+    def __init__(self, buttons: Sequence[QAction], parent: QWidget | None = None) -> None:
+        super().__init__("stylePanel", "styleProblem", parent)
+        self._unit = ""
+        self._subject = Label(name="styleSubject")
+        self._note = Label(name="styleNote", wordWrap=True)
+        self.fill = PaintField("fillPaint", "Fill", "stroke")
+        self.stroke = PaintField("strokePaint", "Stroke", "fill")
+        self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
+        self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
+        self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
+        self._width = NumberEdit(
+            "strokeWidth",
+            "Width of the line",
+            "Width of the line, as 0.5 mm or 1/8; “auto” is the usual line, whatever the zoom (Enter to set)",
+            self._read_width,
+        )
+        self._limit = NumberEdit(
+            "miterLimit",
+            "Miter limit",
+            "Longest miter, in multiples of the width (Enter to set)",
+            _read_limit,
+        )
+        self._limit.setFixedWidth(_NARROW)
+        self._dash = DashField()
+        self._offset = NumberEdit(
+            "dashOffset", "Start of the dashes", "Where the dashes begin, in multiples of the width"
+        )
+        self._offset.setFixedWidth(_NARROW)
+        self.opacities = {
+            "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
+            "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
+            "opacity": PercentField("styleOpacity", "Opacity", "How much is seen of line and fill together"),
+        }
+        self._shown: tuple[object, ...] = ()
+        self._lay_out(buttons)
+        self._connect()
+        self.follow_theme()
+
+    def show_recent(self, colours: Sequence[str]) -> None:
+        """Offer these colours for fill and stroke."""
+        self.fill.show_recent(colours)
+        self.stroke.show_recent(colours)
+
+    def _lay_out(self, buttons: Sequence[QAction]) -> None:
+        for label in (self._subject, self.problem, self._note):
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._form = form_of(
+            ("Fill", self.fill),
+            ("Inside", self._rule),
+            ("Opacity", self.opacities["fill_opacity"]),
+            ("", _rule_line()),
+            ("Stroke", self.stroke),
+            ("Width", self._width),
+            ("Ends", self._cap),
+            ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
+            ("Dashes", row_of((self._dash, 1), "from", self._offset, spacing=6)),
+            ("Opacity", self.opacities["stroke_opacity"]),
+            ("", _rule_line()),
+            ("Overall", self.opacities["opacity"]),
+            down=6,
+        )
+        self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        below = row_of(*(action_button(action, beside=True) for action in buttons), 1)
+        column_of(
+            self._subject, self._note, self.problem, self._form, below, 1, margins=12, spacing=8, parent=self
+        )
+
+    def _connect(self) -> None:
+        numbers = (self._width, self._limit, self._offset, self._dash.edit)
+        shares = [field.edit for field in self.opacities.values()]
+        self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
+        for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
+            other = "stroke" if name == "fill" else "fill"
+            self._connect_paint(paint, name, other)
+        parts = ((self._rule, "fill_rule"), (self._cap, "cap"), (self._join, "join"), (self._dash, "dash"))
+        for part, name in parts:
+            part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
+        fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
+        fields |= {field.edit: name for name, field in self.opacities.items()}
+        for edit, name in fields.items():
+            edit.entered.connect(lambda value, name=name: self.wanted.emit({name: value}))
+
+    def _connect_paint(self, paint: PaintField, name: str, other: str) -> None:
+        paint.chosen.connect(lambda value: self.wanted.emit({name: value}))
+        paint.chosen_for_other.connect(lambda value: self.wanted.emit({other: value}))
+        paint.previewed.connect(lambda value: self.looked_at.emit({name: value}))
+        paint.cancelled.connect(self.given_up)
+
+    def _read_width(self, text: str) -> float | None:
+        if text.strip().casefold() in ("", AUTO):
+            return None
+        width = read_length(text, self._unit)
+        if width < 0:
+            raise ExpressionError("A line is 0 wide or wider, or “auto”.")
+        return width
+
+    # Rendering: nothing here writes back
+
+    def render_styles(self, subject: str, styles: Sequence[Style], unit: str, note: str) -> None:
+        """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn."""
+        wanted = (subject, tuple(styles), unit, note)
+        if wanted == self._shown:
+            return
+        if self._shown and wanted[:2] != self._shown[:2]:
+            self.clear_refusal()
+        self._shown, self._unit = wanted, unit
+        values = common_values(styles)
+        self._subject.setText(subject)
+        self._subject.setToolTip(subject)
+        self.fill.render_value(values.get("fill"))
+        self.stroke.render_value(values.get("stroke"))
+        self._rule.render_value(values.get("fill_rule"))
+        self._cap.render_value(values.get("cap"))
+        self._join.render_value(values.get("join"))
+        self._dash.render_value(values.get("dash"))
+        for name, field in self.opacities.items():
+            field.render_value(values.get(name))
+        self._render_numbers(values, unit)
+        self._enable(styles)
+        self._note.setText(note)
+        self._note.setVisible(bool(note))
+        self.show_problem("")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.shown.emit()
+
+    def _render_numbers(self, values: dict[str, object], unit: str) -> None:
+        width = values.get("width", MIXED)
+        auto = AUTO if width is None else MIXED
+        self._width.show_text(length_text(width, unit) if isinstance(width, float) else auto)
+        for edit, name in ((self._limit, "miter_limit"), (self._offset, "dash_offset")):
+            value = values.get(name)
+            edit.show_number(value, 4) if isinstance(value, float) else edit.show_text(MIXED)
+
+    def _enable(self, styles: Iterable[Style]) -> None:
+        """Enable what makes a difference."""
+        styles = list(styles)
+        has_fill = any(style.fill != NO_PAINT for style in styles)
+        has_stroke = any(style.stroke != NO_PAINT for style in styles)
+        of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash)
+        for part in (self._rule, self.opacities["fill_opacity"]):
+            part.setEnabled(has_fill)
+        for each in (*of_line, self.opacities["stroke_opacity"]):
+            each.setEnabled(has_stroke)
+        self._limit.setEnabled(has_stroke and any(style.join is LineJoin.MITER for style in styles))
+        self._offset.setEnabled(has_stroke and any(style.dash for style in styles))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        super().set_theme(theme)
+        self._subject.setStyleSheet("font-weight: bold")
+        self._note.setStyleSheet(f"color: {theme.muted.name()}")
+
+
+def _read_limit(text: str) -> float:
+    limit = read_length(text, "")
+    if limit < 1:
+        raise ExpressionError("The limit is 1 or greater.")
+    return limit
+
+
+def _rule_line() -> QFrame:
+    line = QFrame()
+    line.setFrameShape(QFrame.Shape.HLine)
+    line.setFrameShadow(QFrame.Shadow.Plain)
+    line.setEnabled(False)
+    return line

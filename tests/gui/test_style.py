@@ -1,0 +1,431 @@
+"""The Style panel, and the canvas: strokes and fills as they print."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QSlider, QToolButton, QWidget
+
+from app.appearance.theme import LIGHT, ThemeMode
+from app.document.model import Document, make_curve
+from app.document.style import FillRule, LineCap, LineJoin, Style
+from app.families import HERMITE
+from app.widgets.colour_popup import ColourPopup
+
+BLUE, RED, GREEN = "#0072b2", "#d55e00", "#009e73"
+
+
+def square(x, y, side, name, **values):
+    """A closed curve with straight sides."""
+    corners = [(x, y), (x + side, y), (x + side, y + side), (x, y + side)]
+    curve = make_curve(corners, name=name, family=HERMITE)
+    points = tuple(replace(point, corner=True, velocity=None) for point in curve.points)
+    return replace(curve, points=points, closed=True, **values)
+
+
+def begin(editor, *curves, active=0, unit=""):
+    # Lines of the grid would be seen through, or beside, what is drawn.
+    editor.window.context.store.change(grid=False)
+    editor.session.commit(Document(curves, unit=unit), "Begin", active=active)
+    editor.fit()
+    editor.select([])
+
+
+@pytest.fixture
+def panel(editor):
+    """The form, in front; three squares side by side, the second edited."""
+    curves = (square(4 * k, 0, 3, name) for k, name in enumerate(("Leaf", "Stem", "Root")))
+    begin(editor, *curves, active=1, unit="cm")
+    editor.show_dock("styleDock")
+    return editor.window.findChild(QWidget, "stylePanel")
+
+
+def child(panel, kind, name):
+    found = panel.findChild(kind, name)
+    assert found is not None, name
+    return found
+
+
+def click(panel, name, keys=Qt.KeyboardModifier.NoModifier):
+    QTest.mouseClick(child(panel, QToolButton, name), Qt.MouseButton.LeftButton, keys)
+
+
+def enter(editor, panel, name, text):
+    field = child(panel, QLineEdit, name)
+    field.setFocus()
+    field.selectAll()
+    editor.type_text(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    editor.settle()
+
+
+def text_of(panel, name):
+    return child(panel, QLineEdit, name).text()
+
+
+def styles(editor):
+    return [curve.style for curve in editor.session.document.curves]
+
+
+def seen(editor, x, y):
+    """Return the colour of the canvas at a point of the plane, with no pointer near."""
+    canvas = editor.window.canvas
+    editor.settle()
+    return QColor(canvas.viewport().grab().toImage().pixel(canvas.to_pixel(x, y))).name()
+
+
+# One step, for all that are chosen
+
+
+def test_one_click_fills_and_one_with_shift_strokes(editor, panel):
+    click(panel, "fillPaint_Blue")
+    assert styles(editor)[1] == Style(fill=BLUE)
+    assert editor.session.undo_stack.undoText() == "Fill of Stem"
+    click(panel, "fillPaint_Vermillion", Qt.KeyboardModifier.ShiftModifier)
+    assert styles(editor)[1] == Style(stroke=RED, fill=BLUE)
+    assert editor.session.undo_stack.undoText() == "Stroke colour of Stem"
+    click(panel, "strokePaint_None")
+    assert styles(editor)[1] == Style(stroke="none", fill=BLUE)
+    click(panel, "fillPaint_Ink")
+    assert styles(editor)[1] == Style(stroke="none", fill="")
+    editor.session.undo_stack.setIndex(1)
+    assert styles(editor) == [Style()] * 3
+
+
+def test_all_chosen_curves_change_in_one_step(editor, panel):
+    editor.session.selected.set_curves([0, 1, 2])
+    steps = editor.session.undo_stack.count()
+    click(panel, "strokePaint_Blue")
+    assert [each.stroke for each in styles(editor)] == [BLUE] * 3
+    assert editor.session.undo_stack.undoText() == "Stroke colour of 3 curves"
+    assert editor.session.undo_stack.count() == steps + 1
+    assert child(panel, QLabel, "styleSubject").text() == "3 curves"
+
+
+def test_what_differs_is_shown_as_mixed_and_stays_apart(editor, panel):
+    enter(editor, panel, "strokeWidth", "0.5")
+    click(panel, "fillPaint_Blue")
+    editor.session.selected.set_curves([1, 2])
+    editor.settle()
+    assert text_of(panel, "fillPaintHex") == text_of(panel, "strokeWidth") == "mixed"
+    assert text_of(panel, "strokePaintHex") == "ink"
+    click(panel, "lineCap_butt")
+    assert [(each.cap, each.width, each.fill) for each in styles(editor)[1:]] == [
+        (LineCap.BUTT, 0.5, BLUE),
+        (LineCap.BUTT, None, "none"),
+    ]
+    assert child(panel, QToolButton, "lineCap_butt").isChecked()
+
+
+def test_ends_corners_rules_and_dashes(editor, panel):
+    click(panel, "lineJoin_miter")
+    enter(editor, panel, "miterLimit", "10")
+    click(panel, "fillPaint_Blue")
+    click(panel, "fillRule_evenodd")
+    box = child(panel, QComboBox, "dashBox")
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Down)
+    editor.settle()
+    assert styles(editor)[1].dash == (0.0, 2.0)
+    enter(editor, panel, "dashList", "3 1 1/2 1")
+    enter(editor, panel, "dashOffset", "2")
+    wanted = Style(
+        join=LineJoin.MITER,
+        miter_limit=10.0,
+        fill=BLUE,
+        fill_rule=FillRule.EVENODD,
+        dash=(3.0, 1.0, 0.5, 1.0),
+        dash_offset=2.0,
+    )
+    assert styles(editor)[1] == wanted
+    assert box.currentText() == "Own"
+    assert editor.session.undo_stack.undoText() == "Start of the dashes of Stem"
+
+
+@pytest.mark.parametrize(
+    ("typed", "width"),
+    [("2", 2.0), ("5 mm", 0.5), ("1/2 in", 1.27), ("0.5cm", 0.5), ("72 pt", 2.54), ("auto", None)],
+)
+def test_widths_are_typed_with_any_unit_of_length(editor, panel, typed, width):
+    enter(editor, panel, "strokeWidth", "7")
+    enter(editor, panel, "strokeWidth", typed)
+    assert styles(editor)[1].width == (width if width is None else pytest.approx(width, rel=1e-15))
+
+
+def test_a_width_is_shown_with_the_unit_of_the_document(editor, panel):
+    enter(editor, panel, "strokeWidth", "5 mm")
+    assert text_of(panel, "strokeWidth") == "0.5 cm"
+    enter(editor, panel, "strokeWidth", "auto")
+    assert text_of(panel, "strokeWidth") == "auto"
+
+
+@pytest.mark.parametrize(
+    ("field", "typed", "said"),
+    [
+        ("strokeWidth", "-1", "A line is 0 wide or wider"),
+        ("strokePaintHex", "no colour", "A colour is written as #0072b2"),
+        ("fillOpacity", "120", "From 0 % to 100 %"),
+        ("miterLimit", "0.5", "The limit is 1 or greater"),
+        ("dashList", "0 0", "not all of them 0"),
+    ],
+)
+def test_what_cannot_be_is_refused_in_the_form_and_stays_to_be_mended(editor, panel, field, typed, said):
+    click(panel, "fillPaint_Blue")
+    click(panel, "lineJoin_miter")
+    before = styles(editor)
+    enter(editor, panel, field, typed)
+    assert said in child(panel, QLabel, "styleProblem").text()
+    assert text_of(panel, field) == typed
+    assert styles(editor) == before
+    QTest.keyClick(child(panel, QLineEdit, field), Qt.Key.Key_Escape)
+    assert child(panel, QLabel, "styleProblem").isHidden()
+
+
+def test_a_unit_needs_a_document_that_has_one(editor, panel):
+    begin(editor, square(0, 0, 1, "Leaf"))
+    enter(editor, panel, "strokeWidth", "5 mm")
+    assert "mm needs a document whose unit is a length" in child(panel, QLabel, "styleProblem").text()
+
+
+@pytest.mark.parametrize(
+    ("typed", "paint"),
+    [("#0072B2", BLUE), ("0072b2", BLUE), ("f00", "#ff0000"), ("Teal", "#008080"), ("ink", "")],
+)
+def test_colours_are_typed_as_people_write_them(editor, panel, typed, paint):
+    click(panel, "strokePaint_Yellow")
+    enter(editor, panel, "strokePaintHex", typed)
+    assert styles(editor)[1].stroke == paint
+
+
+def test_a_shape_has_one_style(editor, panel):
+    outer, inner = (square(k, k, 5 - 2 * k, f"{k}", shape="o") for k in (0, 1))
+    begin(editor, outer, inner, active=1)
+    click(panel, "fillPaint_Blue")
+    assert [each.fill for each in styles(editor)] == [BLUE, BLUE]
+
+
+# Live
+
+
+def drag_slider(slider, to, *, release=True):
+    """Drag the handle of a slider from its right end to a share of its length."""
+    y, right = slider.height() // 2, slider.width() - 6
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=QPoint(right, y))
+    for share in (0.9, 0.7, to):
+        QTest.mouseMove(slider, QPoint(round(right * share), y))
+    if release:
+        QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=QPoint(round(right * to), y))
+
+
+def test_an_opacity_is_dragged_live_and_is_one_step(editor, panel):
+    editor.session.selected.set_curves([0, 1])
+    steps = editor.session.undo_stack.count()
+    slider = child(panel, QSlider, "styleOpacitySlider")
+    drag_slider(slider, 0.5, release=False)
+    assert editor.session.is_previewing
+    assert 0.3 < styles(editor)[0].opacity == styles(editor)[1].opacity < 0.7
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    assert styles(editor) == [Style()] * 3
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton)
+    assert editor.session.undo_stack.count() == steps
+    drag_slider(slider, 0.5)
+    assert editor.session.undo_stack.count() == steps + 1
+    assert editor.session.undo_stack.undoText() == "Opacity of 2 curves"
+    assert text_of(panel, "styleOpacity") == f"{100 * styles(editor)[0].opacity:g} %"
+
+
+def popup(panel, name="fillPaint"):
+    click(panel, f"{name}Button")
+    found = QApplication.activePopupWidget()
+    assert isinstance(found, ColourPopup)
+    return found
+
+
+def pick(popup, colour):
+    """Type a colour into the popup."""
+    field = popup.findChild(QLineEdit, "qt_colorname_lineedit")
+    field.selectAll()
+    QTest.keyClicks(field, colour)
+
+
+def test_a_colour_is_seen_while_it_is_looked_at_and_escape_takes_it_back(editor, panel):
+    before, steps = seen(editor, 5.5, 1.5), editor.session.undo_stack.count()
+    choice = popup(panel)
+    pick(choice, "#ff0000")
+    assert seen(editor, 5.5, 1.5) == "#ff0000"
+    QTest.keyClick(QApplication.focusWidget() or choice, Qt.Key.Key_Escape)
+    editor.settle()
+    assert QApplication.activePopupWidget() is None
+    assert seen(editor, 5.5, 1.5) == before
+    assert editor.session.undo_stack.count() == steps
+
+
+def test_a_colour_of_any_kind_is_chosen_in_one_step_and_remembered(editor, panel):
+    steps = editor.session.undo_stack.count()
+    choice = popup(panel, "strokePaint")
+    for colour in ("#ff0000", "#123456"):
+        pick(choice, colour)
+    QTest.keyClick(choice, Qt.Key.Key_Return)
+    editor.settle()
+    assert styles(editor)[1].stroke == "#123456"
+    assert editor.session.undo_stack.count() == steps + 1
+    editor.session.selected.activate(0)
+    click(panel, "fillPaint_#123456")
+    assert styles(editor)[0].fill == "#123456"
+    assert editor.window.preferences.recent_colours.startswith("#123456")
+
+
+def test_a_step_elsewhere_closes_the_choice_of_colours(editor, panel):
+    choice = popup(panel)
+    pick(choice, "#ff0000")
+    editor.trigger("undo")
+    editor.settle()
+    assert QApplication.activePopupWidget() is None
+    assert not editor.session.is_previewing
+
+
+# Copied
+
+
+def test_a_style_is_copied_and_pasted_to_all_chosen_curves(editor, panel):
+    click(panel, "fillPaint_Blue")
+    enter(editor, panel, "strokeWidth", "0.5")
+    editor.trigger("copyStyle")
+    editor.session.selected.set_curves([0, 2])
+    editor.trigger("pasteStyle")
+    assert styles(editor) == [Style(fill=BLUE, width=0.5)] * 3
+    assert editor.session.undo_stack.undoText() == "Paste style to 2 curves"
+    editor.paste_text("words")
+    editor.trigger("pasteStyle")
+    assert "no style on the clipboard" in editor.status
+
+
+# On the canvas
+
+
+def test_fill_and_stroke_have_their_place_and_width(editor):
+    style = Style(stroke=RED, width=0.4, fill=BLUE)
+    begin(editor, square(0, 0, 4, "Leaf", style=style), make_curve([(8, 0), (9, 3)], name="Other"), active=1)
+    for active in (1, 0):
+        editor.session.selected.activate(active)
+        editor.select([])
+        assert seen(editor, 2, 2) == BLUE
+        assert [seen(editor, x, 2.7) for x in (-0.15, 0.15)] == [RED, RED]
+        assert seen(editor, 0.25, 2.7) == BLUE
+        assert seen(editor, -0.25, 2.7) == LIGHT.paper.name()
+    # It is a width of the plane.
+    editor.wheel((0, 2.7), 2)
+    assert [seen(editor, x, 2.7) for x in (-0.15, 0.15)] == [RED, RED]
+    assert seen(editor, 0.25, 2.7) == BLUE
+
+
+def test_a_hole_is_a_hole(editor):
+    style = Style(stroke="none", fill=BLUE, fill_rule=FillRule.EVENODD)
+    outer, inner = (square(k, k, 6 - 2 * k, f"{k}", shape="o", style=style) for k in (0, 1))
+    begin(editor, outer, inner, make_curve([(8, 0), (9, 3)], name="Other"), active=2)
+    for active in (2, 0, 1):
+        editor.session.selected.activate(active)
+        editor.select([])
+        assert (seen(editor, 0.5, 3), seen(editor, 3.2, 3.2)) == (BLUE, LIGHT.paper.name())
+
+
+def test_an_open_curve_is_filled_to_the_straight_line_between_its_ends(editor):
+    arc = replace(make_curve([(0, 0), (1, 2), (3, 2), (4, 0)], name="Arc"), style=Style(fill=BLUE))
+    begin(editor, arc)
+    assert (seen(editor, 2, 0.2), seen(editor, 2, -0.2)) == (BLUE, LIGHT.paper.name())
+
+
+def test_what_is_edited_keeps_its_place_in_the_order(editor):
+    below, above = (square(k, k, 4, f"{k}", style=Style(fill=paint)) for k, paint in enumerate((BLUE, RED)))
+    begin(editor, below, above)
+    for active in (0, 1):
+        editor.session.selected.activate(active)
+        editor.select([])
+        assert seen(editor, 2.5, 2.5) == RED
+    # Where it runs below is seen all the same: a thin line.
+    editor.session.selected.activate(0)
+    editor.select([])
+    assert seen(editor, 4, 2.5) != RED
+
+
+@pytest.mark.parametrize(
+    ("x", "half", "colours"),
+    [
+        (4.0, 1e-8, {RED}),
+        (3.99, 1e-6, {BLUE}),
+        (4.01, 1e-6, {LIGHT.paper.name()}),
+        (3.995, 1e-6, {BLUE, RED}),
+    ],
+)
+def test_millions_of_pixels_from_where_it_ends_a_shape_is_still_right(editor, x, half, colours):
+    begin(editor, square(0, 0, 4, "Leaf", style=Style(fill=BLUE, stroke=RED, width=0.01)))
+    canvas = editor.window.canvas
+    canvas.camera.show_box((x - half, x + half), (2.1 - half, 2.1 + half))
+    assert {seen(editor, x + share * half, 2.1) for share in (-0.9, -0.5, 0.5, 0.9)} == colours
+
+
+def test_fill_and_stroke_are_seen_through_together(editor):
+    style = Style(stroke="#000000", width=1.0, fill="#000000", opacity=0.5)
+    begin(editor, square(0, 0, 4, "Leaf", style=style), make_curve([(8, 0), (9, 3)], name="Other"), active=1)
+    # Half of the line lies over the fill; no band shows there.
+    assert seen(editor, 0.25, 2) == seen(editor, 2, 2) == seen(editor, -0.25, 2)
+    assert 120 < QColor(seen(editor, 2, 2)).red() < 130
+
+
+def test_dashes_begin_at_the_start_wherever_one_looks(editor):
+    style = Style(stroke=RED, width=1.0, cap=LineCap.BUTT, dash=(2.0, 2.0))
+    line = replace(make_curve([(0, 0), (400, 0)], name="Line", family=HERMITE), style=style)
+    begin(editor, line, make_curve([(0, 5), (9, 8)], name="Other"), active=1)
+    canvas = editor.window.canvas
+    for start in (0.0, 200.0, 301.3):
+        canvas.camera.show_box((start, start + 12.0), (-2.0, 2.0))
+        places = np.arange(np.ceil(start) + 1.0, start + 11.0)
+        found = [seen(editor, x, 0.0) == RED for x in places + 0.0 if x % 2 == 1]
+        assert found == [x % 4 < 2 for x in places if x % 2 == 1]
+
+
+# Views
+
+
+def test_thin_lines_show_what_lies_below(editor):
+    below = square(1, 1, 2, "Below", style=Style(stroke=RED, width=0.2))
+    above = square(0, 0, 4, "Above", style=Style(fill=BLUE, stroke="none"))
+    begin(editor, below, above, active=1)
+    assert seen(editor, 1, 2) == BLUE
+    editor.key(Qt.Key.Key_5, Qt.KeyboardModifier.ControlModifier)
+    editor.select([])
+    assert seen(editor, 2, 2) == LIGHT.paper.name()
+    assert seen(editor, 1, 2) != LIGHT.paper.name()
+    assert seen(editor, 1.1, 2) == LIGHT.paper.name()
+    editor.key(Qt.Key.Key_5, Qt.KeyboardModifier.ControlModifier)
+    assert seen(editor, 1, 2) == BLUE
+
+
+def test_paper_as_printed_has_the_very_colours_in_the_dark(editor, panel):
+    dim = "#202020"
+    begin(editor, square(0, 0, 4, "Leaf", style=Style(stroke=dim, width=0.5)))
+    editor.window.context.store.change(theme_mode=ThemeMode.DARK)
+    editor.settle()
+    assert seen(editor, 0, 2.5) not in (dim, LIGHT.paper.name())
+    assert f"drawn lighter than its {dim}" in child(panel, QLabel, "styleNote").text()
+    editor.trigger("paperAsPrinted")
+    assert seen(editor, 0, 2.5) == dim
+    assert seen(editor, 2, 2) == LIGHT.paper.name()
+    assert child(panel, QLabel, "styleNote").isHidden()
+    editor.trigger("paperAsPrinted")
+    editor.window.context.store.change(theme_mode=ThemeMode.SYSTEM)
+
+
+def test_pictures_of_the_others_are_kept_while_one_is_dragged(editor):
+    curves = [square(2 * k, 0, 3, f"{k}", style=Style(fill=BLUE, width=0.1)) for k in range(5)]
+    begin(editor, *curves, active=2)
+    layers = editor.window.canvas.drawing.curves
+    editor.settle()
+    pictures = layers.others._picture, layers.above._picture
+    assert None not in pictures
+    editor.drag_point(0, to=(4.5, -1.0))
+    assert (layers.others._picture, layers.above._picture) == pictures
