@@ -131,6 +131,11 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         help="take the curves of this name, or those in the group of this name or id, such as axes_1 or "
         "'line2d_*'; may be given more than once",
     )
+    add(
+        "--json",
+        action="store_true",
+        help="print what was done as JSON, with every element that comes in otherwise than it is drawn",
+    )
     _add_table_options(convert)
     _add_fit_options(convert)
     add_picture_options(convert)
