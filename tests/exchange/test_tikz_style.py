@@ -37,7 +37,8 @@ def test_all_of_a_style_is_written_at_true_size():
     text = tikz_picture(drawn(style), Options(unit="cm")).text
     assert options_of(text) == (
         "\\draw[line join=miter, draw={rgb,255:red,0;green,0;blue,255}, "
-        "fill={rgb,255:red,0;green,255;blue,0}, even odd rule, line width=0.5cm, line cap=rect, miter limit=4, dash pattern=on 1cm off 1cm, "
+        "fill={rgb,255:red,0;green,255;blue,0}, "
+        "even odd rule, line width=0.5cm, line cap=rect, miter limit=4, dash pattern=on 1cm off 1cm, "
         "dash phase=0.5cm, draw opacity=0.25, fill opacity=0.5"
     )
     # In the units of an axis no length is known.
