@@ -11,6 +11,7 @@ from importlib import import_module
 
 FEATURES = (
     "files",
+    "document_settings",
     "view",
     "snapping",
     "import_export",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -35,6 +35,8 @@ class Files:
         The file at `path`, open with its lock; None without one.
     beginning
         Where the document began; the same for all states of it.
+    blank
+        Returns what a new document is.
     """
 
     def __init__(self, session: Session) -> None:
@@ -42,6 +44,7 @@ class Files:
         self.path: Path | None = None
         self.file: OpenFile | None = None
         self.beginning = Beginning()
+        self.blank: Callable[[], Document] = empty_document
 
     @property
     def is_read_only(self) -> bool:
@@ -71,7 +74,7 @@ class Files:
 
     def new(self) -> None:
         """Start an empty document."""
-        self.replace(plain(empty_document()), None)
+        self.replace(plain(self.blank()), None)
 
     def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
         """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.

@@ -224,7 +224,7 @@ class ExchangeCommands:
             self._dialog.show_document(
                 session.document,
                 session.active_index,
-                preferences.unit_name,
+                session.document.unit,
                 with_estimates=preferences.with_estimates,
             )
 
@@ -243,15 +243,15 @@ class ExchangeCommands:
             return
         preferences = self._preferences
         with_estimates = preferences.with_estimates
-        active, unit = self._session.active_index, preferences.unit_name
+        active, unit = self._session.active_index, self._session.document.unit
         self.export(path, choice.options(active, unit, with_estimates=with_estimates))
 
     def export(self, path: Path, options: Options | None = None) -> None:
         """Write the document in the format that the ending names, and say how exactly."""
-        document, unit = self._session.document, self._preferences.unit_name
+        document = self._session.document
 
         def work(report: Report) -> Written:
-            return export(document, path, (options or Options(unit=unit)).reporting(report))
+            return export(document, path, (options or Options(unit=document.unit)).reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
@@ -278,7 +278,7 @@ class ExchangeCommands:
     @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
     def _copy_image(self) -> None:
         """Copy all curves as a picture without paper, PNG and SVG."""
-        document, unit = self._session.document, self._preferences.unit_name
+        document, unit = self._session.document, self._session.document.unit
 
         def work(report: Report) -> tuple[bytes, bytes]:
             options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
