@@ -41,6 +41,11 @@ class Situation:
         return self.session.selected.curves
 
     @property
+    def chosen(self) -> frozenset[int]:
+        """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
+        return self.session.selected.chosen
+
+    @property
     def has_copied_derivatives(self) -> bool:
         """Whether there are derivatives on the clipboard; another program may have to be asked for that."""
         return self._clipboard.holds_derivatives

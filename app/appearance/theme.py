@@ -285,6 +285,13 @@ QPushButton:checked { background: $checked; border-color: $accent }
 QToolButton[autoRaise="false"] { padding: 1px 2px }
 QToolButton[autoRaise="false"][checkable="true"] { background: none }
 QToolButton[autoRaise="false"]:checked { background: $raised }
+PivotChooser QToolButton[checkable="true"] {
+    background: $paper; border: 1px solid $rim; border-radius: 2px; padding: 0
+}
+PivotChooser QToolButton[checkable="true"]:hover { background: $hover }
+PivotChooser QToolButton[checkable="true"]:focus { border-color: $accent }
+PivotChooser QToolButton[checkable="true"]:checked { background: $accent; border-color: $accent }
+PivotChooser QToolButton[checkable="true"]:disabled { background: none; border-color: $line }
 QPushButton:disabled, QComboBox:disabled, QToolButton[autoRaise="false"]:disabled {
     background: none; border-color: $line; color: $pale
 }

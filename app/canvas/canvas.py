@@ -7,6 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
+from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hint, Hit, Pointer
@@ -43,6 +44,7 @@ class Canvas(ToolPlot):
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
         self.framing = Framing(self.camera, self.drawing)
+        self._edge = EdgeScroll(self.camera, self._move_again)
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
 
@@ -52,6 +54,21 @@ class Canvas(ToolPlot):
     def marks(self) -> GestureMarks:
         """The marks of the gestures over the drawing."""
         return self.drawing.marks.marks
+
+    # Gestures
+
+    def _pressed(self, pointer: Pointer) -> None:
+        self._edge.begin(pointer.pixel)
+        super()._pressed(pointer)
+
+    def _moved(self, pointer: Pointer) -> None:
+        super()._moved(pointer)
+        if self._is_held and self.tools.is_pressed:
+            self._edge.follow(pointer.pixel)
+
+    def _end_gesture(self) -> None:
+        self._edge.stop()
+        super()._end_gesture()
 
     def show_marks(self) -> None:
         self.drawing.show_marks(self.tools.marks())

@@ -45,21 +45,24 @@ class DrawnCurves:
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
         self._is_thin = False
-        self._shown: tuple[Sequence[CurveView], int, frozenset[int]] = ((), 0, frozenset())
+        self._shown: tuple[Sequence[CurveView], int | None, frozenset[int]] = ((), 0, frozenset())
 
-    def render(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
-        """Show the curves of a document, of which one is edited and some are selected."""
-        self._shown = (views, active, selected)
+    def render(self, views: Sequence[CurveView], edited: int | None, selected: frozenset[int]) -> None:
+        """Show the curves of a document, of which one is edited, or none is, and some are selected."""
+        self._shown = (views, edited, selected)
         self.areas.render(views)
+        # Points are shown of what is edited, and of what is worked on together with it.
+        self.selected.set_rings(edited is not None)
+        active = -1 if edited is None else edited
         other = [place for place in range(len(views)) if place != active]
         found = [
             (place, views[place])
             for place in other
             if place not in selected and views[place].source.visible and views[place].has_curve
         ]
-        below, edited, above = self._in_order(views, active, selected)
+        below, shape, above = self._in_order(views, active, selected)
         self.others.render_shapes(below, found)
-        self.edited.render(edited)
+        self.edited.render(shape)
         self.above.render_shapes(above, [])
         self.selected.render(views, [place for place in other if place in selected])
         self.curve.set_covered(bool(above))
@@ -67,7 +70,10 @@ class DrawnCurves:
     def _in_order(
         self, views: Sequence[CurveView], active: int, selected: Collection[int]
     ) -> tuple[list[Shape], Shape, list[Shape]]:
-        """Return the shapes below the edited one, that where it is no plain line, and those over it."""
+        """Return the shapes below the edited one, that where it is no plain line, and those over it.
+
+        With no edited one, −1, all are below.
+        """
         below: list[Shape] = []
         above: list[Shape] = []
         edited: Shape = ()
@@ -84,7 +90,7 @@ class DrawnCurves:
                 shape = tuple(views[place] for place in rest)
             shape = tuple(view for view in shape if view.source.visible and view.has_curve)
             if shape:
-                is_over = places.start > active
+                is_over = places.start > active >= 0
                 is_layered |= is_over and not is_line
                 (above if is_over else below).append(shape)
         return (below, edited, above) if is_layered else ([*below, *above], edited, [])

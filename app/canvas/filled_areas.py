@@ -34,7 +34,7 @@ class FilledAreas:
         if views is not self._views:
             self._views, self._shapes = views, None
 
-    def hit(self, pixel: Vector, shown: PixelMap, active: int, line: Hit | None) -> Hit | None:
+    def hit(self, pixel: Vector, shown: PixelMap, active: int | None, line: Hit | None) -> Hit | None:
         """Return what lies at `pixel`: the topmost area, or the `line` there unless the area covers it.
 
         The inside of the shape that is edited is nothing: a rubber band for its points begins there.

@@ -48,7 +48,9 @@ class CanvasScene:
     Attributes
     ----------
     view, views
-        The curve that is edited, None before the first; all curves of the document.
+        The active curve, None before the first; all curves of the document.
+    is_editing
+        Whether the active curve is edited: otherwise it is drawn and hit as the others are.
     image
         The picture to trace.
     grid, units
@@ -69,6 +71,7 @@ class CanvasScene:
         self._plot = plot
         self.view: CurveView | None = None
         self.views: Sequence[CurveView] = ()
+        self.is_editing = True
         self._scrub: float | None = None
         self.image = ImageLayer(plot)
         self.grid = GridLayer(plot)
@@ -99,10 +102,12 @@ class CanvasScene:
         self.annotations.make_way()
         self._show_marks_now()
 
-    def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
-        """Show the other curves of the document behind the one that is edited; some are selected with it."""
-        self.views = views
-        self.curves.render(views, active, selected)
+    def render_others(self, views: Sequence[CurveView], edited: int | None, chosen: frozenset[int]) -> None:
+        """Show all curves of the document: the one that is edited, if one is, and others, some chosen."""
+        self.views, self.is_editing = views, edited is not None
+        for layer in (self.curve, self.points, self.polygon):
+            layer.set_shown(self.is_editing)
+        self.curves.render(views, edited, chosen)
         self._show_marks_now()
 
     def set_selection(self, selection: frozenset[int]) -> None:
@@ -193,8 +198,10 @@ class CanvasScene:
             return self.image.hit(pixel, shown)
         if self.view is None:
             return None
-        polyline = self.curve.polyline(shown)
-        hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
+        hit = None
+        if self.is_editing:
+            polyline = self.curve.polyline(shown)
+            hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
         if hit is None and tool.finds_other_curves:
             return self.curves.hit(pixel, shown)
         return hit

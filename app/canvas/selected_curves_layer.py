@@ -34,7 +34,8 @@ _MOST_RINGS = 400
 class SelectedCurvesLayer(OtherCurvesLayer):
     """Layer that marks selected curves, painted like the others from a picture that is kept while they stay.
 
-    Hidden ones are faint, as the active curve is: they are moved with the others.
+    Hidden ones are faint, as the active curve is: they are moved with the others. While no curve is edited
+    no points are shown, and these have no rings.
     """
 
     z = -0.7
@@ -44,7 +45,13 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self._rings = RingStamps(_ring)
+        self._rings, self._has_rings = RingStamps(_ring), True
+
+    def set_rings(self, has_rings: bool) -> None:
+        """Draw rings around the points, or no points at all."""
+        if has_rings != self._has_rings:
+            self._has_rings, self._picture = has_rings, None
+            self.update()
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint halos, lines and rings into the picture; over a shape that prints otherwise, a thin line."""
@@ -66,7 +73,8 @@ class SelectedCurvesLayer(OtherCurvesLayer):
                 line = (self._colour(view), _WIDTH) if is_line else (self.theme.accent, _OVER_PRINT)
             painter.setPen(self._line(*line))
             stroke.draw(painter)
-        self._paint_rings(painter, shown, views)
+        if self._has_rings:
+            self._paint_rings(painter, shown, views)
 
     def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
         """Ring the points of all curves over all lines: in one call for those of one opacity."""

@@ -1,10 +1,34 @@
-"""Chosen curves and selected points: where they are after a change, and which came back with it."""
+"""Chosen curves and selected points: at a moment, after a change, and those that came back with it."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
+import msgspec
+
 from .model import Curve, Point, Vector
+
+
+class Choice(msgspec.Struct, frozen=True):
+    """All that is selected at a moment, for a gesture that is taken back.
+
+    Attributes
+    ----------
+    active
+        The active curve.
+    points
+        Its selected points.
+    curves, chosen
+        The curves that are worked on together, and those acted on as wholes.
+    is_editing
+        Whether the active curve is edited.
+    """
+
+    active: int
+    points: frozenset[int]
+    curves: frozenset[int]
+    chosen: frozenset[int]
+    is_editing: bool
 
 
 def followed_curves(

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Sequence
 from typing import NamedTuple
 
@@ -33,25 +34,35 @@ PointsEdit = Callable[[Document, int, Collection[int]], Document]
 
 
 class PointGroup(msgspec.Struct, frozen=True):
-    """Points that change together: some of one curve, or all of several.
+    """Points that change together: some of one curve, or all of whole curves.
 
     Attributes
     ----------
     parts
         The curves, each with the indices of its points.
+    name
+        The name of the curve where it is a single one, whole.
     """
 
     parts: tuple[tuple[int, frozenset[int]], ...]
+    name: str | None = None
 
     @property
-    def is_several(self) -> bool:
-        """Whether it is several curves, whole."""
-        return len(self.parts) > 1
+    def is_whole(self) -> bool:
+        """Whether it is whole curves."""
+        return self.name is not None or len(self.parts) > 1
 
     @property
     def words(self) -> str:
-        """The words "point 3", "4 points" or "3 curves"."""
-        return f"{len(self.parts)} curves" if self.is_several else points(self.parts[0][1])
+        """The words "point 3", "4 points", "Leaf" or "3 curves"."""
+        if self.name is not None:
+            return self.name or "curve"
+        return f"{len(self.parts)} curves" if self.is_whole else points(self.parts[0][1])
+
+    @property
+    def quoted(self) -> str:
+        """The same words within a sentence: a name in quotation marks."""
+        return f"“{self.name}”" if self.name else self.words
 
     @property
     def first_point(self) -> tuple[int, int]:
@@ -61,7 +72,7 @@ class PointGroup(msgspec.Struct, frozen=True):
     @property
     def only_point(self) -> tuple[int, int] | None:
         """The curve and the point where it is a single one."""
-        return self.first_point if not self.is_several and len(self.parts[0][1]) == 1 else None
+        return self.first_point if not self.is_whole and len(self.parts[0][1]) == 1 else None
 
     @property
     def curves(self) -> frozenset[int]:
@@ -89,8 +100,10 @@ def points_of(curve: int, indices: Collection[int]) -> PointGroup:
 
 def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
     """Return all points of some curves."""
+    places = sorted(curves)
     return PointGroup(
-        tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in sorted(curves))
+        tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in places),
+        document.curves[places[0]].name if len(places) == 1 else None,
     )
 
 
@@ -105,6 +118,25 @@ def moved(document: Document, group: PointGroup, by: Vector) -> Document:
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
     return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
+
+
+def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:
+    """Scale the strokes of those curves of a group that are in it with all their points.
+
+    Their widths grow by the mean of the factors along x and y, as if nothing but the area had changed.
+    """
+    curves, factor = document.curves, math.sqrt(abs(x * y))
+    whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
+    styled = {curve for curve in whole if curves[curve].style.width is not None}
+    if not styled or not factor:
+        return document
+    return with_each(document, styled, lambda curve: _with_stroke_scaled(curve, factor))
+
+
+def _with_stroke_scaled(curve: Curve, factor: float) -> Curve:
+    width = curve.style.width
+    assert width is not None
+    return replace(curve, style=replace(curve.style, width=width * factor))
 
 
 def with_appearance(

@@ -20,6 +20,7 @@ from .edits import EditError, placed, with_each_changed, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector
 from .ties import tied
+from .words import NamedEnum
 
 
 class Affine(msgspec.Struct, frozen=True):
@@ -116,6 +117,13 @@ def decimal_product(a: float, b: float) -> float:
     return float(Decimal(repr(a)) * Decimal(repr(b)))
 
 
+def clean_step(least: float) -> float:
+    """Return the smallest of 1, 2 and 5 times a power of ten that is not below `least`, which is positive."""
+    power = math.floor(math.log10(least))
+    steps = (float(f"{digit}e{power}") for digit in (1, 2, 5, 10))
+    return next((step for step in steps if step >= least), float(f"2e{power + 1}"))
+
+
 def _middle(values: Sequence[float]) -> float:
     return min(values) / 2 + max(values) / 2
 
@@ -146,6 +154,32 @@ class Edge(Enum):
     TOP = "top", 1, max
     MIDDLE = "middle", 1, _middle
     BOTTOM = "bottom", 1, min
+
+
+class Reference(NamedEnum):
+    """What curves are aligned to.
+
+    Attributes
+    ----------
+    tip
+        What that means.
+    """
+
+    def __init__(self, value: str, label: str = "", tip: str = "") -> None:
+        super().__init__(value, label)
+        self.tip = tip
+
+    EACH_OTHER = "each_other", "Each other", "Align chosen curves to the box around them"
+    EDITED = "edited", "The one edited", "Align chosen curves to the one that was chosen first and is edited"
+    LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
+    DRAWING = "drawing", "The drawing", "Align chosen curves to the box around all curves"
+
+
+class Spacing(NamedEnum):
+    """What is the same between neighbours of curves that are distributed."""
+
+    CENTRES = "centres", "Centres"
+    GAPS = "gaps", "Gaps"
 
 
 def align_points(document: Document, curve: int, indices: Collection[int], edge: Edge) -> Document:

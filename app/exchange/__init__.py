@@ -10,7 +10,8 @@
   ``missed``: what of them does not come in.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
-- ``units``: how large a length of one is on paper.  ``rescaled``: documents in another one.
+- ``units``: how large a length of one is on paper.  ``lengths``: lengths as they are typed.
+  ``rescaled``: documents in another unit.
 - ``naming``: names made different from each other.  ``errors``: what is raised.
 - ``facts``: what ``curvebench info`` prints.
 """

@@ -9,8 +9,8 @@
   one with tools.
 - ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``axes``,
   ``ticks``: the axes beside it, and where their numbers stand.
-- ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``keys``: keys and
-  shapes of the pointer, as Qt has them.
+- ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``edge_scroll``: a
+  drag at the edge.  ``keys``: keys and shapes of the pointer, as Qt has them.
 - ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.
   ``fonts``: a font in the sizes that are needed.
 - ``stamps``: many marks in one call, in the colours of the points.  ``pictures``: what is painted beside the

@@ -7,7 +7,7 @@ from PySide6.QtGui import QCursor, QKeyEvent
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
-from ..tools.pointer import Cursor
+from ..tools.pointer import Cursor, Stride
 
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
@@ -44,15 +44,17 @@ def key_name(event: QKeyEvent) -> str | None:
     return _NAMES.get(key) if not held else None
 
 
-def factor_of(event: QKeyEvent) -> float:
-    """Return how far an arrow key goes: with Shift ten times as far, with Ctrl a tenth."""
+def stride_of(event: QKeyEvent, pixel: float) -> Stride:
+    """Return how far an arrow key goes: with Shift ten times as far, with Ctrl a tenth; with Alt a pixel."""
     held = event.modifiers()
     factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
-    return factor * 0.1 if held & Qt.KeyboardModifier.ControlModifier else factor
+    if held & Qt.KeyboardModifier.ControlModifier:
+        factor *= 0.1
+    return Stride(pixel, factor, bool(held & Qt.KeyboardModifier.AltModifier))
 
 
 def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:
     """Return the shape of the pointer."""
-    if cursor is Cursor.ROTATE:
-        return QCursor(icon("rotate", theme).pixmap(20, 20))
-    return QCursor(Qt.CursorShape[cursor.value])
+    if cursor.value in Qt.CursorShape.__members__:
+        return QCursor(Qt.CursorShape[cursor.value])
+    return QCursor(icon(cursor.value, theme).pixmap(20, 20))

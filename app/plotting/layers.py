@@ -47,7 +47,7 @@ class Layer:
         self._paint = paint
         if z is not None:
             self.z = z
-        self.is_visible = True
+        self.is_visible = self.is_shown = True
         self._opacity = 1.0
         self._stack.add(self)
 
@@ -74,6 +74,12 @@ class Layer:
         """Show or hide it."""
         if visible != self.is_visible:
             self.is_visible = visible
+            self._stack.update(self)
+
+    def set_shown(self, shown: bool) -> None:
+        """Show it, as far as it is visible of its own accord, or withhold it."""
+        if shown != self.is_shown:
+            self.is_shown = shown
             self._stack.update(self)
 
     def set_opacity(self, opacity: float) -> None:
@@ -153,7 +159,7 @@ class LayerStack:
     def _paint_layers(self, painter: QPainter, shown: PixelMap, *, still: bool) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for layer in self._layers:
-            if layer.is_visible and layer.is_still is still:
+            if layer.is_visible and layer.is_shown and layer.is_still is still:
                 layer.draw(painter, shown)
 
     def _make_ground(self, ratio: float, shown: PixelMap, origin: QPointF) -> QPixmap:

@@ -104,6 +104,14 @@ class PlotWidget(PaintedPlot):
         return _with_keys(Pointer(self.pixel_map.plane(*pixel), pixel, scale=self.pixel_map.sx), held)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._press_by(event, is_double=False)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        # The second press of a double click is a press like any other, for quick clicks must all count; a
+        # tool may give it a meaning of its own where it hits what the first one did.
+        self._press_by(event, is_double=True)
+
+    def _press_by(self, event: QMouseEvent, *, is_double: bool) -> None:
         if event.button() == Qt.MouseButton.RightButton:
             # It takes a gesture back, a drag as well as a transform; it must not open a menu as well.
             self._menu_refused = self._panning.is_active or (self.is_dragging and self.cancel_gesture())
@@ -115,7 +123,7 @@ class PlotWidget(PaintedPlot):
             self._release()  # the release was never heard of
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:
             self._pointer, self._is_held = self.pointer_at(event), True
-            self._pressed(self._pointer)
+            self._pressed(replace(self._pointer, is_double=is_double) if is_double else self._pointer)
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
@@ -123,10 +131,6 @@ class PlotWidget(PaintedPlot):
         refused, self._menu_refused = self._menu_refused, False
         if not refused and not self.is_dragging:
             self._menu_wanted(event)
-
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        # The second press of a double click is a press like any other: quick clicks must all count.
-        self.mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self._panning.move(event):

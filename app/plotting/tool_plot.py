@@ -10,7 +10,7 @@ from ..tasks.single_task import SingleTask
 from ..tools.pointer import Hint, Hit, Pointer
 from ..tools.tool import Tool
 from ..tools.toolbox import Toolbox
-from .keys import ARROWS, cursor_of, factor_of, key_name
+from .keys import ARROWS, cursor_of, key_name, stride_of
 from .plot_widget import PlotWidget
 
 _WORDS_MS = 33
@@ -219,11 +219,9 @@ class ToolPlot(PlotWidget):
         return taken or claimed
 
     def _nudge(self, event: QKeyEvent) -> bool:
-        """Move what the tool moves by a pixel or a step of the grid: with Shift ten, with Ctrl a tenth."""
+        """Move what the tool moves by a step: with Shift ten, with Ctrl a tenth, with Alt by a pixel."""
         direction = ARROWS.get(Qt.Key(event.key()))
-        if direction is None or event.modifiers() & Qt.KeyboardModifier.AltModifier:
-            return False
-        return self.tools.nudge(direction, self.camera.pixel_size, factor_of(event))
+        return direction is not None and self.tools.nudge(direction, stride_of(event, self.camera.pixel_size))
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         # Tab belongs to a transform in flight; no gesture lets it lead elsewhere.

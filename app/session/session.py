@@ -6,13 +6,13 @@ import logging
 from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
-import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from ..document.edits import EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
+from ..document.selection import Choice
 from ..document.shapes import tidy_shapes
 from ..families import Family
 from ..storage.examples import first_sketch
@@ -26,14 +26,6 @@ from .selection import Selection
 from .views import Views
 
 _log = logging.getLogger("curvebench.session")
-
-
-class _Home(msgspec.Struct, frozen=True):
-    """Active curve and selection before a gesture showed its first preview."""
-
-    active: int
-    points: frozenset[int]
-    curves: frozenset[int]
 
 
 class Session(QObject):
@@ -111,7 +103,7 @@ class Session(QObject):
         self.selected = Selection(self)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
-        self._home: _Home | None = None
+        self._home: Choice | None = None
 
     def __del__(self) -> None:
         self.history.drop()
@@ -135,7 +127,7 @@ class Session(QObject):
         self._committed = self._shown = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
-        self.selected.points, self.selected.curves = frozenset(), frozenset({self.active_index})
+        self.selected.reset()
         if state.beginning is not self.files.beginning:
             self._turn_to(state.beginning)
         self.interrupted.emit()
@@ -236,7 +228,7 @@ class Session(QObject):
             self.refuse(reason)
             return False
         if self._home is None:
-            self._home = _Home(self.active_index, self.selected.points, self.selected.curves)
+            self._home = self.selected.choice
         if active is not None and active != self.active_index:
             self.selected.enter(active)
         self._show(document)
@@ -272,8 +264,7 @@ class Session(QObject):
             self.selected.enter(home.active)
         if self.is_previewing:
             self._show(self._committed)
-        self.selected.set_curves(home.curves)
-        self.selected.set_points(home.points)
+        self.selected.restore(home)
 
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
@@ -314,7 +305,7 @@ class Session(QObject):
             self.files.close()
             self.undo_stack.resetClean()
         self.selected.set_points([])
-        self.selected.set_curves((self.active_index,))
+        self.selected.activate(self.active_index)
         self.selected.set_scrub(None)
         self.selected.set_pivot(None)
         # Another document's curves are nobody's last good shape.

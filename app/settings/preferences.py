@@ -116,6 +116,12 @@ class Preferences:
     new_style = SavedStyle("document/new_style")
     """The style of the curve that a new document begins with."""
 
+    keep_proportions = SwitchOfAction("transform/keep_proportions", default=False)
+    """Whether the height follows where a width is typed, and the width a height."""
+
+    scale_strokes = SwitchOfAction("transform/scale_strokes", default=True)
+    """Whether strokes get wider with the curve that they are of."""
+
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 

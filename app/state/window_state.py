@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
 from ..appearance.theme import ThemeMode
+from ..document.transforms import Reference
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
@@ -55,8 +56,12 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, transform_box, with_estimates, theme_mode, pencil
+    snap_on, snap_kinds, with_estimates, theme_mode, pencil
         As the preferences remember them.
+    transform_box, keep_proportions, scale_strokes
+        As the preferences remember them.
+    align_to
+        What chosen curves are aligned to.
     analysis
         Overlays, plots, ghosts and laboratory.
     error_plot
@@ -84,6 +89,9 @@ class WindowState(msgspec.Struct, frozen=True):
     snap_on: bool = False
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
     transform_box: bool = True
+    keep_proportions: bool = False
+    scale_strokes: bool = True
+    align_to: Reference = Reference.EACH_OTHER
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
     pencil: PencilDetail = PencilDetail.MEDIUM

@@ -76,6 +76,16 @@ class InputDriver:
         self.press(at, keys=keys)
         self.release(at, keys=keys)
 
+    def double_click(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Click twice on the canvas, as quickly as it takes to be one double click."""
+        canvas = self.window.canvas
+        pixel = canvas.to_pixel(*at)
+        self.click(at, keys=keys)
+        # The same place of the screen, whatever the first click has changed.
+        self.send(canvas, QEvent.Type.MouseButtonDblClick, pixel, keys=keys)
+        self.send(canvas, QEvent.Type.MouseButtonRelease, pixel, held=False, keys=keys)
+        self.settle()
+
     def drag(self, start: Vector, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Press at `start`, move and release at `to`, on the canvas."""
         canvas = self.window.canvas

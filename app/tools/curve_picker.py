@@ -1,100 +1,113 @@
-"""Presses on curves that are not edited: to edit one, to select several, to move those."""
+"""Presses on curves that are not edited: to move them whole, to choose several, to edit one."""
 
 from __future__ import annotations
 
 from ..document.several_curves import named
+from . import hints
 from .drag_machine import EditingHost
-from .pointer import Hint, Hit, Part
+from .drags import Refuse
+from .pointer import Cursor, Hint, Hit, Part
 from .tool import ToolContext
 
 
 class CurvePicker:
-    """Choice among curves: the one that is pressed is edited, and several are selected.
+    """Choice among curves: a drag moves the one that is pressed, or all that are chosen if it is one of them.
 
-    Attributes
-    ----------
-    entered
-        The sentence for a click with the press by which a curve came to be edited; empty for other presses.
+    A click edits it; while no curve is edited it is chosen, and a double click edits it.
     """
 
-    def __init__(self) -> None:
-        self.entered = ""
-
-    def enter(self, context: ToolContext) -> ToolContext:
-        """Edit the curve under a press, so that the press acts on it; return the context as it is then.
-
-        With Shift, and on a curve that is selected together with others, a press means all of them.
-        """
-        self.entered = ""
-        hit, host = context.hit, context.host
-        if (
-            hit is None
-            or hit.part is not Part.OTHER_CURVE
-            or context.pointer.shift
-            or hit.index in host.selected.curves
-        ):
-            return context
-        host.selected.activate(hit.index)
-        self.entered = _edited(host)
-        host.say(self.entered)
-        return context.with_hit()
-
     def press(self, context: ToolContext, hit: Hit) -> None:
-        """Begin a click on the curve hit, or where it is selected a drag of all that are."""
-        host, target = context.host, context.target
-        drag = target.moving_curves(context.pointer) if hit.index in host.selected.curves else None
-        click = _toggle if context.pointer.shift else _edit
-        context.drags.press(context.pointer, drag, on_click=lambda: click(host, hit.index))
+        """Begin to drag the curve hit, whole, with those that are chosen together with it; or a click."""
+        host, target, pointer = context.host, context.target, context.pointer
+        group = target.with_curve(hit.index)
+        if refusal := target.refusal_of(group):
+            context.drags.press(pointer, Refuse(host.document, refusal), lambda: _click(context, hit))
+        else:
+            context.drags.press(pointer, target.moving(group, pointer), lambda: _click(context, hit))
 
-    def unpick_others(self, context: ToolContext) -> bool:
-        """Select the active curve alone; return whether there were others."""
+    def unpick(self, context: ToolContext) -> None:
+        """Choose the active curve alone; while none is edited, none at all."""
         host = context.host
-        had_others = len(host.selected.curves) > 1
-        if had_others:
+        had_others = len(host.selected.chosen) > 1
+        if not host.selected.is_editing:
+            host.selected.choose(())
+        elif had_others:
             host.selected.set_curves((host.active_index,))
             host.say(f"Only “{host.active_view.source.name}” is chosen.")
-        return had_others
 
     def hint(self, context: ToolContext, hit: Hit) -> Hint:
         """Return what a press on another curve would do."""
-        host = context.host
-        name, selected = host.document.curves[hit.index].name, host.selected.curves
-        if hit.index not in selected:
-            is_locked = host.document.curves[hit.index].locked
-            drag = " (locked)" if is_locked else ", drag to bend it or move a point"
-            return Hint(f"Click to edit “{name}”{drag} · Shift+click: choose it too", grab=True)
-        if refusal := context.target.refusal_of(context.target.curves):
-            return Hint(refusal)
-        moving = named(host.document, selected)
-        keys = "Shift: one axis, a click takes it out"
-        return Hint(f"Drag to move {moving} · {keys} · Click to edit “{name}” alone", grab=True)
+        host, target = context.host, context.target
+        group, is_chosen = target.with_curve(hit.index), hit.index in host.selected.chosen
+        if refusal := target.refusal_of(group):
+            name, verb = host.document.curves[hit.index].name, _verb(host)
+            locked = Hint(f"Click to {verb} “{name}” (locked) · Shift+click: choose it too", grab=True)
+            return Hint(refusal) if is_chosen else locked
+        drag = hints.to_move(group.quoted, context.pointer, snaps=context.settings.snapping.on)
+        return Hint(f"{drag} · {_words_of_click(context, hit, is_chosen=is_chosen)}", cursor=Cursor.MOVE)
 
     def idle_hint(self, context: ToolContext) -> Hint | None:
-        """Return the hint beside everything while the transforms act on several curves."""
-        group = context.target.group
-        if group is None or not group.is_several:
+        """Return the hint beside everything while the transforms act on whole curves, or none is edited."""
+        host, group = context.host, context.target.group
+        if group is not None and group.is_whole:
+            after = "only the one edited" if host.selected.is_editing else "none"
+            return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns them · Click here: {after}")
+        if host.selected.is_editing:
             return None
-        what = selected_curves(context.host)
-        return Hint(f"{what} · G moves, S scales, R turns them · Click here: only the one edited")
+        return Hint(
+            "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits one"
+        )
 
 
-def _edit(host: EditingHost, curve: int) -> None:
+def _verb(host: EditingHost) -> str:
+    return "edit" if host.selected.is_editing else "choose"
+
+
+def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
+    """Return what a click on a curve does, and what Shift would change of drag and click."""
+    host = context.host
+    name, is_editing = host.document.curves[hit.index].name, host.selected.is_editing
+    if context.pointer.shift:
+        return "click to take it out" if is_chosen else "click to choose it too"
+    if is_chosen:
+        click = f"Click to edit “{name}” alone" if is_editing else f"Double-click to edit “{name}”"
+        return f"Shift: one axis, a click takes it out · {click}"
+    later = "" if is_editing else ", double-click to edit it"
+    return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
+
+
+def _click(context: ToolContext, hit: Hit) -> None:
+    """Edit the curve hit, or choose it; with Shift choose it too, or no longer."""
+    host, chosen = context.host, context.host.selected.chosen
+    if context.pointer.shift and host.selected.is_editing:
+        host.selected.set_curves(host.selected.curves ^ {hit.index})
+    elif context.pointer.shift:
+        host.selected.choose(chosen ^ {hit.index})
+    elif host.selected.is_editing or context.pointer.is_double:
+        edit_curve(context, hit.index)
+        return
+    else:
+        host.selected.choose((hit.index,))
+    host.say(f"{chosen_curves(host)}.")
+
+
+def edit_curve(context: ToolContext, curve: int) -> None:
+    """Edit a curve from now on, and select the point of it that lies under the pointer."""
+    host = context.host
     host.selected.activate(curve)
-    host.say(_edited(host))
+    hit = context.with_hit().hit
+    if hit is not None and hit.part is Part.POINT:
+        host.selected.set_points([hit.index])
+    host.say(f"Editing “{host.active_view.source.name}” now.")
 
 
-def _edited(host: EditingHost) -> str:
-    return f"Editing “{host.active_view.source.name}” now."
-
-
-def _toggle(host: EditingHost, curve: int) -> None:
-    host.selected.set_curves(host.selected.curves ^ {curve})
-    host.say(f"{selected_curves(host)}.")
-
-
-def selected_curves(host: EditingHost) -> str:
+def chosen_curves(host: EditingHost) -> str:
     """Return a sentence about the curves that the tools act on."""
-    what, active = named(host.document, host.selected.curves), host.active_view.source.name
-    if len(host.selected.curves) == 1:
+    chosen, active = host.selected.chosen, host.active_view.source.name
+    if not host.selected.is_editing:
+        if len(chosen) == 1:
+            return f"“{active}” is chosen"
+        return f"{named(host.document, chosen)} chosen" if chosen else "No curve is chosen"
+    if not chosen:
         return f"Only “{active}” is chosen"
-    return f"{what} chosen, “{active}” is edited"
+    return f"{named(host.document, chosen)} chosen, “{active}” is edited"

@@ -10,6 +10,7 @@ import msgspec
 
 from ..document.edits import EditError
 from ..document.model import Document, Vector
+from ..document.selection import Choice
 from ..view_model.curve_view import CurveView
 from ..view_model.pivot import Pivot
 from .drag import Drag
@@ -27,8 +28,26 @@ class SelectionHost(Protocol):
 
     points: frozenset[int]
     curves: frozenset[int]
+    is_editing: bool
     scrub: float | None
     pivot: Pivot | None
+
+    @property
+    def chosen(self) -> frozenset[int]:
+        """The curves that are acted on as wholes."""
+
+    @property
+    def choice(self) -> Choice:
+        """All that is selected now."""
+
+    def restore(self, choice: Choice) -> None:
+        """Select what was selected before."""
+
+    def choose(self, indices: Collection[int]) -> None:
+        """Choose curves as wholes, or none at all; no curve is edited any more."""
+
+    def show_choice(self, indices: Collection[int]) -> None:
+        """Show curves as chosen while a gesture goes on."""
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select points."""

@@ -14,7 +14,7 @@ from ..document.transforms import step_points
 from ..view_model.bend import Bend
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import derivative_from_handle
-from ..view_model.hold import BendWith
+from ..view_model.hold import BendWith, has_handles
 from ..view_model.point_kinds import is_breakable
 from ..view_model.smoothness import with_corners
 from .drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
@@ -90,14 +90,11 @@ class NudgePoints(Drag, frozen=True):
     Attributes
     ----------
     step
-        How far.
-    is_decimal
-        Whether it is a step of the grid, added in decimal numbers.
+        How far; it is added in decimal numbers.
     """
 
     group: PointGroup
     step: Vector
-    is_decimal: bool
 
     @property
     def name(self) -> str:
@@ -115,9 +112,8 @@ class NudgePoints(Drag, frozen=True):
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
-        edit = step_points if self.is_decimal else edits.move_points
         return self.group.changed(
-            self.document, lambda each, curve, indices: edit(each, curve, indices, self.step)
+            self.document, lambda each, curve, indices: step_points(each, curve, indices, self.step)
         )
 
 
@@ -242,7 +238,10 @@ class PullVelocity(CurveDrag, frozen=True):
 
 
 class BendCurve(CurveDrag, frozen=True):
-    """Bend: the least change of data by which the grabbed point follows; Ctrl: points, Alt: derivatives."""
+    """Bend: the least change of the handles by which the grabbed point follows; the points stay.
+
+    With Alt they come along, with Ctrl they alone move, and where there are no handles they do in any case.
+    """
 
     hit: Hit
     start: Vector
@@ -260,16 +259,16 @@ class BendCurve(CurveDrag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return where it is held, and what changes."""
-        using = self._using(pointer)
         # Which data change most is decided by weights; the grabbed point follows exactly.
-        weights = f", by weights {self.view.linearised}" if self.view.linearised else ""
-        is_by_points = using is BendWith.POINTS
-        return f"Bend at t = {words.number(self.hit.t)}: {using.value}{weights if is_by_points else ''}"
+        is_weighted = self.view.linearised and bend_with(self.view, pointer) is BendWith.POINTS
+        weights = f", by weights {self.view.linearised}" if is_weighted else ""
+        return f"Bend at t = {words.number(self.hit.t)}: {what_bends(self.view, pointer)}{weights}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Let the grabbed point keep its distance to the pointer."""
         target = plus(self.hit.position, pointer.way_from(self.start))
-        curve = self._grabbed(self._using(pointer)).bent(target, _TOLERANCE / pointer.scale)
+        using = bend_with(self.view, pointer)
+        curve = self._grabbed(using).bent(target, _TOLERANCE / pointer.scale)
         return self.document.with_curve(self.curve, curve)
 
     def _grabbed(self, using: BendWith) -> Bend:
@@ -277,15 +276,24 @@ class BendCurve(CurveDrag, frozen=True):
             self._bends[using] = Bend(self.view, self.hit.t, using)
         return self._bends[using]
 
-    def _using(self, pointer: Pointer) -> BendWith:
-        if not self.view.source.family.derivatives or pointer.ctrl:
-            return BendWith.POINTS
-        return BendWith.DERIVATIVES if pointer.alt else BendWith.ALL
+
+def bend_with(view: CurveView, pointer: Pointer) -> BendWith:
+    """Return which data a bend changes with the keys that are held."""
+    if pointer.ctrl or not has_handles(view):
+        return BendWith.POINTS
+    return BendWith.ALL if pointer.alt else BendWith.DERIVATIVES
+
+
+def what_bends(view: CurveView, pointer: Pointer) -> str:
+    """Return in words what a bend does to the points."""
+    if not has_handles(view):
+        return f"this family has no handles: the {view.source.family.point}s move"
+    return bend_with(view, pointer).value
 
 
 def bend_keys(view: CurveView) -> str:
     """Return what modifiers change of a bend."""
-    return "Ctrl: points only · Alt: derivatives only" if view.source.family.derivatives else ""
+    return "Alt: points come along · Ctrl: points alone" if has_handles(view) else ""
 
 
 class Refuse(Drag, frozen=True):

@@ -6,35 +6,58 @@ from ..document import words
 from ..document.edits import LEAST_TO_CLOSE
 from ..document.several_curves import PointGroup
 from ..view_model.curve_view import CurveView
-from .drags import bend_keys, handle_keys, what_handle_sets
+from .drags import bend_keys, handle_keys, what_bends, what_handle_sets
 from .pen_drags import PenAct
-from .pointer import Cursor, Hint, Hit, Part
+from .pointer import Cursor, Hint, Hit, Part, Pointer
 from .transform_box import Grip, ScaleBox
 
-_ENTER = "Enter: finish the curve"
+_ENTER = "Enter, double click: finish the curve"
+_ON_EMPTY = (
+    "Drag to select points, Shift adds · Escape: whole curves · P adds points · Wheel zooms, Space pans"
+)
 LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 
 
-def to_select(hit: Hit | None, view: CurveView, selection: frozenset[int], *, snaps: bool) -> Hint:
+def to_select(
+    hit: Hit | None, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool
+) -> Hint:
     """Return the hint of the Select tool over what belongs to the curve edited, or beside it."""
     if hit is None:
-        return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
+        return Hint(_ON_EMPTY)
     if view.source.locked:
         return Hint(LOCKED.format(view.source.name))
-    return to_bend(hit, view) if hit.part is Part.CURVE else on_part(hit, view, selection, snaps=snaps)
+    if hit.part is Part.CURVE:
+        return to_bend(view, pointer)
+    return on_part(hit, view, selection, pointer, snaps=snaps)
 
 
-def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool) -> Hint:
+def on_part(hit: Hit, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint over a point or a handle."""
-    if hit.part is Part.POINT:
-        others = len(selection) > 1 and hit.index in selection
-        what = words.points(selection) if others else f"{view.source.family.point} {hit.index}"
-        text = f"Drag to move {what} · Shift: one axis, a click toggles · Ctrl: {_snap_word(snaps)}"
-        if view.source.family.derivatives:
-            text += " · Alt: pull out its velocity"
+    if hit.part is not Part.POINT:
+        keys = handle_keys(hit, view, _snap_word(snaps))
+        return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
+    if pointer.alt and view.source.family.derivatives:
+        text = f"Drag to pull out the velocity of point {hit.index}{_with_snap(pointer, snaps=snaps)}"
         return Hint(text, grab=True)
-    keys = handle_keys(hit, view, _snap_word(snaps))
-    return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
+    others = len(selection) > 1 and hit.index in selection
+    what = words.points(selection) if others else f"{view.source.family.point} {hit.index}"
+    text = f"{to_move(what, pointer, snaps=snaps)} · Shift: one axis, a click toggles"
+    text += f" · Ctrl: {_snap_word(snaps)}"
+    if view.source.family.derivatives:
+        text += " · Alt: pull out its velocity"
+    return Hint(text, grab=True)
+
+
+def to_move(what: str, pointer: Pointer, *, snaps: bool) -> str:
+    """Return what a drag of points or curves does with the keys that are held."""
+    axis = " along one axis" if pointer.shift else ""
+    return f"Drag to move {what}{axis}{_with_snap(pointer, snaps=snaps)}"
+
+
+def inside_box(group: PointGroup, pointer: Pointer, *, snaps: bool) -> Hint:
+    """Return the hint inside the box around a group."""
+    keys = f"Shift+drag: rubber band · Ctrl: {_snap_word(snaps)} · A click lets go"
+    return Hint(f"{to_move(group.quoted, pointer, snaps=snaps)} · {keys}", cursor=Cursor.MOVE)
 
 
 def on_grip(grip: Grip, group: PointGroup, refusal: str) -> Hint:
@@ -47,22 +70,22 @@ def on_grip(grip: Grip, group: PointGroup, refusal: str) -> Hint:
     return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
 
 
-def to_bend(hit: Hit, view: CurveView) -> Hint:
+def to_bend(view: CurveView, pointer: Pointer) -> Hint:
     """Return the hint over the curve, selecting."""
-    keys = bend_keys(view)
-    text = f"Drag to bend the curve at t = {words.number(hit.t)}"
-    return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.MOVE)
+    keys = "" if pointer.alt or pointer.ctrl else bend_keys(view)
+    text = f"Drag to bend; {what_bends(view, pointer)}"
+    return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.BEND)
 
 
 def to_add_on_part(
-    hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool, finished: bool
+    hit: Hit, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool, finished: bool
 ) -> Hint:
     """Return the hint of the Add tool over a point or a handle."""
     if finished and is_end(hit, view):
         return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
-    if view.source.family.derivatives and can_end_at(hit, view):
+    if can_end_at(hit, view):
         return Hint("Click to close the curve · Drag to move point 0", grab=True)
-    return on_part(hit, view, selection, snaps=snaps)
+    return on_part(hit, view, selection, pointer, snaps=snaps)
 
 
 def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
@@ -101,6 +124,11 @@ def is_end(hit: Hit, view: CurveView) -> bool:
 def is_no_part(hit: Hit | None) -> bool:
     """Whether neither a point nor a handle is hit: the curve itself, or nothing."""
     return hit is None or hit.part is Part.CURVE
+
+
+def _with_snap(pointer: Pointer, *, snaps: bool) -> str:
+    """Return what Ctrl, held, makes of snapping."""
+    return "" if not pointer.ctrl else ", without snapping" if snaps else ", snapping"
 
 
 def _snap_word(snaps: bool) -> str:

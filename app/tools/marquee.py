@@ -1,4 +1,4 @@
-"""Selecting with a rubber band."""
+"""Selecting with a rubber band: points of the curve that is edited, or curves where none is."""
 
 from __future__ import annotations
 
@@ -7,11 +7,17 @@ from collections.abc import Callable
 
 import numpy as np
 
+from curvecore.arrays import FloatArray
+
 from ..document import words
 from ..document.model import Vector
 from ..view_model.curve_view import CurveView
+from ..view_model.plane import crosses_box
+from .curve_picker import chosen_curves
 from .drag_machine import CANCELLED, THRESHOLD
 from .tool import Gesture, ToolContext
+
+_KEYS = "Shift: add to what was selected"
 
 
 class Marquee(Gesture):
@@ -25,8 +31,9 @@ class Marquee(Gesture):
 
     def __init__(self, context: ToolContext, on_click: Callable[[ToolContext], object]) -> None:
         self._press, self._on_click = context.pointer, on_click
-        self._before = context.host.selected.points
+        self._before = context.host.selected.choice
         self.band: tuple[Vector, Vector] | None = None
+        self._had = self._selected(context)
 
     def move(self, context: ToolContext) -> None:
         """Follow the pointer."""
@@ -34,8 +41,8 @@ class Marquee(Gesture):
         if self.band is None and math.dist(pointer.pixel, self._press.pixel) < THRESHOLD:
             return
         self.band = (self._press.position, pointer.position)
-        inside = _inside(self.band, context.view)
-        context.host.selected.set_points(self._before | inside if pointer.shift else inside)
+        inside = self._inside(context, np.min(self.band, axis=0), np.max(self.band, axis=0))
+        self._show(context, self._had | inside if pointer.shift else inside)
 
     def release(self, context: ToolContext) -> None:
         """End; a click beside everything deselects, with Shift it leaves the selection.
@@ -43,29 +50,87 @@ class Marquee(Gesture):
         With nothing to deselect, `on_click` is called.
         """
         self.move(context)
-        if self.band is not None or context.pointer.shift:
-            return
-        if self._before:
-            context.host.selected.set_points([])
-        else:
-            self._on_click(context)
+        if self.band is not None:
+            self._take(context)
+        elif not context.pointer.shift:
+            self._click(context)
 
     def cancel(self, context: ToolContext) -> None:
         """Bring back what was selected before."""
-        context.host.selected.set_points(self._before)
+        context.host.selected.restore(self._before)
         if self.band is not None:
             context.host.say(CANCELLED)
 
     def progress(self, context: ToolContext) -> str:
         """Tell what is selected; nothing before there is a band."""
-        if self.band is None:
-            return ""
+        return f"{self._words(context)} · Escape cancels" if self.band is not None else ""
+
+    # A subclass, for other things than points, fills in these.
+
+    def _selected(self, context: ToolContext) -> frozenset[int]:
+        return context.host.selected.points
+
+    def _inside(self, context: ToolContext, low: FloatArray, high: FloatArray) -> frozenset[int]:
+        """Return what the band takes."""
+        points = context.view.points
+        return frozenset(np.flatnonzero(np.all((points >= low) & (points <= high), axis=1)).tolist())
+
+    def _show(self, context: ToolContext, indices: frozenset[int]) -> None:
+        """Select it while the band is drawn."""
+        context.host.selected.set_points(indices)
+
+    def _take(self, context: ToolContext) -> None:
+        """Leave it selected: the band has ended."""
+
+    def _click(self, context: ToolContext) -> None:
+        if self._had:
+            context.host.selected.set_points([])
+        else:
+            self._on_click(context)
+
+    def _words(self, context: ToolContext) -> str:
         selection = context.host.selected.points
         selected = f"{words.points(selection)} selected" if selection else "No point selected"
-        return f"{selected[:1].upper()}{selected[1:]} · Shift: add to what was selected · Escape cancels"
+        return f"{selected[:1].upper()}{selected[1:]} · {_KEYS}"
 
 
-def _inside(band: tuple[Vector, Vector], view: CurveView) -> frozenset[int]:
-    low, high = np.min(band, axis=0), np.max(band, axis=0)
-    inside = np.all((view.points >= low) & (view.points <= high), axis=1)
-    return frozenset(np.flatnonzero(inside).tolist())
+class CurveMarquee(Marquee):
+    """Rubber band while no curve is edited: chooses the visible, free curves that lie wholly inside.
+
+    With Alt those that it touches, too.
+    """
+
+    def _selected(self, context: ToolContext) -> frozenset[int]:
+        return context.host.selected.chosen
+
+    def _inside(self, context: ToolContext, low: FloatArray, high: FloatArray) -> frozenset[int]:
+        return frozenset(
+            place
+            for place, view in enumerate(context.host.views)
+            if view.source.visible
+            and not view.source.locked
+            and view.has_curve
+            and _is_taken(view, low, high, touched=context.pointer.alt)
+        )
+
+    def _show(self, context: ToolContext, indices: frozenset[int]) -> None:
+        context.host.selected.show_choice(indices)
+
+    def _take(self, context: ToolContext) -> None:
+        context.host.selected.choose(context.host.selected.chosen)
+
+    def _click(self, context: ToolContext) -> None:
+        self._on_click(context)
+
+    def _words(self, context: ToolContext) -> str:
+        return f"{chosen_curves(context.host)} · {_KEYS} · Alt: curves that are touched"
+
+
+def _is_taken(view: CurveView, low: FloatArray, high: FloatArray, *, touched: bool) -> bool:
+    """Whether a curve lies inside a box, or is at least touched by it."""
+    lowest, highest = view.polyline.min(axis=0), view.polyline.max(axis=0)
+    if np.all(lowest >= low) and np.all(highest <= high):
+        return True
+    if not touched or np.any(highest < low) or np.any(lowest > high):
+        return False
+    return crosses_box(view.polyline, low, high)

@@ -7,7 +7,7 @@ import math
 from ..document.image_edits import move_image, scale_image
 from ..document.model import Document, ReferenceImage, Vector
 from .drag import Drag, along_axis, longer_axis, minus
-from .pointer import Cursor, Hint, Part, Pointer
+from .pointer import Cursor, Hint, Part, Pointer, Stride
 from .tool import Tool, ToolContext, ToolRecord
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
@@ -72,9 +72,10 @@ class MoveImageTool(Tool):
         else:
             context.drags.press(pointer, MoveImage(document, pointer.position))
 
-    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
         """Move the picture by a pixel."""
-        host, by = context.host, (direction[0] * factor * pixel, direction[1] * factor * pixel)
+        host, way = context.host, stride.pixel * stride.factor
+        by = (direction[0] * way, direction[1] * way)
         if host.document.image is None or host.document.image.locked:
             return True
         host.change("Nudge image", lambda document: move_image(document, by), run="image")

@@ -7,6 +7,10 @@ from enum import Enum, auto
 import msgspec
 
 from ..document.model import Vector
+from ..document.transforms import clean_step, decimal_product
+
+_LEAST_PIXELS = 2.0
+"""Pixels of a step by an arrow key, at least; the round number is at most two and a half times as far."""
 
 
 class Part(Enum):
@@ -79,6 +83,8 @@ class Pointer(msgspec.Struct, frozen=True):
         Pixels per unit of the plane, for what is measured on the screen.
     ripple
         Whether E is held: on the t-rail, the ticks ahead go along.
+    is_double
+        Whether a press is the second one of a double click.
     """
 
     position: Vector
@@ -89,6 +95,7 @@ class Pointer(msgspec.Struct, frozen=True):
     alt: bool = False
     scale: float = 1.0
     ripple: bool = False
+    is_double: bool = False
 
     def way_from(self, place: Vector) -> Vector:
         """Return the way from a place of the plane."""
@@ -99,8 +106,37 @@ ORIGIN = Pointer((0.0, 0.0), (0.0, 0.0))
 """The pointer of what is done with no mouse: of keys."""
 
 
+class Stride(msgspec.Struct, frozen=True):
+    """Length of the way by an arrow key.
+
+    Attributes
+    ----------
+    pixel
+        The size of a pixel in the plane.
+    factor
+        How many times as far as usual: ten with Shift, a tenth with Ctrl.
+    is_pixel
+        Whether a pixel is meant, whatever step would be usual.
+    """
+
+    pixel: float
+    factor: float = 1.0
+    is_pixel: bool = False
+
+    def length(self, step: float | None = None) -> float:
+        """Return the way: so many times `step`, or else of a round number of some pixels; or of a pixel.
+
+        It is a short decimal number each time, a pixel as well: it is rounded to two digits.
+        """
+        if self.is_pixel:
+            step = float(f"{self.pixel:.2g}")
+        elif step is None:
+            step = clean_step(_LEAST_PIXELS * self.pixel)
+        return decimal_product(step, self.factor)
+
+
 class Cursor(Enum):
-    """Shape of the pointer, by its name in Qt: that of a tool, or of what a press would do."""
+    """Shape of the pointer, of a tool or of what a press would do: its name in Qt, or that of an icon."""
 
     ARROW = "ArrowCursor"
     CROSS = "CrossCursor"
@@ -110,7 +146,8 @@ class Cursor(Enum):
     HIGHER = "SizeVerCursor"
     RISING = "SizeBDiagCursor"
     FALLING = "SizeFDiagCursor"
-    ROTATE = ""
+    ROTATE = "rotate"
+    BEND = "bend"
 
 
 class Hint(msgspec.Struct, frozen=True):

@@ -14,7 +14,7 @@ from ..document.model import Document, Vector
 from ..view_model.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingHost
-from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
 from .tool import Gesture, Tool, ToolContext, ToolRecord
 
 _LEAST_GAP = 1e-3
@@ -70,7 +70,7 @@ class ScrubTool(Tool):
         """Begin to scrub."""
         self.gesture = Scrubbing(context, self.t_at)
 
-    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
         """Leave arrow keys alone: no point is meant here."""
         return False
 
@@ -207,13 +207,13 @@ class RailTool(ScrubTool):
         drag = _drag(host, pointer.position[0], hit.knot, hit.index)
         context.drags.press(pointer, drag, on_click=lambda: _click(context, hit, before))
 
-    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
         """Move the selected ticks by a pixel; return whether there are any."""
         host = context.host
         if not direction[0] or not host.selected.points or not len(host.active_view.ticks):
             return False
         first = min(host.selected.points)
-        drag = _drag(host, -direction[0] * pixel * factor, first, first)
+        drag = _drag(host, -direction[0] * stride.pixel * stride.factor, first, first)
         context.drags.nudge(drag, ("ticks", host.active_index, host.selected.points))
         return True
 

@@ -58,7 +58,7 @@ class Snappers:
 
     def for_group(self, group: PointGroup, place: int = -1) -> Snapper:
         """Return the snapper of what moves together: of the point at `place`, where it is of one curve."""
-        if not group.is_several:
+        if not group.is_whole:
             return self.for_points(group.parts[0][1], place)
         return self._make(lambda: targets_of(*self._beside(group), -1, self._kinds))
 
@@ -84,7 +84,7 @@ class Snappers:
         return (
             [host.views[place] for place in places],
             places.index(host.active_index),
-            moving[host.active_index],
+            moving.get(host.active_index, ()),
         )
 
     def _make(self, collect: Callable[[], Targets]) -> Snapper:

@@ -1,13 +1,14 @@
-"""Target of the transforms: the selected points, or else all of several selected curves."""
+"""Target of the transforms: the selected points, or else the curves that are chosen as wholes."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.several_curves import PointGroup, points_of, whole_curves
+from ..document.shapes import whole_shapes
 from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView
 from ..view_model.pivot import Pivot, anchored
@@ -20,13 +21,16 @@ from .transform_box import Grip, ScaleBox, TransformBox, box_of
 
 
 class TransformTarget:
-    """The selected points of the active curve; with none and several curves selected, those curves.
+    """The selected points of the active curve; with none, the curves that are chosen as wholes.
 
-    It says what is meant, and makes the drags that transform it.
+    It says what is meant, and makes the drags that transform it; `scales_strokes` tells whether they scale
+    the widths of strokes, too.
     """
 
-    def __init__(self, host: EditingHost, snappers: Snappers) -> None:
-        self._host, self._snappers = host, snappers
+    def __init__(
+        self, host: EditingHost, snappers: Snappers, scales_strokes: Callable[[], bool] = lambda: False
+    ) -> None:
+        self._host, self._snappers, self._scales_strokes = host, snappers, scales_strokes
         # The last group with its box, and the views and sets of indices they were found for.
         self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int], bool] | None = None
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
@@ -43,19 +47,24 @@ class TransformTarget:
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
-        views, selection, selected = host.views, host.selected.points, host.selected.curves
+        views, selection, chosen = host.views, host.selected.points, host.selected.chosen
         known, live = self._known, host.is_previewing
-        if known is None or known[0] is not views or known[1:] != (selection, selected, live):
-            self._known = (views, selection, selected, live)
+        if known is None or known[0] is not views or known[1:] != (selection, chosen, live):
+            self._known = (views, selection, chosen, live)
             group = points_of(host.active_index, selection) if selection else self.curves
             self._found = (group, box_of(views, group, live=live) if group is not None else None)
         return self._found
 
     @property
     def curves(self) -> PointGroup | None:
-        """The selected curves where there are several, whatever points are selected."""
+        """The curves that are chosen as wholes, whatever points are selected; None for none."""
         host = self._host
-        return whole_curves(host.document, host.selected.curves) if len(host.selected.curves) > 1 else None
+        return whole_curves(host.document, host.selected.chosen) if host.selected.chosen else None
+
+    def with_curve(self, curve: int) -> PointGroup:
+        """Return what a drag of a curve moves: all chosen ones if it is one of them, or else its shape."""
+        document, chosen = self._host.document, self._host.selected.chosen
+        return whole_curves(document, chosen if curve in chosen else whole_shapes(document, (curve,)))
 
     @property
     def for_keys(self) -> PointGroup:
@@ -73,6 +82,8 @@ class TransformTarget:
     @property
     def refusal_of_keys(self) -> str:
         """Why keys cannot transform anything: it is locked, or there is nothing."""
+        if self.group is None and not self._host.selected.is_editing:
+            return "No curve is chosen; click one, or press Ctrl+A for all."
         group, source = self.for_keys, self._host.active_view.source
         if not any(indices for _, indices in group.parts):
             return f"“{source.name}” has no points yet; press P to add some."
@@ -143,6 +154,7 @@ class TransformTarget:
             snapper,
             grip,
             everything=self.group is None,
+            scales_strokes=self._scales_strokes(),
         )
 
     def _nearest(self, group: PointGroup, pointer: Pointer) -> tuple[int, int]:
@@ -158,14 +170,20 @@ class TransformTarget:
         assert box is not None
         snapper = self._snappers.for_grip(grip, group)
         host = self._host
-        return ScaleBox(host.document, host.views, group, box, self.centre, grip, pointer.position, snapper)
-
-    def moving_curves(self, pointer: Pointer) -> MovePoints | None:
-        """Return the drag of the selected curves by one of them, None where only one is selected."""
-        group = self.curves
-        if group is None:
-            return None
-        grip = self._nearest(group, pointer)
-        return MovePoints(
-            self._host.document, group, pointer.position, self._snappers.for_group(group, grip[1]), grip
+        return ScaleBox(
+            host.document,
+            host.views,
+            group,
+            box,
+            self.centre,
+            grip,
+            pointer.position,
+            snapper,
+            scales_strokes=self._scales_strokes(),
         )
+
+    def moving(self, group: PointGroup, pointer: Pointer) -> MovePoints:
+        """Return the drag of a group from the pointer on; what snaps is its point that is nearest."""
+        grip = self._nearest(group, pointer)
+        snapper = self._snappers.for_group(group, grip[1])
+        return MovePoints(self._host.document, group, pointer.position, snapper, grip)

@@ -9,7 +9,6 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
-from ..document.transforms import decimal_product
 from ..view_model.curve_view import CurveView
 from ..view_model.records import Records
 from .background import Background
@@ -17,7 +16,7 @@ from .drag_machine import DragMachine, EditingHost
 from .drags import NudgePoints
 from .marks import GestureMarks, Note
 from .pencil_detail import PencilDetail
-from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
 from .snappers import Snappers
 from .snapping import SnapKind, Snapping, with_snap
 from .target import TransformTarget
@@ -34,6 +33,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         The name of the unit of length, for what is measured.
     shows_box
         Whether two or more selected points, or several selected curves, get a box with grips.
+    scale_strokes
+        Whether strokes get wider with the curve that they are of.
     pencil
         How near a curve comes to what the pencil draws.
     """
@@ -41,6 +42,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     snapping: Snapping = Snapping()
     unit: str = ""
     shows_box: bool = True
+    scale_strokes: bool = True
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 
@@ -189,8 +191,8 @@ class Tool:
         """Whether a key is for the tool that would be a shortcut otherwise."""
         return False
 
-    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
-        """Move the selected points, or curves, by a step of the grid or, not snapping, a pixel.
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+        """Move the selected points, or curves, by a step of the grid or, not snapping, of a round number.
 
         Return whether the arrow key meant something.
         """
@@ -198,10 +200,20 @@ class Tool:
         if group is None:
             return True
         snaps = snapping.on and SnapKind.GRID in snapping.kinds
-        step = decimal_product(context.grid() if snaps else pixel, factor)
-        way = (direction[0] * step, direction[1] * step)
-        drag = NudgePoints(context.host.document, group, way, snaps)
+        step = stride.length(context.grid() if snaps else None)
+        drag = NudgePoints(context.host.document, group, (direction[0] * step, direction[1] * step))
         context.drags.nudge(drag, ("points", group))
+        return True
+
+    def walk(self, context: ToolContext, step: int) -> bool:
+        """Select the next (1) or previous (−1) point; return whether there is one."""
+        host = context.host
+        points, count = host.selected.points, len(host.active_view.source.points)
+        here = max(points) if points and step > 0 else min(points, default=count)
+        index = here + step if points or step < 0 else 0
+        if not 0 <= index < count:
+            return False
+        host.selected.set_points([index])
         return True
 
     def cancel(self, context: ToolContext) -> None:

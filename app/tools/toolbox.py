@@ -11,7 +11,7 @@ from ..document.model import Vector
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
-from .pointer import Hint, Hit, Pointer
+from .pointer import Hint, Hit, Pointer, Stride
 from .snappers import Snappers
 from .target import TransformTarget
 from .tool import Tool, ToolContext, ToolRecord, ToolSettings
@@ -51,7 +51,7 @@ class Toolbox:
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
-        self._target = TransformTarget(host, self._snappers)
+        self._target = TransformTarget(host, self._snappers, lambda: self.settings.scale_strokes)
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None
@@ -105,6 +105,9 @@ class Toolbox:
         self._chosen.dismiss()
         self.record = record
         self._chosen = self._of(record)
+        if not self._chosen.finds_other_curves and not self._host.selected.is_editing:
+            # Whole curves are chosen with the tool that selects alone; the others work on the active one.
+            self._host.selected.activate(self._host.active_index)
 
     def lay_above(self, record: ToolRecord | None) -> None:
         """Use a tool in place of the one that is chosen, until None gives way to that again."""
@@ -170,24 +173,13 @@ class Toolbox:
         self._give_way()
         return taken
 
-    def nudge(self, direction: Vector, pixel: float, factor: float = 1.0) -> bool:
+    def nudge(self, direction: Vector, stride: Stride) -> bool:
         """Move what the tool moves by an arrow key; return whether the key meant something."""
-        return not self.is_pressed and self.tool.nudge(self.context, direction, pixel, factor)
+        return not self.is_pressed and self.tool.nudge(self.context, direction, stride)
 
     def walk(self, step: int) -> bool:
-        """Select the next (1) or previous (−1) point; return whether there is one."""
-        host = self._host
-        count = len(host.active_view.source.points)
-        here = (
-            max(host.selected.points)
-            if host.selected.points and step > 0
-            else min(host.selected.points, default=count)
-        )
-        index = here + step if host.selected.points or step < 0 else 0
-        if not 0 <= index < count:
-            return False
-        host.selected.set_points([index])
-        return True
+        """Go to the next thing (1) or the one before (−1); return whether there is one."""
+        return self.tool.walk(self.context, step)
 
     def cancel(self) -> bool:
         """Take the gesture in flight back; return whether there was one."""

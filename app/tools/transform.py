@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from ..document import words
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup, mapped, moved
+from ..document.several_curves import PointGroup, mapped, moved, scaled_strokes
 from ..document.transforms import rotation, scaling
 from .drag import Drag, plus
 from .drags import MovePoints
@@ -61,6 +61,8 @@ class Transform(Drag, frozen=True):
         Whether it is dragged by the grip of a box, where no keys are taken.
     everything
         Whether it acts on all points of the curve because none is selected: the words say so.
+    scales_strokes
+        Whether a scale changes the widths of strokes, too.
     """
 
     kind: TransformKind
@@ -73,6 +75,7 @@ class Transform(Drag, frozen=True):
     typed: TypedAmount = TypedAmount()
     by_grip: bool = False
     everything: bool = False
+    scales_strokes: bool = False
 
     @property
     def name(self) -> str:
@@ -153,10 +156,10 @@ class Transform(Drag, frozen=True):
                 return moved(self.document, self.group, self._displacement(pointer))
             return self._move().document_at(pointer)
         if self.kind is TransformKind.ROTATE:
-            by = rotation(self._degrees(pointer), self.centre)
-        else:
-            by = scaling(*self._factors(pointer), self.centre)
-        return mapped(self.document, self.group, by)
+            return mapped(self.document, self.group, rotation(self._degrees(pointer), self.centre))
+        x, y = self._factors(pointer)
+        document = mapped(self.document, self.group, scaling(x, y, self.centre))
+        return scaled_strokes(document, self.group, x, y) if self.scales_strokes else document
 
     def _move(self) -> MovePoints:
         return MovePoints(self.document, self.group, self.start, self.snapper, self.grip, self.axis)

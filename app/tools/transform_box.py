@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from ..document import words
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup
+from ..document.several_curves import PointGroup, scaled_strokes
 from ..document.transforms import scaling, with_coordinates
 from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView
@@ -59,6 +59,11 @@ class TransformBox(Bounds, frozen=True):
         pad = PADDING / scale
         return (self.low[0] - pad, self.low[1] - pad), (self.high[0] + pad, self.high[1] + pad)
 
+    def holds(self, pointer: Pointer) -> bool:
+        """Whether a pointer lies inside, as the box is drawn."""
+        (x, y), (low, high) = pointer.position, self.padded(pointer.scale)
+        return low[0] <= x <= high[0] and low[1] <= y <= high[1]
+
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale a side without length."""
         low, high = self.padded(scale)
@@ -103,6 +108,8 @@ class ScaleBox(Drag, frozen=True):
         The views of the curves at the press.
     pivot
         What stays where it is with Shift.
+    scales_strokes
+        Whether it changes the widths of strokes, too.
     """
 
     views: Sequence[CurveView]
@@ -112,6 +119,7 @@ class ScaleBox(Drag, frozen=True):
     grip: Grip
     start: Vector
     snapper: Snapper
+    scales_strokes: bool = False
 
     keys = "Shift: about the pivot · Ctrl: keep proportions · Alt: snap, or not"
 
@@ -127,7 +135,12 @@ class ScaleBox(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Scale about the opposite side, or about the pivot with Shift."""
-        by = scaling(*self._factors(self._displacement(pointer), pointer), self._fixed(pointer))
+        x, y = self._factors(self._displacement(pointer), pointer)
+        document = self._scaled(x, y, pointer)
+        return scaled_strokes(document, self.group, x, y) if self.scales_strokes else document
+
+    def _scaled(self, x: float, y: float, pointer: Pointer) -> Document:
+        by = scaling(x, y, self._fixed(pointer))
         caught = self.snapper.caught
         corners, tolerance = (by.point(self.box.low), by.point(self.box.high)), _TOLERANCE / pointer.scale
         if caught is None:

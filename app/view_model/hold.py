@@ -41,9 +41,9 @@ _NEAR = 0.25
 class BendWith(Enum):
     """The data that a bend changes, in words."""
 
-    ALL = "points and derivatives change"
-    POINTS = "only points change"
-    DERIVATIVES = "only derivatives change"
+    ALL = "the points come along"
+    POINTS = "the points alone move"
+    DERIVATIVES = "the points stay"
 
 
 class DatumChange(msgspec.Struct, frozen=True):
@@ -69,6 +69,12 @@ class Hold(msgspec.Struct, frozen=True):
     price: float = 1.0
 
 
+def has_handles(view: CurveView) -> bool:
+    """Whether a curve can be bent between its points while these stay."""
+    family = view.source.family
+    return bool(family.derivatives) and family.curve_class.is_local
+
+
 def required_hold(view: CurveView, t: float, using: BendWith) -> Hold:
     """Return the hold of the data that may change on a current curve at `t`.
 
@@ -77,16 +83,19 @@ def required_hold(view: CurveView, t: float, using: BendWith) -> Hold:
     EditError
         If they have none.
     """
-    family, segment = view.source.family, segment_at(view.parameters, t)
-    if not (family.derivatives and family.curve_class.is_local):
+    segment = segment_at(view.parameters, t)
+    if not has_handles(view):
         hold = _hold_of_points(view, t, range(len(view.source.points)))
     elif using is BendWith.POINTS:
         hold = _hold_of_points(view, t, (segment, segment + 1))
     else:
         hold = _hold_of_segment(view, t, segment, ends_stay=using is BendWith.DERIVATIVES)
     if hold.strength < _LEAST_HOLD:
-        what = "The derivatives have" if using is BendWith.DERIVATIVES else "The points have"
-        raise EditError(f"{what} no hold on the curve so close to a point; grab it farther away.")
+        if using is BendWith.DERIVATIVES:
+            raise EditError(
+                "The handles have no hold on the curve so close to a point; with Alt the point comes along."
+            )
+        raise EditError("The points have no hold on the curve so close to a point; grab it farther away.")
     return hold
 
 

@@ -52,7 +52,7 @@ class Rendering(QObject):
         if not session.is_previewing:
             view.settle()
         self._canvas.drawing.render_view(view)
-        self._canvas.drawing.render_others(session.views, session.active_index, session.selected.curves)
+        self._render_others()
         self._commands.follow(view)
         if not session.is_previewing:
             self._render_panels()
@@ -68,8 +68,13 @@ class Rendering(QObject):
         self._canvas.drawing.set_selection(selection)
         self._render_commands()
 
-    def _render_selected_curves(self, selected: frozenset[int]) -> None:
-        self._canvas.drawing.render_others(self._session.views, self._session.active_index, selected)
+    def _render_others(self) -> None:
+        session, selected = self._session, self._session.selected
+        edited = session.active_index if selected.is_editing else None
+        self._canvas.drawing.render_others(session.views, edited, selected.chosen)
+
+    def _render_selected_curves(self) -> None:
+        self._render_others()
         self._canvas.hover_again()
         self._render_commands()
 

@@ -4,7 +4,7 @@
 - ``central_area``: the plots and what lies over them.  ``central_pane``: one below the canvas.
   ``message_bar``: the line on the canvas.  ``notice_bar``: one about a file, with several buttons.
 - ``docks``: panels at the sides.  ``dock``: one of them; many are built when they are first shown.
-  ``dock_room``: room for one that needs more than its share.
+  ``dock_room``: room for one that needs more than its share.  ``dock_title``: its buttons.
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
   ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from app.document import edits
 from app.document.edits import EditError
@@ -22,6 +23,7 @@ from curvecore.bezier.polylines import segment_distance
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
+NO_KEYS = Qt.KeyboardModifier.NoModifier
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 
 
@@ -50,7 +52,7 @@ def middle(editor, segment=1, share=0.4):
     return t, (float(x), float(y))
 
 
-@pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, CTRL, ALT])
+@pytest.mark.parametrize("keys", [NO_KEYS, CTRL, ALT])
 @pytest.mark.parametrize("family", FAMILIES)
 def test_the_grabbed_point_stays_under_the_pointer(arch, family, keys):
     document = arch.session.document
@@ -71,8 +73,8 @@ def test_the_grabbed_point_stays_under_the_pointer(arch, family, keys):
         assert arch.session.undo_stack.undoText().startswith("Bend curve at t = 0."), kind
         if keys == CTRL:
             assert all(point.velocity is None for point in arch.curve.points), kind
-        if keys == ALT and family.derivatives:
-            assert [point.position for point in arch.curve.points] == list(POINTS), kind
+        is_same = [point.position for point in arch.curve.points] == list(POINTS)
+        assert is_same == (keys == NO_KEYS and bool(family.derivatives)), kind
 
 
 def test_it_is_one_step_that_undo_takes_back(arch):
@@ -105,19 +107,73 @@ def test_a_click_on_the_curve_selects_nothing_and_tells_the_point(arch):
     assert "c(t) = (" in arch.status
 
 
-def test_the_status_line_tells_the_modifiers(arch):
-    _, place = middle(arch)
+@pytest.mark.parametrize("family", FAMILIES)
+def test_the_status_line_says_before_the_press_whether_the_points_stay(arch, family):
+    arch.choose_family(family)
+    line, place = arch.window.status_line, middle(arch)[1]
     arch.hover(place)
-    assert "Drag to bend the curve" in arch.window.status_line.hint
-    assert "Ctrl" not in arch.window.status_line.hint
+    if not family.derivatives:
+        assert line.hint == f"Drag to bend; this family has no handles: the {family.point}s move"
+        return
+    assert line.hint == "Drag to bend; the points stay · Alt: points come along · Ctrl: points alone"
+    # While a key is held, what it does.
+    arch.move(place, held=False, keys=ALT)
+    assert line.hint == "Drag to bend; the points come along"
+    arch.move(place, held=False, keys=CTRL)
+    assert line.hint == "Drag to bend; the points alone move"
+
+
+def test_a_key_counts_before_and_during_a_bend_and_the_pointer_shows_it(arch):
     arch.choose_family(HERMITE)
-    arch.hover(middle(arch)[1])
-    assert "Ctrl: points only · Alt: derivatives only" in arch.window.status_line.hint
-    assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
-    arch.press(middle(arch)[1], keys=ALT)
-    arch.move((2, 3), keys=ALT)
-    assert "only derivatives change" in arch.status
+    canvas, line, place = arch.window.canvas, arch.window.status_line, middle(arch)[1]
+    arch.hover((place[0], place[1] + 1))
+    assert canvas.viewport().cursor().shape() == Qt.CursorShape.ArrowCursor
+    arch.hover(place)
+    assert canvas.viewport().cursor().shape() == Qt.CursorShape.BitmapCursor
+    canvas.setFocus()
+    QTest.keyPress(canvas, Qt.Key.Key_Alt)
+    arch.settle()
+    assert line.hint == "Drag to bend; the points come along"
+    QTest.keyRelease(canvas, Qt.Key.Key_Alt)
+    arch.settle()
+    assert line.hint.startswith("Drag to bend; the points stay")
+    arch.press(place)
+    arch.move((2, 3))
+    assert arch.status.startswith("Bend at t = 0.")
+    assert ": the points stay · Alt: points come along · Ctrl: points alone" in arch.status
+    assert [point.position for point in arch.curve.points] == list(POINTS)
+    QTest.keyPress(canvas, Qt.Key.Key_Alt)
+    arch.settle()
+    assert ": the points come along" in arch.status
+    assert [point.position for point in arch.curve.points] != list(POINTS)
+    QTest.keyRelease(canvas, Qt.Key.Key_Alt)
+    arch.settle()
+    assert [point.position for point in arch.curve.points] == list(POINTS)
     arch.escape()
+
+
+def test_estimated_handles_beside_the_bend_are_set_by_it_and_no_others(arch):
+    arch.choose_family(HERMITE)
+    start = middle(arch)[1]
+    arch.drag(start, (start[0], start[1] + 0.5))
+    assert [point.velocity is not None for point in arch.curve.points] == [False, True, True, False]
+
+
+def test_without_handles_the_points_move_and_it_is_said(arch):
+    arch.choose_family(LAGRANGE)
+    start = middle(arch)[1]
+    arch.press(start)
+    arch.move((start[0], start[1] + 0.5))
+    assert "this family has no handles: the points move" in arch.status
+    arch.release((start[0], start[1] + 0.5))
+    assert [point.position for point in arch.curve.points] != list(POINTS)
+
+
+def test_so_close_to_a_point_that_no_handle_reaches_alt_is_offered():
+    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE).curves[0])
+    with pytest.raises(EditError, match="with Alt the point comes along"):
+        Bend(view, float(view.parameters[1]), BendWith.DERIVATIVES)
+    Bend(view, float(view.parameters[1]), BendWith.ALL).bent((2.0, 3.0), 1e-6)
 
 
 def test_the_change_is_the_one_of_least_norm():

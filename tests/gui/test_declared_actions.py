@@ -157,7 +157,7 @@ def test_a_panel_is_declared_on_what_builds_it(counting):
     assert dock.widget() is None
     assert "countDockShown" in entries(submenu(counting.window, "View", "Panels"))
     counting.show_dock("countDock")
-    assert [label.text() for label in dock.findChildren(QLabel)] == ["Counted"]
+    assert [label.text() for label in dock.widget().findChildren(QLabel)] == ["Counted"]
 
 
 def test_palette_keys_and_sheet_know_it(counting):

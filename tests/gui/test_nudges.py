@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.document.model import Document, make_curve
+from app.document.transforms import clean_step
 from app.features.history.commands import HistoryCommands
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
@@ -43,13 +44,13 @@ def wait(editor, seconds):
 
 
 def test_quick_nudges_are_one_step_and_one_row(arch):
-    document = arch.session.document
+    document, step = arch.session.document, clean_step(2 * arch.pixel)
     arch.select([0, 1, 2])
     for key in (RIGHT, RIGHT, UP):
         arch.key(key)
         wait(arch, 0.9)
     assert history(arch) == ["Begin", "Nudge 3 points"]
-    assert arch.point(2) == pytest.approx((3 + 2 * arch.pixel, 2 + arch.pixel))
+    assert arch.point(2) == pytest.approx((3 + 2 * step, 2 + step))
     moved = arch.session.document
     arch.trigger("undo")
     assert arch.session.document is document

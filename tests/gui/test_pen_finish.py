@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.document import edits
 from app.document.model import Point
@@ -45,7 +45,7 @@ def sizes(editor):
 def test_enter_finishes_and_the_next_press_begins_another_curve(pen, key):
     document, steps = pen.session.document, pen.session.undo_stack.count()
     pen.hover(at(pen, 300, 150))
-    assert hint(pen).startswith("Click to add point 3 · Enter: finish the curve")
+    assert hint(pen).startswith("Click to add point 3 · Enter, double click: finish the curve")
     pen.key(key)
     assert pen.status == "“Curve 1” is finished; the next press begins another curve."
     assert hint(pen).startswith("Click to begin another curve · Shift: add point 3 to this one")
@@ -254,3 +254,51 @@ def test_enter_with_one_point_says_what_is_missing(editor):
     assert editor.status == "A curve needs two points before it can be finished."
     editor.click((2.0, 1.0))
     assert len(editor.curve.points) == 2
+
+
+# Double click
+
+
+def test_a_double_click_adds_one_point_and_finishes(pen):
+    steps = pen.session.undo_stack.count()
+    pen.double_click(at(pen, 300, 150))
+    assert sizes(pen) == [4]
+    assert pen.session.undo_stack.count() == steps + 1
+    assert pen.status == "“Curve 1” is finished; the next press begins another curve."
+    pen.click(at(pen, 340, 150))
+    assert sizes(pen) == [4, 1]
+
+
+def test_a_curve_of_double_clicks_alone_needs_two_points(editor):
+    editor.new()
+    editor.double_click(at(editor, 0, 0))
+    assert sizes(editor) == [1]
+    editor.double_click(at(editor, 100, 60))
+    assert sizes(editor) == [2]
+    editor.click(at(editor, 200, 60))
+    assert sizes(editor) == [2, 1]
+
+
+def test_a_double_click_on_the_first_point_closes(pen):
+    pen.double_click(pen.point(0))
+    assert sizes(pen) == [3]
+    assert pen.curve.is_closed
+    assert pen.session.undo_stack.undoText() == "Close Curve 1"
+
+
+def test_the_second_press_of_a_double_click_drags_the_point_as_any_press_does(pen):
+    place = at(pen, 300, 150)
+    pen.click(place)
+    pixel = pen.window.canvas.to_pixel(*place)
+    pen.send(pen.window.canvas, QEvent.Type.MouseButtonDblClick, pixel)
+    pen.move(at(pen, 320, 180))
+    pen.release(at(pen, 320, 180))
+    assert pen.point(3) == pytest.approx(at(pen, 320, 180), abs=2 * pen.pixel)
+    pen.click(at(pen, 360, 200))
+    assert sizes(pen) == [5]
+
+
+def test_a_click_on_the_first_point_closes_a_curve_without_handles_too_and_it_is_said(pen):
+    pen.choose_family(LAGRANGE)
+    pen.hover(pen.point(0))
+    assert hint(pen) == "Click to close the curve · Drag to move point 0"

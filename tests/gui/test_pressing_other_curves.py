@@ -1,12 +1,14 @@
-"""A press, a drag or a right click on a curve that is not the one edited acts on it at once; real events."""
+"""A drag of a curve that is not the one edited moves it whole, a click edits it; real events."""
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.fixture
@@ -28,31 +30,71 @@ def close(editor):
     QTest.keyClick(editor.menu(), Qt.Key.Key_Escape)
 
 
-def test_a_press_edits_it_and_the_drag_bends_it(three):
+def moved_by(editor, before, row):
+    """How far a curve has moved since `before`; it must have moved whole."""
+    places = [
+        np.array([point.position for point in document.curves[row].points])
+        for document in (before, editor.session.document)
+    ]
+    ways = places[1] - places[0]
+    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
+    return tuple(ways[0].tolist())
+
+
+@pytest.mark.parametrize("at", [(2, 6), None])
+def test_a_drag_moves_it_whole_and_edits_it_not(three, at):
     before, steps = three.session.document, three.session.undo_stack.count()
-    x, y = on_curve(three, 2)
+    three.select([1])
+    x, y = at or on_curve(three, 2)
     three.press((x, y))
-    assert three.curve.name == "C"
-    three.move((x, y + 0.4))
-    assert three.status.startswith("Bend at t = 0.45")
-    three.release((x, y + 0.4))
-    assert on_curve(three, 2)[1] == pytest.approx(y + 0.4, abs=2 * three.pixel)
-    assert three.session.undo_stack.count() == steps + 1
-    assert three.session.undo_stack.undoText().startswith("Bend curve at t = 0.45")
+    assert three.curve.name == "B"
+    three.move((x + 0.2, y + 0.4))
+    assert three.status.startswith("Move C by 0.")
+    three.release((x + 0.2, y + 0.4))
+    assert moved_by(three, before, 2) == pytest.approx((0.2, 0.4), abs=2 * three.pixel)
     assert three.session.document.curves[:2] == before.curves[:2]
+    assert (three.curve.name, three.session.selection) == ("B", {1})
+    assert three.session.undo_stack.count() == steps + 1
+    assert three.session.undo_stack.undoText() == "Move C"
     three.trigger("undo")
     assert three.session.document == before
-    assert three.curve.name == "C"
+    assert (three.curve.name, three.session.selection) == ("B", {1})
 
 
-def test_a_drag_of_its_point_moves_the_point(three):
-    steps = three.session.undo_stack.count()
-    three.drag((2, 6), (2.3, 6.6))
-    assert three.curve.name == "C"
-    assert three.point(2) == pytest.approx((2.3, 6.6), abs=2 * three.pixel)
-    assert three.session.selection == {2}
-    assert three.session.undo_stack.count() == steps + 1
-    assert three.session.undo_stack.undoText() == "Move point 2"
+def test_the_status_line_says_so_before_the_press(three):
+    line, at = three.window.status_line, on_curve(three, 2)
+    three.hover(at)
+    assert line.hint == "Drag to move “C” · click to edit it · Shift+click: choose it too"
+    assert three.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
+    three.move(at, held=False, keys=SHIFT)
+    assert line.hint == "Drag to move “C” along one axis · click to choose it too"
+    three.move(at, held=False, keys=CTRL)
+    assert line.hint.startswith("Drag to move “C”, snapping · click to edit it")
+
+
+def test_shift_keeps_the_drag_to_an_axis(three):
+    before = three.session.document
+    x, y = on_curve(three, 2)
+    three.drag((x, y), (x + 0.5, y + 0.2), keys=SHIFT)
+    assert moved_by(three, before, 2) == (pytest.approx(0.5, abs=2 * three.pixel), 0.0)
+    assert three.session.selected.curves == {1}
+
+
+def test_it_snaps_by_its_point_to_those_that_stay(three):
+    x, y = three.session.views[2].curve.evaluate(0.02)
+    goal, end = three.session.document.curves[0].points[2].position, (0.0, 6.0)
+    near = (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02)
+    three.press((x, y), keys=CTRL)
+    three.move(near, keys=CTRL)
+    assert "snapped to: point 2 of A" in three.status
+    three.release(near, keys=CTRL)
+    assert three.session.document.curves[2].points[0].position == goal
+    three.trigger("undo")
+    # One of the curve that is edited, too.
+    goal = three.point(1)
+    near = (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02)
+    three.drag((x, y), near, keys=CTRL)
+    assert three.session.document.curves[2].points[0].position == goal
 
 
 @pytest.mark.parametrize("at", [(2, 6), None])
@@ -95,23 +137,22 @@ def test_a_click_on_its_line_selects_nothing(three):
 
 
 @pytest.mark.parametrize("pixels", [7.4, 9.0, 15.0])
-def test_at_the_edge_of_reach_there_is_a_click_or_a_band_but_never_both(three, pixels):
+def test_at_the_edge_of_reach_it_is_moved_or_there_is_a_band_but_never_both(three, pixels):
+    before = three.session.document
     x, y = on_curve(three, 2, 0.5)
     place = (x + pixels * three.pixel * 0.7, y + pixels * three.pixel * 0.7)
     three.press(place)
     three.move((place[0] + 0.3, place[1] + 0.3))
-    edited, has_band = three.curve.name, three.window.canvas.marks.band is not None
-    assert (edited == "C") != has_band
+    assert (three.session.document != before) != (three.window.canvas.marks.band is not None)
     three.escape()
     three.release(place)
+    assert three.session.document is before
 
 
-def test_shift_click_still_chooses_and_a_shift_drag_moves_nothing(three):
+def test_shift_click_chooses_it_too(three):
     before = three.session.document
     three.click(on_curve(three, 2), keys=SHIFT)
     assert (three.session.active_index, three.session.selected.curves) == (1, {1, 2})
-    three.drag(on_curve(three, 0), (1.5, -1), keys=SHIFT)
-    assert three.session.active_index == 1
     assert three.session.document is before
 
 
@@ -133,14 +174,15 @@ def test_a_locked_curve_refuses_with_a_sentence(three):
     three.hover((x, y))
     assert three.window.status_line.hint == "Click to edit “C” (locked) · Shift+click: choose it too"
     for start in ((x, y), (2, 6)):
-        three.session.selected.activate(1)
         three.press(start)
         three.move((start[0] + 0.5, start[1] + 0.5))
         assert three.session.document is before
         assert three.status == sentence
         three.release((start[0] + 0.5, start[1] + 0.5))
         assert three.session.document is before
-        assert three.status == sentence
+        assert three.curve.name == "B"
+    three.click((x, y))
+    assert three.curve.name == "C"
 
 
 # The right button

@@ -22,7 +22,7 @@ from app.storage.format import decode, encode
 from app.storage.validation import validate
 from app.tools.canvas.select import SELECT
 from app.tools.explain import EXPLAIN
-from app.tools.pointer import Hit, Part, Pointer
+from app.tools.pointer import Hit, Part, Pointer, Stride
 from app.tools.rail import RAIL
 from app.tools.snapping import Snapping
 from app.tools.tool import TOOLS, ToolSettings
@@ -244,7 +244,7 @@ class Gestures(RuleBasedStateMachine):
     )
     def nudge(self, direction, factor, pause):
         self.now += pause
-        self.tool.nudge(direction, 0.01, factor)
+        self.tool.nudge(direction, Stride(0.01, factor))
         # A quick one belongs to the step before, or takes it back.
         if pause == 0.0 and self.session.document != self.values[self.at]:
             index = self.session.undo_stack.index()

@@ -47,7 +47,7 @@ def has(widget, colour):
         (Qt.Key.Key_4, ALT, "“Straight Segment” needs a Hermite curve."),
         (Qt.Key.Key_4, ALT | KEYPAD, "“Straight Segment” needs a Hermite curve."),
         (Qt.Key.Key_Delete, Qt.KeyboardModifier.NoModifier, "“Delete Points” needs selected points."),
-        (Qt.Key.Key_C, CTRL, "“Copy Points” needs selected points, or several chosen curves."),
+        (Qt.Key.Key_C, CTRL, "“Copy Points” needs selected points, or chosen curves."),
         (Qt.Key.Key_Up, ALT, "“Raise Curve” needs a curve in front of this one."),
     ],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
+NO_KEYS = Qt.KeyboardModifier.NoModifier
 Key = Qt.Key
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 
@@ -457,7 +459,40 @@ def test_arrows_nudge_by_the_grid_while_snapping_in_decimal_numbers(arch):
     assert arch.point(0) == (0.3, 0.99)
 
 
-def test_ctrl_nudges_by_a_tenth_of_a_pixel(arch):
+def test_arrows_nudge_by_a_round_number_of_some_pixels_at_any_zoom(arch):
+    for width in (7, 11, 17, 0.03, 4000):
+        arch.window.canvas.camera.show_box((0, width), (0, width / 2))
+        arch.session.commit(Document((make_curve(((0.1, 0.2), (1.0, 2.0))),)), "Begin anew")
+        arch.select([0])
+        arch.key(Key.Key_Right)
+        step = Decimal(repr(arch.point(0)[0])) - Decimal("0.1")
+        assert step.normalize().as_tuple().digits in ((1,), (2,), (5,))
+        assert 2 <= float(step) / arch.pixel <= 5
+        # Decimal sums: no 0.30000000000000004, and back again is where it was, to the last bit.
+        for _ in range(2):
+            arch.key(Key.Key_Right)
+        assert arch.point(0) == (float(Decimal("0.1") + 3 * step), 0.2)
+        arch.key(Key.Key_Up, SHIFT)
+        assert arch.point(0)[1] == float(Decimal("0.2") + 10 * step)
+        for key, keys, times in ((Key.Key_Down, SHIFT, 1), (Key.Key_Left, NO_KEYS, 3)):
+            for _ in range(times):
+                arch.key(key, keys)
+        assert arch.point(0) == (0.1, 0.2)
+
+
+def test_ctrl_nudges_by_a_tenth_and_alt_by_a_pixel(arch):
     arch.select([0])
+    arch.key(Key.Key_Right)
+    step = arch.point(0)[0]
+    arch.key(Key.Key_Left)
     arch.key(Key.Key_Right, CTRL)
-    assert arch.point(0)[0] == pytest.approx(0.1 * arch.pixel, rel=1e-9)
+    assert arch.point(0)[0] == float(Decimal(repr(step)) / 10)
+    arch.trigger("undo")
+    arch.key(Key.Key_Up, ALT)
+    assert arch.point(0) == (0.0, float(f"{arch.pixel:.2g}"))
+    arch.key(Key.Key_Up, ALT | SHIFT)
+    assert arch.point(0)[1] == float(11 * Decimal(f"{arch.pixel:.2g}"))
+    # A pixel also where the grid catches.
+    arch.trigger("toggleSnap")
+    arch.key(Key.Key_Right, ALT)
+    assert arch.point(0)[0] == float(f"{arch.pixel:.2g}")

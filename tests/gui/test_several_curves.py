@@ -19,6 +19,7 @@ from app.features.curve_list.view import Spot, spot_rect
 from app.view_model import flattener
 
 CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
 LEFT = Qt.MouseButton.LeftButton
 
@@ -90,7 +91,7 @@ def test_keys_walk_the_curves_from_the_canvas(three):
 def test_a_click_on_another_curve_edits_it(three):
     at = three.session.views[2].curve.evaluate(0.45)
     three.hover(tuple(at))
-    assert three.window.status_line.hint.startswith("Click to edit “C”, drag to bend it or move a point")
+    assert three.window.status_line.hint.startswith("Drag to move “C” · click to edit it")
     three.click(tuple(at))
     assert three.curve.name == "C"
     assert three.session.undo_stack.undoText() == "Begin"
@@ -282,12 +283,12 @@ def test_a_row_dropped_where_it_was_changes_nothing(three):
 
 
 def test_keys_move_a_curve_in_the_order(three):
-    three.key(Qt.Key.Key_Up, ALT)
+    three.key(Qt.Key.Key_PageUp, CTRL | SHIFT)
     assert names(three) == "ACB"
-    three.key(Qt.Key.Key_Up, ALT)
+    three.key(Qt.Key.Key_PageUp, CTRL | SHIFT)
     assert names(three) == "ACB"
-    three.key(Qt.Key.Key_Down, ALT)
-    three.key(Qt.Key.Key_Down, ALT)
+    three.key(Qt.Key.Key_PageDown, CTRL | SHIFT)
+    three.key(Qt.Key.Key_PageDown, CTRL | SHIFT)
     assert names(three) == "BAC"
     assert three.curve.name == "B"
 

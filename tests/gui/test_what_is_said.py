@@ -288,11 +288,11 @@ def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):
 def test_a_click_edits_another_curve_and_says_so(pair):
     place = tuple(pair.session.views[0].curve.evaluate(0.5))
     pair.hover(place)
-    assert pair.status.startswith("Click to edit “A”, drag to bend it or move a point")
+    assert pair.status.startswith("Drag to move “A” · click to edit it")
     pair.click(place)
     assert pair.session.active_index == 0
     assert pair.status == "Editing “A” now."
-    assert pair.window.status_line.hint.startswith("Drag to bend the curve")
+    assert pair.window.status_line.hint.startswith("Drag to bend; the points")
 
 
 def test_the_hint_follows_a_step_without_a_move(pair):
@@ -313,7 +313,7 @@ def test_the_hint_follows_the_curve_that_is_edited(pair):
     pair.hover(place)
     pair.session.selected.activate(0)
     pair.settle()
-    assert pair.window.status_line.hint.startswith("Drag to bend the curve")
+    assert pair.window.status_line.hint.startswith("Drag to bend; the points")
 
 
 def test_the_hint_of_the_rail_follows_a_step(pair):

@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
 from app.document.model import Document, make_curve
+from app.document.transforms import clean_step
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 RIGHT, UP = Qt.Key.Key_Right, Qt.Key.Key_Up
@@ -88,10 +89,11 @@ def test_a_transform_by_key_tells_where_its_one_point_is(arch):
 def test_nudges_say_where_the_point_is_and_the_step(arch):
     arch.select([1])
     arch.key(RIGHT)
-    assert arch.status == f"Point 1 at {1 + arch.pixel:.4g}, 2 · step {arch.pixel:.4g}, 0"
+    step = clean_step(2 * arch.pixel)
+    assert arch.status == f"Point 1 at {1 + step:.4g}, 2 · step {step:.4g}, 0"
     arch.select([1, 2])
     arch.key(UP)
-    assert arch.status == f"2 points nudged · step 0, {arch.pixel:.4g}"
+    assert arch.status == f"2 points nudged · step 0, {step:.4g}"
 
 
 def test_nudges_on_the_grid_say_its_step(arch):

@@ -56,6 +56,8 @@ REMEMBERED = {
     "snap_kinds",
     "pencil",
     "transform_box",
+    "keep_proportions",
+    "scale_strokes",
     "with_estimates",
     "theme_mode",
     "as_printed",

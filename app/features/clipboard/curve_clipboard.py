@@ -30,7 +30,7 @@ class CurveClipboard:
     @property
     def has_several(self) -> bool:
         """Whether there are curves to copy: several are selected, and no point is selected."""
-        return len(self._session.selected.curves) > 1 and not self._session.selection
+        return bool(self._session.selected.chosen) and not self._session.selection
 
     def copy(self) -> None:
         """Copy all selected curves."""

@@ -92,7 +92,7 @@ _WITH_ANY_TOOL = (
     ),
     GestureRow(
         "Arrow keys",
-        "nudge the points, or ticks in the t-rail; Shift: ten, Ctrl: a tenth",
+        "nudge by a round number, or a step of the grid; Shift: ten, Ctrl: a tenth, Alt: a pixel",
         selected=True,
         curves=True,
     ),

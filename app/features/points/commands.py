@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import action, also
 from ...actions.needs import SELECTED_POINTS, Need
 from ...actions.sections import (
+    CURVE_POINTS,
     CURVE_VELOCITIES,
     EDIT_DELETE,
     EDIT_SELECT,
@@ -36,8 +37,29 @@ class PointCommands:
     @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
-        """Select all points."""
-        self._session.selected.set_points(range(len(self._session.active_curve.points)))
+        """Select all points; while no curve is edited, choose all curves."""
+        session, selected = self._session, self._session.selected
+        if selected.is_editing:
+            selected.set_points(range(len(session.active_curve.points)))
+        else:
+            selected.choose(range(len(session.document.curves)))
+
+    @action(
+        "editCurve",
+        "Edit Curve",
+        CURVE_POINTS,
+        icon="spline-pointer",
+        checked=lambda now: now.session.selected.is_editing,
+        keywords="points nodes whole curves leave objects",
+    )
+    @also(CANVAS_MENU(13))
+    def _edit_or_leave(self) -> None:
+        """Show the points of the curve and change them (Enter), or choose whole curves (Escape)."""
+        selected, active = self._session.selected, self._session.active_index
+        if selected.is_editing:
+            selected.choose((active,))
+        else:
+            selected.activate(active)
 
     @action(
         "deleteSelection",
@@ -53,7 +75,7 @@ class PointCommands:
         """Delete the selected points."""
         session, selected = self._session, self._session.selection
         if not selected:
-            if len(session.selected.curves) > 1:
+            if session.selected.chosen:
                 self._context.actions["deleteCurve"].trigger()
             return
         what = f"point {next(iter(selected))}" if len(selected) == 1 else f"{len(selected)} points"

@@ -1,26 +1,21 @@
-"""Move, scale and rotate the selected points or selected curves; align and distribute points."""
+"""Move, scale, rotate and mirror the selected points, the selected curves or the curve that is edited."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple, TypeVar
 
 from ...actions.declaration import Action, action, action_for_each, also_for_each
-from ...actions.needs import THREE_SELECTED, TWO_SELECTED
-from ...actions.sections import (
-    EDIT_ALIGN_ACROSS,
-    EDIT_ALIGN_UP,
-    EDIT_DISTRIBUTE,
-    EDIT_TRANSFORM,
-    EDIT_TRANSFORM_BOX,
-    Section,
-)
-from ...actions.strips import CURVE_MENU
-from ...document import words
+from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
+from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
+from ...document.model import Vector
 from ...document.several_curves import mapped
-from ...document.transforms import Edge, align_points, distribute_points, flipping
+from ...document.transforms import Affine, flipping, rotation
 from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
+from .align_commands import AlignCommands
+from .panel_commands import TransformPanelCommands
 
 
 class _Transform(NamedTuple):
@@ -41,12 +36,14 @@ class _Flip(NamedTuple):
     tip: str
 
 
-class _Alignment(NamedTuple):
-    """Alignment of points, and the words of its action."""
+class _Turn(NamedTuple):
+    """Quarter turn, and the words of its action."""
 
-    edge: Edge
-    section: Section
-    tip: str
+    way: str
+    degrees: float
+    key: str
+    icon: str
+    place: int
 
 
 _TRANSFORMS = (
@@ -69,14 +66,12 @@ _FLIPS = (
     _Flip("vertically", 1, "Shift+V", "Mirror what is selected or chosen, or else all points: top is bottom"),
 )
 
-_ALIGNMENTS = (
-    _Alignment(Edge.LEFT, EDIT_ALIGN_ACROSS, "Put the selected points below the leftmost one"),
-    _Alignment(Edge.CENTRE, EDIT_ALIGN_ACROSS, "Put the selected points on one vertical, halfway"),
-    _Alignment(Edge.RIGHT, EDIT_ALIGN_ACROSS, "Put the selected points below the rightmost one"),
-    _Alignment(Edge.TOP, EDIT_ALIGN_UP, "Put the selected points level with the highest one"),
-    _Alignment(Edge.MIDDLE, EDIT_ALIGN_UP, "Put the selected points on one horizontal, halfway"),
-    _Alignment(Edge.BOTTOM, EDIT_ALIGN_UP, "Put the selected points level with the lowest one"),
+_TURNS = (
+    _Turn("left", 90.0, "Ctrl+[", "rotate", 12),
+    _Turn("right", -90.0, "Ctrl+]", "rotate-right", 13),
 )
+
+_Amount = TypeVar("_Amount", int, float)
 
 
 class SelectionCommands:
@@ -85,15 +80,18 @@ class SelectionCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session = context.session
-        context.central.canvas.change_tool_settings(shows_box=context.store.state.transform_box)
+        self._show_state(None, context.store.state)
         context.store.changed.connect(self._show_state)
         self._target = context.central.canvas.tools.target
         self._session.history_changed.connect(self._target.keep_pivot)
         self._session.pivot_changed.connect(context.central.canvas.show_marks)
 
-    def _show_state(self, before: WindowState, after: WindowState) -> None:
-        if after.transform_box != before.transform_box:
-            self._context.central.canvas.change_tool_settings(shows_box=after.transform_box)
+    def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
+        settings = self._context.central.canvas.tools.settings
+        if (settings.shows_box, settings.scale_strokes) != (state.transform_box, state.scale_strokes):
+            self._context.central.canvas.change_tool_settings(
+                shows_box=state.transform_box, scale_strokes=state.scale_strokes
+            )
 
     @action_for_each(
         _TRANSFORMS,
@@ -126,64 +124,34 @@ class SelectionCommands:
             keywords="mirror reflect",
         ),
     )
-    @also_for_each(lambda each: (CURVE_MENU(16 + each.axis),))
+    @also_for_each(lambda each: (CURVE_MENU(16 + each.axis), TRANSFORM_BUTTONS(10 + each.axis)))
     def _flip(self, each: _Flip) -> None:
+        self._map(f"Flip {{}} {each.way}", flipping, each.axis)
+
+    @action_for_each(
+        _TURNS,
+        lambda each: Action(
+            f"rotate{each.way.capitalize()}",
+            f"Rotate 90° {each.way.capitalize()}",
+            EDIT_TRANSFORM,
+            each.key,
+            each.icon,
+            f"Rotate what is selected or chosen, or else all points, a quarter to the {each.way}",
+            keywords="turn quarter clockwise",
+        ),
+    )
+    @also_for_each(lambda each: (TRANSFORM_BUTTONS(each.place),))
+    def _turn(self, each: _Turn) -> None:
+        self._map(f"Rotate {{}} by {each.degrees:g}°".replace("-", "−"), rotation, each.degrees)
+
+    def _map(self, text: str, make: Callable[[_Amount, Vector], Affine], amount: _Amount) -> None:
+        """Map what is meant about the pivot."""
         target, session = self._target, self._session
-        self._context.cancel_gesture()
         if refusal := target.refusal_of_keys:
             session.refuse(refusal)
             return
-        group, by = target.for_keys, flipping(each.axis, target.centre)
-        session.change(f"Flip {target.words} {each.way}", lambda document: mapped(document, group, by))
-
-    @action_for_each(
-        _ALIGNMENTS,
-        lambda each: Action(
-            f"align{each.edge.name.capitalize()}",
-            each.edge.name.capitalize(),
-            each.section,
-            "",
-            f"align-{each.edge.name.lower()}",
-            each.tip,
-            f"Align {each.edge.name.capitalize()}",
-            needs=TWO_SELECTED,
-        ),
-    )
-    def _align(self, each: _Alignment) -> None:
-        session, selected = self._session, self._session.selection
-        session.change(
-            f"Align {words.points(selected)} {each.edge.value}",
-            lambda document: align_points(document, session.active_index, selected, each.edge),
-        )
-
-    @action(
-        "distributeHorizontally",
-        "Distribute Horizontally",
-        EDIT_DISTRIBUTE,
-        icon="distribute-horizontally",
-        needs=THREE_SELECTED,
-    )
-    def _distribute_horizontally(self) -> None:
-        """Space the selected points evenly from left to right."""
-        self._distribute(0, "horizontally")
-
-    @action(
-        "distributeVertically",
-        "Distribute Vertically",
-        EDIT_DISTRIBUTE,
-        icon="distribute-vertically",
-        needs=THREE_SELECTED,
-    )
-    def _distribute_vertically(self) -> None:
-        """Space the selected points evenly from bottom to top."""
-        self._distribute(1, "vertically")
-
-    def _distribute(self, axis: int, way: str) -> None:
-        session, selected = self._session, self._session.selection
-        session.change(
-            f"Distribute {words.points(selected)} {way}",
-            lambda document: distribute_points(document, session.active_index, selected, axis),
-        )
+        group, by = target.for_keys, make(amount, target.centre)
+        session.change(text.format(target.words), lambda document: mapped(document, group, by))
 
     @action(
         "toggleTransformBox",
@@ -199,5 +167,30 @@ class SelectionCommands:
         store = self._context.store
         store.change(transform_box=not store.state.transform_box)
 
+    @action(
+        "keepProportions",
+        "Keep Proportions",
+        EDIT_TRANSFORM_BOX,
+        icon="lock",
+        full_name="Transform Panel: Keep Proportions",
+        checked=lambda now: now.state.keep_proportions,
+    )
+    def _toggle_proportions(self) -> None:
+        """Let the height follow where a width is typed, and the width a height."""
+        store = self._context.store
+        store.change(keep_proportions=not store.state.keep_proportions)
 
-COMMAND_SETS = (SelectionCommands,)
+    @action(
+        "scaleStrokes",
+        "Scale Stroke Widths",
+        EDIT_TRANSFORM_BOX,
+        checked=lambda now: now.state.scale_strokes,
+        keywords="line width thickness",
+    )
+    def _toggle_strokes(self) -> None:
+        """Let strokes get wider, or thinner, with the curves that they are of."""
+        store = self._context.store
+        store.change(scale_strokes=not store.state.scale_strokes)
+
+
+COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands)

@@ -72,7 +72,20 @@ class ViewCommands:
         elif session.selection:
             session.selected.set_points([])
         else:
-            session.selected.set_curves((session.active_index,))
+            self._step_out()
+
+    def _step_out(self) -> None:
+        """Choose the curve that is edited alone, then as a whole that is edited no longer, then none."""
+        session, selected = self._session, self._session.selected
+        if not selected.is_editing:
+            selected.choose(())
+            return
+        if selected.chosen:
+            selected.set_curves((session.active_index,))
+            return
+        selected.choose((session.active_index,))
+        name = session.active_curve.name
+        session.say(f"“{name}” is chosen, and edited no longer; clicks choose whole curves, Enter edits one.")
 
     @action_for_each(
         TOOLS,

@@ -60,16 +60,25 @@ class AddTool(Tool):
             return False
         if not hints.can_finish(context.view):
             host.refuse("A curve needs two points before it can be finished.")
-            return True
+        else:
+            self._finish(host)
+        return True
+
+    def _finish(self, host: EditingHost) -> None:
+        """Finish the curve that is edited: the next press begins another one."""
         self._finished.add(_key(host))
         host.selected.set_points([])
-        host.say(f"“{context.view.source.name}” is finished; the next press begins another curve.")
-        return True
+        host.say(f"“{host.active_view.source.name}” is finished; the next press begins another curve.")
 
     def _goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
         """Whether a click on what is hit goes on with a finished curve."""
         view = host.active_view
         return self._is_finished(host) and hints.is_end(hit, view) and not view.source.locked
+
+    def _ends_at(self, hit: Hit, host: EditingHost) -> bool:
+        """Whether a double click on what is hit finishes the curve: on the point that it has added."""
+        view = host.active_view
+        return hints.is_end(hit, view) and hints.can_finish(view) and not self._is_finished(host)
 
     def _go_on(self, host: EditingHost) -> None:
         """Go on with the finished curve."""
@@ -99,6 +108,8 @@ class AddTool(Tool):
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
         if hints.can_end_at(hit, context.view):
             press_on_part(context, hit, partial(_close, context.host))
+        elif context.pointer.is_double and self._ends_at(hit, context.host):
+            press_on_part(context, hit, partial(self._finish, context.host))
         elif self._goes_on_at(hit, context.host):
             press_on_part(context, hit, partial(self._go_on, context.host))
         else:
@@ -142,7 +153,8 @@ class AddTool(Tool):
             return Hint(hints.LOCKED.format(view.source.name))
         if act is not None or hit is None:
             return hints.to_add(act or PenAct.APPEND, view, snaps=snaps)
-        return hints.to_add_on_part(hit, view, selection, snaps=snaps, finished=finished)
+        pointer = context.pointer
+        return hints.to_add_on_part(hit, view, selection, pointer, snaps=snaps, finished=finished)
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
@@ -198,7 +210,7 @@ def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
 ADD = ToolRecord(
     name="add",
     make=AddTool,
-    hint="Click to add points; Enter finishes the curve; V or Escape goes back to selecting.",
+    hint="Click to add points; Enter or a double click ends the curve; V or Escape goes back to selecting.",
     beginning="Click on the canvas to add points; two of them make a curve.",
     doing="adding points",
     gestures=(
@@ -208,7 +220,8 @@ ADD = ToolRecord(
         ),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
-        GestureRow("Enter", "finish the curve; a click on its last point goes on with it"),
+        GestureRow("Enter, double click", "finish the curve; a click on its last point goes on with it"),
+        GestureRow("Click the first point", "close the curve"),
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
         *GESTURES,
     ),

@@ -6,11 +6,12 @@ from msgspec.structs import replace
 
 from ...document import words
 from ...document.model import Vector
+from ...document.several_curves import PointGroup
 from .. import hints
-from ..curve_picker import CurvePicker
+from ..curve_picker import CurvePicker, chosen_curves, edit_curve
 from ..drags import BendCurve
 from ..marks import GestureMarks
-from ..marquee import Marquee
+from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
 from ..parts import GESTURES, press_on_part, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
@@ -20,7 +21,7 @@ from ..transform_box import Grip, TransformBox
 
 
 class SelectTool(Tool):
-    """Tool that selects, drags and bends."""
+    """Tool that selects, moves and bends."""
 
     cursor = Cursor.ARROW
     finds_other_curves = True
@@ -30,8 +31,7 @@ class SelectTool(Tool):
         self._drags_grip = False
 
     def press(self, context: ToolContext) -> None:
-        """Begin what a press here means; another curve under it is edited from now on."""
-        context = self._picker.enter(context)
+        """Begin what a press here means."""
         hit, grip = context.hit, self._grip_at(context)
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
@@ -43,11 +43,37 @@ class SelectTool(Tool):
             self._press_on_grip(context, grip)
         elif hit is not None:
             self._press_on_curve(context, hit)
-        elif self._picker.entered:
-            # At the very edge of reach, beside the curve that this press has made the one edited.
-            context.drags.press(context.pointer, None)
+        elif (group := self._inside(context)) is not None:
+            moving = context.target.moving(group, context.pointer)
+            context.drags.press(context.pointer, moving, lambda: self._deselect(context))
+        elif context.host.selected.is_editing:
+            self.gesture = Marquee(context, self._picker.unpick)
         else:
-            self.gesture = Marquee(context, self._picker.unpick_others)
+            self.gesture = CurveMarquee(context, self._picker.unpick)
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Edit the curve that is chosen with Enter."""
+        selected = context.host.selected
+        if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
+            return False
+        edit_curve(context, context.host.active_index)
+        return True
+
+    def walk(self, context: ToolContext, step: int) -> bool:
+        """Select the next point; while no curve is edited, choose the next curve."""
+        host = context.host
+        if host.selected.is_editing:
+            return super().walk(context, step)
+        host.selected.choose(((host.active_index + step) % len(host.views),))
+        host.say(f"{chosen_curves(host)}.")
+        return True
+
+    def _deselect(self, context: ToolContext) -> None:
+        """Let go of what the box is around: a click inside it means the empty place there."""
+        if context.host.selected.points:
+            context.host.selected.set_points([])
+        else:
+            self._picker.unpick(context)
 
     def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
         self._drags_grip = True
@@ -59,7 +85,7 @@ class SelectTool(Tool):
 
     def _press_on_curve(self, context: ToolContext, hit: Hit) -> None:
         host, pointer = context.host, context.pointer
-        said = self._picker.entered or f"t = {words.number(hit.t)} · c(t) = ({words.vector(hit.position)})"
+        said = f"t = {words.number(hit.t)} · c(t) = ({words.vector(hit.position)})"
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
@@ -73,17 +99,18 @@ class SelectTool(Tool):
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
+        snaps = context.settings.snapping.on
         if self._is_on_pivot(context):
             return PIVOT_HINT
         if hit is not None and hit.part is Part.OTHER_CURVE:
             return self._picker.hint(context, hit)
         if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
             return hints.on_grip(grip, group, context.target.refusal_of(group))
+        if hit is None and (inside := self._inside(context)) is not None:
+            return hints.inside_box(inside, context.pointer, snaps=snaps)
         if hit is None and (idle := self._picker.idle_hint(context)) is not None:
             return idle
-        return hints.to_select(
-            hit, context.view, context.host.selected.points, snaps=context.settings.snapping.on
-        )
+        return hints.to_select(hit, context.view, context.host.selected.points, context.pointer, snaps=snaps)
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
@@ -103,6 +130,12 @@ class SelectTool(Tool):
         target = context.target
         is_shown = context.settings.shows_box and not target.refusal_of(target.group)
         return target.box if is_shown else None
+
+    def _inside(self, context: ToolContext) -> PointGroup | None:
+        """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
+        box = None if context.pointer.shift else self._box(context)
+        is_inside = box is not None and box.holds(context.pointer)
+        return context.target.group if is_inside else None
 
     def _pivot(self, context: ToolContext) -> Vector | None:
         """Return the pivot that is shown: one that was chosen, or the middle of the box."""
@@ -136,8 +169,11 @@ SELECT = ToolRecord(
         GestureRow("Click a point", "select it alone"),
         GestureRow("Shift+click a point", "select it too, or no longer"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
-        GestureRow("Drag the curve", "bend it; Ctrl changes points only, Alt derivatives only"),
+        GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
         GestureRow("Click the curve", "tell t and c(t) there"),
+        GestureRow(
+            "Drag inside the box", "move all in it; Shift+drag: rubber band", selected=True, curves=True
+        ),
         GestureRow(
             "Drag a grip of the box",
             "scale (Ctrl keeps proportions, Shift the pivot) or rotate (Ctrl: 15° steps)",
@@ -146,9 +182,12 @@ SELECT = ToolRecord(
         ),
         GestureRow("Drag the cross in the box", "move the pivot", selected=True, curves=True),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
-        GestureRow("Escape", "select nothing", selected=True),
-        GestureRow("Press another curve", "edit it; drag to bend it or move a point"),
+        GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
+        GestureRow("Drag another curve", "move it whole; Shift keeps to one axis"),
+        GestureRow("Click another curve", "edit it"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),
+        GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
+        GestureRow("Rubber band, no curve edited", "choose curves inside; Alt: also those touched"),
     ),
     place=10,
     action="selectTool",

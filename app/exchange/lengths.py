@@ -1,0 +1,69 @@
+"""Lengths as people type them, each with its unit: ``1in``, ``70 mm``, ``1/3``, ``2in + 3mm``, ``+10%``."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from ..document.expression import ExpressionError, parse_number
+from .units import MILLIMETRES, known_unit
+
+_UNIT = re.compile(r"""(?<=[\d.,)\s])([^\W\d_]+|["″′])""")
+"""A word after a number, or the mark of an inch or a foot."""
+
+_ALONE = re.compile(r"""(.*?)\s*([^\W\d_]+|["″′])""", re.DOTALL)
+
+_PER_CENT = re.compile(r"([-+−]?)([^-+−%][^%]*)%\s*")
+
+
+def typed_length(text: str, unit: str, now: float, locale_decimal: str = ".") -> float:
+    """Return the length that a text means, in the unit of the document.
+
+    Parameters
+    ----------
+    text
+        A number or an expression whose numbers may have units; or a share of the present length, "50%",
+        or by how much it shall change, "+10%".
+    unit
+        The document's unit; numbers without one are in it. Empty where there is none.
+    now
+        The present length.
+    locale_decimal
+        As for `parse_number`.
+
+    Raises
+    ------
+    ExpressionError
+        If the text is no length, or has a unit where the document has none.
+    """
+    share = _PER_CENT.fullmatch(text.strip())
+    if share is not None:
+        sign, number = share.groups()
+        part = now * parse_number(number, locale_decimal) / 100.0
+        return part if not sign else now + part if sign == "+" else now - part
+    alone = _ALONE.fullmatch(text.strip())
+    if alone is not None and known_unit(alone[2]) and not _UNIT.search(alone[1]):
+        factor = _factor(alone[2], unit)
+        return parse_number(alone[1], locale_decimal) * factor.numerator / factor.denominator
+    return parse_number(_UNIT.sub(lambda found: _converted(found.group(), unit), text), locale_decimal)
+
+
+def _converted(word: str, unit: str) -> str:
+    """Return what stands in an expression for a word: a factor where it is a unit."""
+    if not known_unit(word):
+        return word
+    factor = _factor(word, unit)
+    return f"*{factor.numerator}/{factor.denominator}"
+
+
+def _factor(word: str, unit: str) -> Fraction:
+    """Return how many of the document's unit one of another is."""
+    if not known_unit(unit):
+        what = f"the unit “{unit}” of the document has no length" if unit else "the document has no unit"
+        raise ExpressionError(f"“{word}” cannot be converted: {what}.")
+    return _exact(known_unit(word)) / _exact(known_unit(unit))
+
+
+def _exact(unit: str) -> Fraction:
+    """Return the millimetres of a unit as the fraction that they are: 127/360 of a point."""
+    return Fraction(MILLIMETRES[unit]).limit_denominator(10**6)

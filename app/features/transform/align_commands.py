@@ -1,0 +1,152 @@
+"""Align and distribute selected points, or chosen curves."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ...actions.declaration import Action, action_for_each, also_for_each
+from ...actions.keymap import action_name
+from ...actions.needs import Need
+from ...actions.sections import EDIT_ALIGN_ACROSS, EDIT_ALIGN_TO, EDIT_ALIGN_UP, EDIT_DISTRIBUTE, Section
+from ...actions.situation import Situation
+from ...actions.strips import ALIGN_BUTTONS
+from ...document import words
+from ...document.model import Document
+from ...document.several_curves import named
+from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
+from ...view_model.alignment import align_curves, distribute_curves
+from ...workbench.context import WindowContext
+
+
+class _Alignment(NamedTuple):
+    """Alignment, and the words of its action."""
+
+    edge: Edge
+    section: Section
+    tip: str
+    place: int
+
+
+class _Distribution(NamedTuple):
+    """Even spacing along x (axis 0) or y, and the words of its action."""
+
+    axis: int
+    spacing: Spacing
+    way: str
+    tip: str
+    place: int
+
+    @property
+    def what(self) -> str:
+        """The word before the way: "Gaps " or none."""
+        return "Gaps " if self.spacing is Spacing.GAPS else ""
+
+
+_ALIGNMENTS = (
+    _Alignment(Edge.LEFT, EDIT_ALIGN_ACROSS, "one vertical, that of the leftmost edge", 10),
+    _Alignment(Edge.CENTRE, EDIT_ALIGN_ACROSS, "one vertical, halfway", 11),
+    _Alignment(Edge.RIGHT, EDIT_ALIGN_ACROSS, "one vertical, that of the rightmost edge", 12),
+    _Alignment(Edge.TOP, EDIT_ALIGN_UP, "one horizontal, that of the top", 13),
+    _Alignment(Edge.MIDDLE, EDIT_ALIGN_UP, "one horizontal, halfway", 14),
+    _Alignment(Edge.BOTTOM, EDIT_ALIGN_UP, "one horizontal, that of the bottom", 15),
+)
+
+_CENTRES = "Space the selected points, or the centres of the chosen curves, evenly from {}"
+_GAPS = "Make the gaps between the chosen curves the same from {}"
+_DISTRIBUTIONS = tuple(
+    _Distribution(axis, spacing, way, tip.format(ends), place + axis)
+    for spacing, tip, place in ((Spacing.CENTRES, _CENTRES, 20), (Spacing.GAPS, _GAPS, 22))
+    for axis, way, ends in ((0, "horizontally", "left to right"), (1, "vertically", "bottom to top"))
+)
+
+
+def _can_align(now: Situation) -> bool:
+    is_to_drawing = now.state.align_to is Reference.DRAWING and not now.selection
+    return len(now.selection) > 1 or len(now.selected) > 1 or is_to_drawing
+
+
+TWO = Need("two selected points or chosen curves, or more", _can_align)
+THREE = Need(
+    "three selected points or chosen curves, or more",
+    lambda now: len(now.selection) > 2 or len(now.selected) > 2,
+)
+THREE_CURVES = Need("three chosen curves or more", lambda now: len(now.selected) > 2)
+
+
+class AlignCommands:
+    """Alignment and even spacing: of the selected points, or with none, of the chosen curves."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session, self._store = context.session, context.store
+
+    @action_for_each(
+        _ALIGNMENTS,
+        lambda each: Action(
+            action_name("align", each.edge),
+            each.edge.name.capitalize(),
+            each.section,
+            "",
+            f"align-{each.edge.value}",
+            f"Put the selected points, or the chosen curves, on {each.tip}",
+            f"Align {each.edge.name.capitalize()}",
+            needs=TWO,
+        ),
+    )
+    @also_for_each(lambda each: (ALIGN_BUTTONS(each.place),))
+    def _align(self, each: _Alignment) -> None:
+        session, selected, edge = self._session, self._session.selection, each.edge
+        if selected:
+            session.change(
+                f"Align {words.points(selected)} {edge.value}",
+                lambda document: align_points(document, session.active_index, selected, edge),
+            )
+            return
+        curves, reference = session.selected.curves, self._store.state.align_to
+
+        def aligned(document: Document) -> Document:
+            return align_curves(document, session.views, curves, edge, reference, session.active_index)
+
+        session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
+
+    @action_for_each(
+        _DISTRIBUTIONS,
+        lambda each: Action(
+            f"distribute{each.what.strip()}{each.way.capitalize()}",
+            f"Distribute {each.what}{each.way.capitalize()}",
+            EDIT_DISTRIBUTE,
+            icon=f"{each.what.strip().lower() or 'distribute'}-{each.way}",
+            tip=each.tip,
+            needs=THREE_CURVES if each.spacing is Spacing.GAPS else THREE,
+            keywords="space evenly",
+        ),
+    )
+    @also_for_each(lambda each: (ALIGN_BUTTONS(each.place),))
+    def _distribute(self, each: _Distribution) -> None:
+        session, selected = self._session, self._session.selection
+        if selected:
+            session.change(
+                f"Distribute {words.points(selected)} {each.way}",
+                lambda document: distribute_points(document, session.active_index, selected, each.axis),
+            )
+            return
+        curves = session.selected.curves
+        session.change(
+            f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
+            f"{each.way}",
+            lambda document: distribute_curves(document, session.views, curves, each.axis, each.spacing),
+        )
+
+    @action_for_each(
+        tuple(Reference),
+        lambda each: Action(
+            action_name("alignTo", each),
+            f"To {each.label[0].lower()}{each.label[1:]}",
+            EDIT_ALIGN_TO,
+            tip=each.tip,
+            full_name=f"Align to {each.label[0].lower()}{each.label[1:]}",
+            checked=lambda now: now.state.align_to is each,
+            group="alignTo",
+        ),
+    )
+    def _align_to(self, each: Reference) -> None:
+        self._store.change(align_to=each)

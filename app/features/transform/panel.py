@@ -1,0 +1,238 @@
+"""Transforms in numbers: where the selection lies, how large it is, how far it was turned."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+
+import msgspec
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLayout, QWidget
+
+from ...appearance.icons import icon
+from ...appearance.theme import Theme
+from ...document.expression import parse_number
+from ...document.model import Vector
+from ...document.transforms import Reference
+from ...exchange.lengths import typed_length
+from ...qt.labels import Label
+from ...view_model.bounds import Bounds
+from ...widgets.action_switch import mirror
+from ...widgets.boxes import Part, column_of, row_of
+from ...widgets.controls import choice_box
+from ...widgets.field_edit import NumberEdit
+from ...widgets.field_form import FieldForm
+from ...widgets.number_text import decimal_mark
+from ...widgets.tool_buttons import ICON, action_button, tool_button
+from .pivot_chooser import PivotChooser
+
+_DIGITS, _CERTAIN = 7, 12
+"""Digits of a length that are shown; and of the largest number of the box, those that are no rounding."""
+
+
+class Situated(msgspec.Struct, frozen=True):
+    """What transforms act on.
+
+    Attributes
+    ----------
+    what
+        The words for it.
+    bounds
+        Its bounds; None of nothing.
+    pivot, place
+        The pivot, and which of the nine places that is; None for none of them.
+    angle
+        Degrees by which it was turned since it was selected.
+    unit
+        That of the document.
+    problem
+        Why it cannot be changed; empty where it can.
+    """
+
+    what: str
+    bounds: Bounds | None
+    pivot: Vector
+    place: tuple[int, int] | None
+    angle: float
+    unit: str
+    problem: str
+
+
+class PanelActions(msgspec.Struct, frozen=True):
+    """The actions that stand in the panel: rows of buttons, and switches."""
+
+    transforms: Sequence[QAction]
+    aligning: Sequence[Sequence[QAction]]
+    proportions: QAction
+    strokes: QAction
+
+
+class TransformPanel(FieldForm):
+    """A form that shows the bounds of the selection, and asks for others.
+
+    Signals
+    -------
+    placed, sized
+        The pivot shall lie there, the box shall be so large: along which axis, and the number.
+    turned_to, turned_by
+        It shall stand at this angle; it shall be turned by one.
+    pivot_chosen
+        One of nine places: −1, 0 or 1 across, and up.
+    reference_chosen
+        What chosen curves are aligned to.
+    """
+
+    placed = Signal(int, float)
+    sized = Signal(int, float)
+    turned_to = Signal(float)
+    turned_by = Signal(float)
+    pivot_chosen = Signal(int, int)
+    reference_chosen = Signal(object)
+
+    def __init__(self, actions: PanelActions, parent: QWidget | None = None) -> None:
+        super().__init__("transformPanel", "transformProblem", parent)
+        self._shown: Situated | None = None
+        self._turn_by = 90.0
+        self.what = Label(name="transformWhat")
+        self.chooser = PivotChooser()
+        self.x_edit = self._length("transformX", "X", "x of the pivot", lambda: self._numbers()[0])
+        self.y_edit = self._length("transformY", "Y", "y of the pivot", lambda: self._numbers()[1])
+        self.width_edit = self._length("transformWidth", "Width", "Width", lambda: self._numbers()[2])
+        self.height_edit = self._length("transformHeight", "Height", "Height", lambda: self._numbers()[3])
+        self.angle_edit = _angle("transformAngle", "Angle", "Angle since it was selected, in degrees")
+        self.turn_edit = _angle(
+            "transformTurn", "Rotate by", "Degrees, counterclockwise; Enter turns each time"
+        )
+        self.turn_button = tool_button(
+            "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
+        )
+        self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
+        self.strokes = QCheckBox(actions.strokes.text())
+        self.strokes.setObjectName("panelStrokes")
+        mirror(self.strokes, actions.strokes)
+        self.reference = choice_box(
+            "alignReference",
+            "Align to",
+            "What chosen curves are aligned to; points are aligned to each other",
+            (each.label for each in Reference),
+            (each.tip for each in Reference),
+        )
+        self._units = Label()
+        self._lay_out(actions)
+        self._connect()
+        self.follow_theme()
+
+    def _length(self, name: str, label: str, tip: str, now: Callable[[], float]) -> NumberEdit:
+        tip = f"{tip}: a number or an expression, with a unit or without, or +10% (Enter to set)"
+        return NumberEdit(name, label, tip, partial(self._read, now))
+
+    def _read(self, now: Callable[[], float], text: str) -> float:
+        unit = self._shown.unit if self._shown is not None else ""
+        return typed_length(text, unit, now(), decimal_mark())
+
+    def _lay_out(self, actions: PanelActions) -> None:
+        fields = QGridLayout()
+        fields.setHorizontalSpacing(6)
+        fields.setVerticalSpacing(6)
+        rows: tuple[tuple[str, QWidget, str, QWidget], ...] = (
+            ("X", self.x_edit, "Y", self.y_edit),
+            ("W", self.width_edit, "H", self.height_edit),
+        )
+        for row, (left, first, right, second) in enumerate(rows):
+            for column, part in enumerate((Label(left), first, Label(right), second)):
+                fields.addWidget(part, row, column)
+        fields.addWidget(self._units, 0, 4)
+        fields.addWidget(self.proportions, 1, 4)
+        fields.setColumnStretch(1, 1)
+        fields.setColumnStretch(3, 1)
+        turn = row_of(
+            "Angle", (self.angle_edit, 1), "Rotate by", (self.turn_edit, 1), self.turn_button, spacing=6
+        )
+        align = row_of("Align to", (self.reference, 1), spacing=6)
+        rest = [_buttons(row) for row in actions.aligning]
+        top = row_of((self.chooser, Qt.AlignmentFlag.AlignVCenter), (fields, 1), spacing=12)
+        switches = row_of(_buttons(actions.transforms), 1, self.strokes)
+        parts: list[Part] = [self.what, top, turn, switches, self.problem, align, *rest, 1]
+        column_of(*parts, margins=12, spacing=10, parent=self)
+
+    def _connect(self) -> None:
+        edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit, self.turn_edit)
+        self.watch(*edits)
+        self.x_edit.entered.connect(partial(self.placed.emit, 0))
+        self.y_edit.entered.connect(partial(self.placed.emit, 1))
+        self.width_edit.entered.connect(partial(self.sized.emit, 0))
+        self.height_edit.entered.connect(partial(self.sized.emit, 1))
+        self.angle_edit.entered.connect(self.turned_to.emit)
+        self.turn_edit.entered.connect(self._keep_turn)
+        # Enter turns also where the same angle is still there: five leaves are four times Enter.
+        self.turn_edit.returnPressed.connect(self._turn)
+        self.turn_button.clicked.connect(self._turn)
+        self.chooser.chosen.connect(self.pivot_chosen)
+        self.reference.activated.connect(lambda at: self.reference_chosen.emit(list(Reference)[at]))
+
+    # Rendering: nothing here writes back
+
+    def _numbers(self) -> tuple[float, float, float, float]:
+        """Return x and y of the pivot, width and height, without the digits that are rounding."""
+        shown = self._shown
+        if shown is None or shown.bounds is None:
+            return (0.0, 0.0, 0.0, 0.0)
+        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *shown.pivot, 1e-300)))
+        decimals = _CERTAIN - 1 - math.floor(math.log10(largest))
+        x, y, width, height = (round(value, decimals) + 0.0 for value in (*shown.pivot, *shown.bounds.size))
+        return (x, y, width, height)
+
+    def render_situation(self, shown: Situated) -> None:
+        """Show what transforms act on."""
+        if self._shown is None or shown.what != self._shown.what:
+            self.clear_refusal()
+        self._shown = shown
+        bounds, is_there = shown.bounds, shown.bounds is not None and not shown.problem
+        self.what.setText(f"{shown.what[0].upper()}{shown.what[1:]}")
+        self._units.setText(shown.unit)
+        self._units.setVisible(bool(shown.unit))
+        edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit)
+        for edit, value in zip(edits, self._numbers(), strict=True):
+            if bounds is None:
+                edit.show_text("")
+            else:
+                edit.show_number(value, _DIGITS)
+            edit.setEnabled(is_there)
+        for axis, edit in enumerate((self.width_edit, self.height_edit)):
+            edit.setEnabled(is_there and bounds is not None and bounds.size[axis] > 0.0)
+        self.angle_edit.show_number(shown.angle, _DIGITS)
+        self.turn_edit.show_number(self._turn_by)
+        for part in (self.angle_edit, self.turn_edit, self.turn_button, self.chooser):
+            part.setEnabled(is_there)
+        self.chooser.render_place(shown.place if bounds is not None else None)
+        self.show_problem(shown.problem)
+
+    def render_reference(self, reference: Reference) -> None:
+        """Show what chosen curves are aligned to."""
+        self.reference.setCurrentIndex(list(Reference).index(reference))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        super().set_theme(theme)
+        self._units.setStyleSheet(f"color: {theme.muted.name()}")
+        self.turn_button.setIcon(icon("rotate", theme))
+
+    # What the person did
+
+    def _keep_turn(self, degrees: float) -> None:
+        self._turn_by = degrees
+
+    def _turn(self) -> None:
+        # A text that is no number stays to be mended.
+        if not self.turn_edit.isModified():
+            self.turned_by.emit(self._turn_by)
+
+
+def _angle(name: str, label: str, tip: str) -> NumberEdit:
+    return NumberEdit(name, label, tip, lambda text: parse_number(text.rstrip(" °"), decimal_mark()))
+
+
+def _buttons(actions: Sequence[QAction]) -> QLayout:
+    return row_of(*(action_button(action, flat=True) for action in actions), 1, spacing=4)

@@ -1,0 +1,173 @@
+"""The Transform panel in the window: what it shows, and the changes that it asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from ...actions.declaration import action
+from ...actions.sections import EDIT_TRANSFORM_PANEL
+from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
+from ...document.model import Document
+from ...document.several_curves import mapped, moved, scaled_strokes
+from ...document.transforms import rotation, scaling
+from ...document.words import number
+from ...state.window_state import WindowState
+from ...view_model.bounds import NINE
+from ...view_model.curve_view import CurveView
+from ...view_model.pivot import Anchor, anchored, turned_since
+from ...view_model.stretch import stretched
+from ...workbench.context import WindowContext
+from ...workbench.dock_room import make_room_once
+from ...workbench.docks import LatePanel
+from .. import transform
+
+if TYPE_CHECKING:
+    from .panel import Situated, TransformPanel
+
+_HEIGHT = 330
+
+
+class TransformPanelCommands(QObject):
+    """Keeps the panel in step with the selection, as long as its dock is in sight."""
+
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._context, self._session, self._store = context, context.session, context.store
+        self._target = context.central.canvas.tools.target
+        self._panel: TransformPanel | None = None
+        # The selection as it was when it was made, for the angle.
+        self._anchor: Anchor | None = None
+        self._dock = context.docks["transformDock"]
+        self._is_seen = False
+        self._dock.visibilityChanged.connect(self._follow_visibility)
+        self._session.pivot_changed.connect(self._render)
+        self._store.changed.connect(self._show_state)
+
+    @LatePanel("transformDock", "Transform", on_demand=True)
+    def build_panel(self, parent: QWidget) -> QWidget:
+        """Return the content of the dock; called when it is first looked at."""
+        actions = self._context.actions
+        self._panel = panel = transform.panel.TransformPanel(
+            transform.panel.PanelActions(
+                actions.in_strip(TRANSFORM_BUTTONS)[1],
+                list(actions.in_strip(ALIGN_BUTTONS).values()),
+                actions["keepProportions"],
+                actions["scaleStrokes"],
+            ),
+            parent,
+        )
+        panel.placed.connect(self._place)
+        panel.sized.connect(self._size)
+        panel.turned_to.connect(self._turn_to)
+        panel.turned_by.connect(self._turn_by)
+        panel.pivot_chosen.connect(self._choose_pivot)
+        panel.reference_chosen.connect(lambda reference: self._store.change(align_to=reference))
+        panel.refused.connect(self._session.refuse)
+        panel.render_reference(self._store.state.align_to)
+        return panel
+
+    @action(
+        "openTransform",
+        "Transform Panel…",
+        EDIT_TRANSFORM_PANEL,
+        "Ctrl+Shift+M",
+        icon="transform-box",
+        keywords="exact width height position angle size pivot align",
+    )
+    def _open(self) -> None:
+        """Set position, size and angle by numbers with units; align and distribute."""
+        self._dock.bring_up()
+        make_room_once(self._context.window, self._dock, _HEIGHT)
+        if self._panel is not None:
+            self._is_seen = True
+            self._render()
+            self._panel.width_edit.setFocus()
+            self._panel.width_edit.selectAll()
+
+    # What is shown
+
+    def _follow_visibility(self, visible: bool) -> None:
+        self._is_seen = visible
+        self._render()
+
+    def _show_state(self, _before: WindowState, state: WindowState) -> None:
+        if self._panel is not None:
+            self._panel.render_reference(state.align_to)
+
+    def render(self, _view: CurveView) -> None:
+        """Show the selection as it is now."""
+        self._render()
+
+    def _render(self) -> None:
+        if self._panel is not None and self._is_seen:
+            self._panel.render_situation(self._situation())
+
+    def _situation(self) -> Situated:
+        target, session = self._target, self._session
+        group = target.for_keys
+        if not any(indices for _, indices in group.parts):
+            return transform.panel.Situated("nothing yet", None, (0.0, 0.0), None, 0.0, "", "")
+        bounds, pivot = target.bounds, target.centre
+        places = [at for at in NINE if bounds.place(*at) == pivot]
+        return transform.panel.Situated(
+            target.words, bounds, pivot, places[len(places) // 2] if places else None,
+            self._angle(), session.document.unit, target.refusal_of_keys,
+        )  # fmt: skip
+
+    def _angle(self) -> float:
+        session = self._session
+        now = anchored(session.views, self._target.for_keys, live=session.is_previewing)
+        turned = turned_since(self._anchor, now) if self._anchor is not None else None
+        if turned is None:
+            self._anchor, turned = now, 0.0
+        return turned
+
+    # What the person did
+
+    def _change(self, text: str, edit: Callable[[Document], Document]) -> None:
+        if (refusal := self._session.change(text, edit).refusal) and self._panel is not None:
+            self._panel.refuse(refusal)
+        self._render()
+
+    def _length(self, value: float) -> str:
+        return f"{number(value, 6)} {self._session.document.unit}".rstrip()
+
+    def _choose_pivot(self, across: int, up: int) -> None:
+        is_middle = (across, up) == (0, 0)
+        self._target.set_pivot(None if is_middle else self._target.bounds.place(across, up))
+        self._render()
+
+    def _place(self, axis: int, value: float) -> None:
+        group, way = self._target.for_keys, value - self._target.centre[axis]
+        by = (way, 0.0) if axis == 0 else (0.0, way)
+        text = f"Move {self._target.words} to {'xy'[axis]} {self._length(value)}"
+        self._change(text, lambda document: moved(document, group, by))
+
+    def _size(self, axis: int, value: float) -> None:
+        session, state, group = self._session, self._store.state, self._target.for_keys
+        bounds, pivot = self._target.bounds, self._target.centre
+        factor = value / bounds.size[axis]
+        x, y = (factor, factor) if state.keep_proportions else (factor, 1.0) if axis == 0 else (1.0, factor)
+        by = scaling(x, y, pivot)
+
+        def sized(document: Document) -> Document:
+            corners = (by.point(bounds.low), by.point(bounds.high))
+            document = stretched(document, session.views, group, corners)
+            return scaled_strokes(document, group, x, y) if state.scale_strokes else document
+
+        what = ("width", "height")[axis]
+        self._change(f"Set {what} of {self._target.words} to {self._length(value)}", sized)
+
+    def _turn_to(self, degrees: float) -> None:
+        self._turn(degrees - self._angle(), f"to {number(degrees, 6)}°")
+
+    def _turn_by(self, degrees: float) -> None:
+        self._turn(degrees, f"by {number(degrees, 6)}°")
+
+    def _turn(self, degrees: float, how: str) -> None:
+        group, by = self._target.for_keys, rotation(degrees, self._target.centre)
+        self._change(f"Rotate {self._target.words} {how}", lambda document: mapped(document, group, by))

@@ -1,0 +1,51 @@
+"""Nine places of a box to choose from, as a little picture of it."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
+
+from ...qt.overrides import Guarded
+from ...view_model.bounds import NINE, name_of_place
+from ...widgets.controls import named
+
+_SIDE = 17
+
+
+class PivotChooser(Guarded, QWidget):
+    """Nine buttons, of which the one where the pivot lies is down; none where it lies elsewhere.
+
+    Signals
+    -------
+    chosen
+        A place was chosen: −1, 0 or 1 for left, middle, right, and for bottom, middle, top.
+    """
+
+    chosen = Signal(int, int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "pivotChooser", "Pivot")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(3)
+        self._buttons: dict[tuple[int, int], QToolButton] = {}
+        for place, at in enumerate(NINE):
+            words = name_of_place(*at)
+            name = "pivot" + "".join(word.capitalize() for word in words.split())
+            tip = (
+                f"Pivot: {words} of the box. What is turned, scaled and mirrored is so about it; x, y are its"
+            )
+            button = named(QToolButton(), name, f"Pivot: {words}", tip)
+            button.setCheckable(True)
+            button.setFixedSize(_SIDE, _SIDE)
+            button.clicked.connect(partial(self.chosen.emit, *at))
+            grid.addWidget(button, *divmod(place, 3))
+            self._buttons[at] = button
+
+    def render_place(self, place: tuple[int, int] | None) -> None:
+        """Show which place it is, None for none of them."""
+        for at, button in self._buttons.items():
+            button.setChecked(at == place)

@@ -1,0 +1,107 @@
+"""Curves aligned with each other and spaced evenly, by their bounds; the curves of a shape stay together."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import msgspec
+
+from ..document.edits import EditError
+from ..document.model import Document
+from ..document.several_curves import PointGroup, moved, whole_curves
+from ..document.shapes import shape_of
+from ..document.transforms import Edge, Reference, Spacing
+from .bounds import Bounds, bounds_of
+from .curve_view import CurveView
+
+
+class _Item(msgspec.Struct, frozen=True):
+    """A shape, or a curve that is one, with its bounds."""
+
+    group: PointGroup
+    bounds: Bounds
+
+    def middle(self, axis: int) -> float:
+        return self.bounds.centre[axis]
+
+    def length(self, axis: int) -> float:
+        return self.bounds.size[axis]
+
+
+def align_curves(
+    document: Document,
+    views: Sequence[CurveView],
+    chosen: Collection[int],
+    edge: Edge,
+    reference: Reference = Reference.EACH_OTHER,
+    edited: int = 0,
+) -> Document:
+    """Move each shape of the chosen curves so that it lies along an edge, or the middle, of the reference.
+
+    Parameters
+    ----------
+    views
+        The views of all curves.
+    edited
+        The curve that is edited.
+    """
+    items = _items(document, views, chosen)
+    if reference is Reference.EDITED:
+        bounds = next(item.bounds for item in items if edited in item.group.curves)
+    elif reference is Reference.LARGEST:
+        bounds = max((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
+    else:
+        is_drawing = reference is Reference.DRAWING
+        of = _items(document, views, range(len(document.curves))) if is_drawing else items
+        bounds = _joined([item.bounds for item in of])
+    target = _place(bounds, edge)
+    for item in items:
+        document = _moved(document, item, edge.axis, target - _place(item.bounds, edge))
+    return document
+
+
+def distribute_curves(
+    document: Document, views: Sequence[CurveView], chosen: Collection[int], axis: int, spacing: Spacing
+) -> Document:
+    """Space the shapes of the chosen curves evenly between the outer two, along x (axis 0) or y (axis 1)."""
+    items = sorted(_items(document, views, chosen), key=lambda item: item.middle(axis))
+    if len(items) < 3:
+        raise EditError("Choose at least three curves to distribute them.")
+    first, last, count = items[0], items[-1], len(items) - 1
+    if spacing is Spacing.CENTRES:
+        start, end = first.middle(axis), last.middle(axis)
+        places = [start * ((count - k) / count) + end * (k / count) for k in range(len(items))]
+    else:
+        room = last.bounds.high[axis] - first.bounds.low[axis] - sum(item.length(axis) for item in items)
+        places, at = [], first.bounds.low[axis]
+        for item in items:
+            places.append(at + item.length(axis) / 2)
+            at += item.length(axis) + room / count
+    for item, place in zip(items[1:-1], places[1:-1], strict=True):
+        document = _moved(document, item, axis, place - item.middle(axis))
+    return document
+
+
+def _items(document: Document, views: Sequence[CurveView], curves: Collection[int]) -> list[_Item]:
+    """Return the shapes that curves belong to, those that have points."""
+    shapes = dict.fromkeys(shape_of(document, curve) for curve in sorted(curves))
+    groups = [whole_curves(document, places) for places in shapes]
+    found = [(group, bounds_of(views, group)) for group in groups]
+    return [_Item(group, bounds) for group, bounds in found if bounds is not None]
+
+
+def _joined(boxes: Sequence[Bounds]) -> Bounds:
+    whole = boxes[0]
+    for box in boxes[1:]:
+        whole = whole.joined(box)
+    return whole
+
+
+def _place(bounds: Bounds, edge: Edge) -> float:
+    return edge.place((bounds.low[edge.axis], bounds.high[edge.axis]))
+
+
+def _moved(document: Document, item: _Item, axis: int, way: float) -> Document:
+    if way == 0.0:
+        return document
+    return moved(document, item.group, (way, 0.0) if axis == 0 else (0.0, way))

@@ -1,0 +1,148 @@
+"""A drag at the edge of the canvas scrolls the view, also under a mouse that rests; real mouse events."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
+
+from app.document.model import Document, make_curve
+from app.families import HERMITE
+from app.plotting.edge_scroll import EdgeScroll
+
+POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
+BESIDE = ((0.0, -2.0), (2.0, -1.0), (4.0, -2.0))
+
+
+@pytest.fixture
+def arch(editor):
+    """An arch that is edited, and another curve below it."""
+    curves = make_curve(POINTS, name="A", family=HERMITE), make_curve(BESIDE, name="B", family=HERMITE)
+    editor.session.commit(Document(curves), "Begin")
+    editor.session.selected.activate(0)
+    editor.window.canvas.camera.show_box((-3, 7), (-4, 4))
+    editor.settle()
+    return editor
+
+
+def left_edge(editor):
+    return editor.window.canvas.camera.pixel_map.x0
+
+
+def is_scrolling(editor):
+    """Whether the view will move at the next tick."""
+    return editor.window.canvas.findChild(EdgeScroll).findChild(QTimer).isActive()
+
+
+def edge(editor, where, beyond):
+    """A pixel of the viewport so far beyond an edge of the drawing, negative for inside it."""
+    area, middle = editor.window.canvas.camera.area, editor.window.canvas.camera.area.center()
+    return {
+        "right": QPoint(area.right() + beyond, middle.y()),
+        "left": QPoint(area.left() - beyond, middle.y()),
+        "top": QPoint(middle.x(), area.top() - beyond),
+        "bottom": QPoint(middle.x(), area.bottom() + beyond),
+    }[where]
+
+
+def move_to(editor, pixel):
+    editor.send(editor.window.canvas, QEvent.Type.MouseMove, pixel)
+    editor.settle()
+
+
+def release_at(editor, pixel):
+    editor.send(editor.window.canvas, QEvent.Type.MouseButtonRelease, pixel, held=False)
+    editor.settle()
+
+
+def start_of(editor, what):
+    """The place where a drag of something begins."""
+    curve = editor.session.active_view.curve
+    if what == "handle":
+        editor.select([1])
+        return editor.handle().position
+    return {
+        "point": POINTS[1],
+        "bend": tuple(curve.evaluate(0.5).tolist()),
+        "curve": tuple(editor.session.views[1].curve.evaluate(0.4).tolist()),
+        "band": (-1.0, 3.0),
+    }[what]
+
+
+@pytest.mark.parametrize("what", ["point", "handle", "bend", "curve", "band"])
+def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch, qtbot, what):
+    steps, committed = arch.session.undo_stack.count(), arch.session.committed
+    start, seen = start_of(arch, what), left_edge(arch)
+    arch.press(start)
+    place = edge(arch, "right", 20)
+    move_to(arch, place)
+    qtbot.waitUntil(lambda: left_edge(arch) > seen + 3.0)
+    # What is dragged has gone along, with no further event of the mouse.
+    canvas = arch.window.canvas
+    arch.settle()
+    x, _y = canvas.to_plane(place)
+    if what == "band":
+        assert canvas.marks.band[1][0] == pytest.approx(x, abs=40 * arch.pixel)
+        assert canvas.marks.band[0] == pytest.approx(start, abs=2 * arch.pixel)
+    else:
+        assert arch.session.document != committed
+    if what == "point":
+        assert arch.point(1)[0] == pytest.approx(x, abs=40 * arch.pixel)
+    release_at(arch, place)
+    assert arch.session.undo_stack.count() == steps + (what != "band")
+    assert not is_scrolling(arch)
+
+
+@pytest.mark.parametrize("where", ["right", "left", "top", "bottom"])
+def test_it_goes_towards_the_edge_where_the_pointer_is(arch, qtbot, where):
+    shown = arch.window.canvas.camera.pixel_map
+    arch.press(POINTS[1])
+    move_to(arch, edge(arch, where, 5))
+
+    def way():
+        now = arch.window.canvas.camera.pixel_map
+        return now.x0 - shown.x0, now.box[1] - shown.box[1]
+
+    qtbot.waitUntil(lambda: any(abs(each) > 0.2 for each in way()))
+    x, y = way()
+    assert {"right": x > 0, "left": x < 0, "top": y > 0, "bottom": y < 0}[where]
+    assert (abs(x) > 0.2) != (abs(y) > 0.2)
+    arch.escape()
+
+
+def test_back_inside_it_stops_and_escape_leaves_no_trace(arch, qtbot):
+    document, steps, seen = arch.session.document, arch.session.undo_stack.count(), left_edge(arch)
+    arch.press(POINTS[1])
+    move_to(arch, edge(arch, "right", 20))
+    qtbot.waitUntil(lambda: left_edge(arch) > seen + 1.0)
+    move_to(arch, edge(arch, "right", -100))
+    assert not is_scrolling(arch)
+    stopped = left_edge(arch)
+    move_to(arch, edge(arch, "right", 20))
+    qtbot.waitUntil(lambda: left_edge(arch) > stopped)
+    arch.escape()
+    assert arch.session.document is document
+    move_to(arch, edge(arch, "right", 30))
+    assert not is_scrolling(arch)
+    release_at(arch, edge(arch, "right", 30))
+    assert arch.session.undo_stack.count() == steps
+
+
+def test_a_press_at_the_edge_scrolls_nothing_until_it_is_dragged_outwards(arch, qtbot):
+    canvas, seen = arch.window.canvas, left_edge(arch)
+    at = edge(arch, "right", -5)
+    arch.send(canvas, QEvent.Type.MouseButtonPress, at)
+    move_to(arch, at + QPoint(1, 0))
+    move_to(arch, at + QPoint(0, 40))
+    assert not is_scrolling(arch)
+    move_to(arch, at + QPoint(20, 40))
+    qtbot.waitUntil(lambda: left_edge(arch) > seen)
+    release_at(arch, at + QPoint(20, 40))
+
+
+def test_without_a_button_the_edge_does_nothing(arch):
+    arch.select([1])
+    arch.hover((2, 2))
+    arch.key(Qt.Key.Key_G)
+    arch.send(arch.window.canvas, QEvent.Type.MouseMove, edge(arch, "right", -3), held=False)
+    assert not is_scrolling(arch)
+    arch.escape()

@@ -1,0 +1,381 @@
+"""No curve is edited: clicks and the rubber band choose whole curves, drags move them; real events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from app.appearance.colours import point_colours
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
+RETURN = Qt.Key.Key_Return
+
+
+@pytest.fixture
+def three(waves):
+    """Three waves one above the other, A below, C on top, 3 apart; B is edited."""
+    return waves("ABC")
+
+
+@pytest.fixture
+def whole(three):
+    """The same, none edited and none chosen."""
+    three.escape()
+    three.escape()
+    return three
+
+
+def on_curve(editor, row, t=0.45):
+    x, y = editor.session.views[row].curve.evaluate(t)
+    return float(x), float(y)
+
+
+def chosen(editor):
+    return "".join(
+        editor.session.document.curves[place].name for place in sorted(editor.session.selected.chosen)
+    )
+
+
+def state(editor):
+    """Whether a curve is edited, which curves are chosen as wholes, which is the active one."""
+    return editor.session.selected.is_editing, chosen(editor), editor.curve.name
+
+
+def moved_by(editor, before, row):
+    ways = np.subtract(
+        [point.position for point in editor.session.document.curves[row].points],
+        [point.position for point in before.curves[row].points],
+    )
+    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
+    return tuple(ways[0].tolist())
+
+
+def shows_points(editor):
+    """Whether the disc of the active curve's point 1 is seen, in its colour."""
+    canvas = editor.window.canvas
+    image, place = canvas.viewport().grab().toImage(), canvas.to_pixel(*editor.point(1))
+    return image.pixelColor(place) == point_colours(4, canvas.layers.theme)[1]
+
+
+# In and out
+
+
+def test_a_program_begins_with_a_curve_that_is_edited(new_editor):
+    assert state(new_editor)[:2] == (True, "")
+
+
+def test_escape_lets_go_of_points_then_of_the_curve_then_of_all(three):
+    document, steps = three.session.document, three.session.undo_stack.count()
+    three.select([1])
+    found = []
+    for _ in range(4):
+        three.escape()
+        found.append((*state(three), sorted(three.session.selection)))
+    assert found == [(True, "", "B", []), (False, "B", "B", []), (False, "", "B", []), (False, "", "B", [])]
+    assert three.session.document is document
+    assert three.session.undo_stack.count() == steps
+    assert three.session.active_view.source.name == "B"
+
+
+def test_leaving_is_said_and_no_points_are_shown(three):
+    assert shows_points(three)
+    three.hover((1.5, 4.4))
+    assert "Escape: whole curves" in three.window.status_line.hint
+    three.escape()
+    assert three.status == "“B” is chosen, and edited no longer; clicks choose whole curves, Enter edits one."
+    assert not shows_points(three)
+    three.key(RETURN)
+    assert state(three) == (True, "", "B")
+    assert three.status == "Editing “B” now."
+    assert shows_points(three)
+
+
+def test_a_click_chooses_and_a_double_click_edits(whole):
+    whole.click(on_curve(whole, 2))
+    assert state(whole) == (False, "C", "C")
+    assert whole.status == "“C” is chosen."
+    whole.click(on_curve(whole, 0))
+    assert state(whole) == (False, "A", "A")
+    whole.double_click(on_curve(whole, 2))
+    assert state(whole) == (True, "", "C")
+    assert whole.status == "Editing “C” now."
+
+
+def test_a_double_click_on_a_point_selects_it(whole):
+    whole.double_click((2, 6))
+    assert (state(whole), whole.session.selection) == ((True, "", "C"), {2})
+
+
+def test_shift_click_adds_and_takes_out_and_a_click_beside_chooses_none(whole):
+    for row, expected in ((2, "C"), (0, "AC"), (2, "A")):
+        whole.click(on_curve(whole, row), keys=SHIFT)
+        assert (whole.session.selected.is_editing, chosen(whole)) == (False, expected)
+        assert whole.session.active_index in whole.session.selected.curves
+    whole.click((-1, 4.6))
+    assert (whole.session.selected.is_editing, chosen(whole)) == (False, "")
+
+
+def test_tab_goes_from_curve_to_curve_and_all_are_chosen_with_ctrl_a(whole):
+    for expected in "CAB":
+        whole.key(Qt.Key.Key_Tab)
+        assert chosen(whole) == expected
+    whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert state(whole)[:2] == (False, "ABC")
+
+
+@pytest.mark.parametrize("how", ["table", "list", "pen", "new document", "action"])
+def test_what_needs_points_edits_again(whole, how):
+    if how == "table":
+        whole.select([1])
+    elif how == "list":
+        whole.click_in_list(2)
+    elif how == "pen":
+        whole.key(Qt.Key.Key_P)
+    elif how == "new document":
+        whole.new()
+    else:
+        whole.trigger("editCurve")
+    assert whole.session.selected.is_editing
+    assert chosen(whole) == ""
+
+
+def test_the_action_goes_both_ways(three):
+    three.trigger("editCurve")
+    assert state(three) == (False, "B", "B")
+    assert not three.action("editCurve").isChecked()
+    three.trigger("editCurve")
+    assert state(three) == (True, "", "B")
+    assert three.action("editCurve").isChecked()
+
+
+# Moved
+
+
+@pytest.mark.parametrize("letters", ["C", "AC"])
+def test_what_is_chosen_is_dragged_and_nudged_and_stays_chosen(whole, letters):
+    rows = ["ABC".index(letter) for letter in letters]
+    for row in rows:
+        whole.click(on_curve(whole, row), keys=SHIFT)
+    before, steps = whole.session.document, whole.session.undo_stack.count()
+    x, y = on_curve(whole, rows[-1])
+    whole.drag((x, y), (x + 0.5, y + 0.25))
+    for row in range(3):
+        expected = (0.5, 0.25) if row in rows else (0.0, 0.0)
+        assert moved_by(whole, before, row) == pytest.approx(expected, abs=2 * whole.pixel)
+    words = "2 curves" if len(rows) > 1 else letters
+    assert whole.session.undo_stack.count() == steps + 1
+    assert whole.session.undo_stack.undoText() == f"Move {words}"
+    assert state(whole)[:2] == (False, letters)
+    whole.key(Qt.Key.Key_Left)
+    assert whole.session.undo_stack.undoText() == f"Nudge {words}"
+    whole.trigger("undo")
+    whole.trigger("undo")
+    assert whole.session.document == before
+    assert state(whole)[:2] == (False, letters)
+
+
+def test_a_drag_of_one_that_is_not_chosen_moves_that_one(whole):
+    before = whole.session.document
+    whole.click(on_curve(whole, 0))
+    x, y = on_curve(whole, 2)
+    whole.drag((x, y), (x + 0.5, y))
+    assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
+    assert state(whole) == (False, "A", "A")
+
+
+def test_one_that_is_chosen_has_a_box_and_is_moved_scaled_and_deleted(whole):
+    whole.click(on_curve(whole, 2))
+    assert whole.window.canvas.marks.box is not None
+    x, y = whole.grip(1, 1)
+    whole.drag((x, y), (x + 1, y + 1))
+    assert whole.session.undo_stack.undoText() == "Scale C"
+    whole.hover((1.5, 4.4))
+    whole.key(Qt.Key.Key_G)
+    whole.type_amount("2")
+    whole.key(RETURN)
+    assert whole.session.undo_stack.undoText() == "Move C"
+    whole.key(Qt.Key.Key_Delete)
+    assert [curve.name for curve in whole.session.document.curves] == ["A", "B"]
+    # A second Delete takes none that nobody has chosen.
+    assert state(whole)[:2] == (False, "")
+    whole.key(Qt.Key.Key_Delete)
+    assert len(whole.session.document.curves) == 2
+    whole.trigger("undo")
+    assert state(whole)[:2] == (False, "C")
+
+
+def test_with_none_chosen_the_keys_say_so(whole):
+    before = whole.session.document
+    whole.hover((1.5, 4.4))
+    whole.key(Qt.Key.Key_G)
+    assert whole.status == "No curve is chosen; click one, or press Ctrl+A for all."
+    whole.key(Qt.Key.Key_Left)
+    assert whole.session.document is before
+
+
+def test_the_status_line_says_what_a_press_does(whole):
+    line = whole.window.status_line
+    whole.hover((1.5, 4.4))
+    assert (
+        line.hint
+        == "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits one"
+    )
+    whole.hover(on_curve(whole, 2))
+    assert line.hint == (
+        "Drag to move “C” · click to choose it, double-click to edit it · Shift+click: choose it too"
+    )
+    whole.click(on_curve(whole, 2))
+    whole.hover(on_curve(whole, 2))
+    assert line.hint == (
+        "Drag to move “C” · Shift: one axis, a click takes it out · Double-click to edit “C”"
+    )
+    assert whole.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
+
+
+# The rubber band
+
+
+def test_the_band_chooses_what_lies_inside_live(whole):
+    whole.press((-0.7, 7.6))
+    whole.move((3.5, 2.5))
+    assert chosen(whole) == "BC"
+    assert whole.status.startswith("2 curves chosen · Shift: add to what was selected · Alt: curves")
+    whole.move((3.5, 5.5))
+    assert chosen(whole) == "C"
+    whole.move((1.5, 2.5))
+    assert chosen(whole) == ""
+    whole.move((3.5, 2.5))
+    whole.release((3.5, 2.5))
+    assert state(whole)[:2] == (False, "BC")
+    assert whole.session.selected.curves == {1, 2}
+    assert whole.session.active_index in {1, 2}
+
+
+def test_with_alt_the_band_takes_what_it_touches(whole):
+    whole.press((1.4, 7.6))
+    whole.move((1.6, 2.5), keys=ALT)
+    assert chosen(whole) == "BC"
+    # Across a stretch between two vertices of the line, and no further than that.
+    whole.move((1.6, 7.7), keys=ALT)
+    assert chosen(whole) == ""
+    whole.release((1.6, 2.5), keys=ALT)
+    assert chosen(whole) == "BC"
+
+
+def test_shift_adds_and_escape_brings_back_what_was_chosen(whole):
+    whole.click(on_curve(whole, 0))
+    for way in ("escape", "release"):
+        whole.press((-0.7, 7.6), keys=SHIFT)
+        whole.move((3.5, 5.5), keys=SHIFT)
+        assert chosen(whole) == "AC"
+        if way == "escape":
+            whole.escape()
+            assert whole.status == "Cancelled."
+            assert state(whole) == (False, "A", "A")
+        whole.release((3.5, 5.5), keys=SHIFT)
+    assert state(whole)[:2] == (False, "AC")
+
+
+def test_hidden_and_locked_curves_are_not_taken(whole):
+    whole.session.selected.choose({2})
+    whole.trigger("curveLocked")
+    whole.session.selected.choose({1})
+    whole.trigger("curveVisible")
+    whole.session.selected.choose(())
+    whole.drag((3.6, -0.6), (-0.7, 7.6))
+    assert chosen(whole) == "A"
+
+
+def test_while_a_curve_is_edited_the_band_takes_its_points(three):
+    three.drag((-0.7, 7.6), (1.5, 2.5))
+    assert (state(three), three.session.selection) == ((True, "", "B"), {0, 1})
+
+
+# The box
+
+
+def test_a_drag_inside_the_box_of_points_moves_them(three):
+    three.select([0, 1, 2, 3])
+    before, steps = three.session.document, three.session.undo_stack.count()
+    place = (0.3, 3.9)
+    three.hover(place)
+    hint = three.window.status_line.hint
+    assert hint == "Drag to move 4 points · Shift+drag: rubber band · Ctrl: snap · A click lets go"
+    assert three.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
+    three.drag(place, (place[0] + 0.4, place[1] + 0.2))
+    assert moved_by(three, before, 1) == pytest.approx((0.4, 0.2), abs=2 * three.pixel)
+    assert three.session.undo_stack.count() == steps + 1
+    assert three.session.undo_stack.undoText() == "Move 4 points"
+    assert three.session.selection == {0, 1, 2, 3}
+
+
+def test_a_drag_inside_the_box_of_curves_moves_them(whole):
+    whole.session.selected.choose({1, 2})
+    before = whole.session.document
+    whole.drag((0.5, 5.2), (0.9, 5.4))
+    for row, expected in ((0, (0, 0)), (1, (0.4, 0.2)), (2, (0.4, 0.2))):
+        assert moved_by(whole, before, row) == pytest.approx(expected, abs=2 * whole.pixel)
+    assert whole.session.undo_stack.undoText() == "Move 2 curves"
+
+
+def test_a_drag_inside_the_box_is_taken_back(three):
+    three.select([0, 1, 2, 3])
+    before = three.session.document
+    three.press((0.3, 3.9))
+    three.move((0.9, 4.4))
+    assert three.session.document != before
+    three.escape()
+    assert three.session.document is before
+    three.release((0.9, 4.4))
+    assert three.session.selection == {0, 1, 2, 3}
+
+
+def test_a_click_inside_the_box_lets_go(three):
+    three.select([0, 1, 2, 3])
+    three.click((0.3, 3.9))
+    assert (state(three), three.session.selection) == ((True, "", "B"), frozenset())
+    three.session.selected.choose({1, 2})
+    three.settle()
+    three.click((0.5, 5.2))
+    assert state(three)[:2] == (False, "")
+
+
+def test_shift_drag_inside_the_box_is_a_rubber_band(three):
+    three.select([0, 1, 3])
+    before = three.session.document
+    three.move((0.3, 3.9), held=False, keys=SHIFT)
+    assert three.window.status_line.hint.startswith("Drag to select points, Shift adds")
+    three.drag((1.7, 2.6), (2.3, 3.4), keys=SHIFT)
+    assert three.session.document is before
+    assert three.session.selection == {0, 1, 2, 3}
+
+
+def test_points_and_the_curve_inside_the_box_are_what_they_are(three):
+    three.select([0, 1, 2, 3])
+    three.drag(on_curve(three, 1), (1.5, 4.2))
+    assert three.session.undo_stack.undoText().startswith("Bend curve")
+    three.select([0, 3])
+    three.drag(three.point(1), (1.2, 4.3))
+    assert three.session.undo_stack.undoText() == "Move point 1"
+
+
+def test_without_the_box_the_inside_is_a_place_like_any_other(three):
+    three.trigger("toggleTransformBox")
+    three.select([0, 1, 2, 3])
+    before = three.session.document
+    three.drag((0.3, 3.9), (0.6, 3.6))
+    assert three.session.document is before
+
+
+def test_a_drag_with_the_mouse_really_held(whole):
+    """By Qt's own test functions, for the whole way of the events."""
+    before, canvas = whole.session.document, whole.window.canvas
+    x, y = on_curve(whole, 2)
+    start, end = canvas.to_pixel(x, y), canvas.to_pixel(x + 0.5, y)
+    QTest.mousePress(canvas.viewport(), Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(canvas.viewport(), end)
+    QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=end)
+    assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
