@@ -11,7 +11,6 @@ from importlib import import_module
 
 FEATURES = (
     "files",
-    "document_settings",
     "view",
     "snapping",
     "import_export",
@@ -41,6 +40,7 @@ FEATURES = (
     "lessons",
     "help",
     "reference_image",
+    "document_settings",
     "recovery",
     "file_on_disk",
 )
