@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from msgspec.structs import replace
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action
 from ...actions.sections import FILE_SAVE
-from ...document.model import Document, empty_document
 from ...features import document_settings
-from ...storage.examples import first_sketch
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel
@@ -30,22 +27,7 @@ class DocumentSettingsCommands:
         self._dock = context.docks["documentDock"]
         self._panel: DocumentPanel | None = None
         self._shown: tuple[str, float] | None = None
-        session = context.session
-        session.files.blank = self._blank
-        is_begun = session.files.path is not None or session.undo_stack.count()
-        if not is_begun and session.document == first_sketch() != self._as_usual(first_sketch()):
-            session.files.replace(self._as_usual(first_sketch()), None)
-        self.render(session.active_view)
-
-    def _blank(self) -> Document:
-        """Return what File > New opens."""
-        document = self._as_usual(empty_document())
-        curve = replace(document.curves[0], style=self._preferences.new_style)
-        return document.with_curve(0, curve)
-
-    def _as_usual(self, document: Document) -> Document:
-        preferences = self._preferences
-        return replace(document, unit=preferences.unit_name, grid_spacing=preferences.grid_spacing)
+        self.render(context.session.active_view)
 
     @LatePanel("documentDock", "Document", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
