@@ -15,7 +15,7 @@ from ..guides import GuidePicker
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
-from ..parts import GESTURES, press_on_part, unless_locked
+from ..parts import GESTURES, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
@@ -44,7 +44,7 @@ class SelectTool(Tool):
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
         elif hit is not None and not _is_below_grips(hit):
-            press_on_part(context, hit)
+            press_on_part(context, hit, toggling(context, hit))
         elif grip is not None:
             self._press_on_grip(context, grip)
         elif hit is not None and hit.part is Part.GUIDE:
@@ -225,6 +225,7 @@ SELECT = ToolRecord(
         GestureRow("Escape, a click beside them", "choose only the one edited", curves=True),
         *GESTURES,
         GestureRow("Click a point", "select it alone"),
+        GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
