@@ -646,3 +646,17 @@ def test_shift_click_within_a_fill_chooses_it_too(edited):
     edited.session.selected.activate(2)
     edited.click((2.2, 0.3), keys=SHIFT)
     assert chosen(edited) == ALL
+
+
+def test_the_points_of_the_other_curves_of_the_shape_are_seen(edited):
+    canvas = edited.window.canvas
+
+    def rim():
+        edited.settle()
+        image, (x, y) = canvas.viewport().grab().toImage(), canvas.to_pixel(0.0, 1.5).toTuple()
+        return {QColor(image.pixel(x + dx, y)).name() for dx in range(-4, 5)}
+
+    accent = LIGHT.accent.name()
+    assert accent in rim()
+    edited.session.selected.activate(2)
+    assert accent not in rim()
