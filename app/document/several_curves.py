@@ -17,7 +17,7 @@ from .curve_tree import OUTSIDE, Container, whole_nodes
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
 from .shape_edits import contained, with_own_names
-from .shapes import whole_shapes
+from .shapes import tidy_shapes, whole_shapes
 from .transforms import Affine, transform_points
 from .words import points
 
@@ -167,6 +167,12 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
     return document
 
 
+def alone(document: Document, curves: Collection[int]) -> Document:
+    """Return some curves of a document in a document of their own, which has no page."""
+    chosen = tuple(document.curves[place] for place in sorted(curves))
+    return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
+
+
 def in_order(document: Document, order: Sequence[int]) -> Document:
     """Return the document with its curves in this order, each given by its place now."""
     return replace(document, curves=tuple(document.curves[place] for place in order))
@@ -183,17 +189,13 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
     return max(0, min(before, len(document.curves) - len(curves) - 1))
 
 
-def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Added:
-    """Add copies of curves right in front of them, in their order, in these colours, visible and free.
+def add_copies(document: Document, curves: Collection[int]) -> Added:
+    """Add copies of curves right in front of them, in their order, as they look, visible and free.
 
     Copies of whole shapes and groups are shapes and groups of their own.
     """
     last = whole_nodes(document.curves, curves)[-1]
-    inside = contained(document.curves, curves, last.around)
-    copies = [
-        replace(curve, style=replace(curve.style, stroke=colour))
-        for curve, colour in zip(inside.values(), colours, strict=True)
-    ]
+    copies = list(contained(document.curves, curves, last.around).values())
     at = last.places.stop
     return Added(add_curves(document, copies, at, last.around), range(at, at + len(copies)))
 

@@ -74,6 +74,12 @@ class TransformTarget:
         return f"{'all ' if self.group is None and group.only_point is None else ''}{group.words}"
 
     @property
+    def is_nothing(self) -> bool:
+        """Whether nothing is selected, and no curve is edited or has no points."""
+        is_there = self.group is not None or self._host.selected.is_editing
+        return not is_there or not any(indices for _, indices in self.for_keys.parts)
+
+    @property
     def refusal_of_keys(self) -> str:
         """Why keys cannot transform anything: it is locked, or there is nothing."""
         if self.group is None and not self._host.selected.is_editing:
@@ -117,7 +123,7 @@ class TransformTarget:
 
     def _pivot(self) -> Pivot | None:
         chosen = self._host.selected.pivot
-        if chosen is None:
+        if chosen is None or self.is_nothing:
             return None
         return chosen.at(anchored(self._host.views, self.for_keys, live=self._host.is_previewing))
 

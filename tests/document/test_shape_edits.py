@@ -247,12 +247,12 @@ def test_new_curves_tear_nothing_apart():
 
 def test_copies_of_shapes_and_groups_have_names_of_their_own():
     some = document("(ab)[cd]")
-    copied = add_copies(some, {0, 1}, ["", ""]).document
+    copied = add_copies(some, {0, 1}).document
     assert text(copied).replace("a copy", "A").replace("b copy", "B") == "(ab)(AB)[cd]"
     assert [curve.shape for curve in copied.curves[2:4]] == ["S1 copy", "S1 copy"]
-    inside = add_copies(some, {2}, [""]).document
+    inside = add_copies(some, {2}).document
     assert [curve.groups for curve in inside.curves[2:]] == [("G1",)] * 3
-    whole = add_copies(some, {2, 3}, ["", ""]).document
+    whole = add_copies(some, {2, 3}).document
     assert [curve.groups for curve in whole.curves[2:]] == [("G1",), ("G1",), ("G1 copy",), ("G1 copy",)]
     pasted = add_curves(some, some.curves, 4)
     assert [curve.shape for curve in pasted.curves] == ["S1", "S1", "", "", "S1 copy", "S1 copy", "", ""]

@@ -13,7 +13,7 @@ from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
-from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
+from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
 from ..parts import GESTURES, press_on_part, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
@@ -178,8 +178,11 @@ class SelectTool(Tool):
 
     def _is_on_pivot(self, context: ToolContext) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
-        place, hit = self._pivot(context), context.hit
-        is_free = context.target.pivot is not None or hit is None or hit.part is Part.CURVE
+        place, hit, box = self._pivot(context), context.hit, self._box(context)
+        is_plain = hit is None or hit.part is Part.CURVE
+        is_free = context.target.pivot is not None or (
+            is_plain and box is not None and is_roomy(box, context.pointer)
+        )
         return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
@@ -211,7 +214,9 @@ SELECT = ToolRecord(
             selected=True,
             curves=True,
         ),
-        GestureRow("Drag the cross in the box", "move the pivot", selected=True, curves=True),
+        GestureRow(
+            "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
+        ),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
         GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
         GestureRow("Drag another curve", "move it whole; Shift keeps to one axis"),
