@@ -661,3 +661,33 @@ def test_the_points_of_the_other_curves_of_the_shape_are_seen(edited):
     assert has_rim()
     edited.session.selected.activate(2)
     assert not has_rim()
+
+
+# With what acts on chosen curves
+
+
+def test_groups_are_aligned_whole(group):
+    group.trigger("selectAllCurves")
+    before = group.session.document
+    group.session.selected.choose({0, 1, 2})
+    group.trigger("alignLeft")
+    ways = [
+        np.subtract(new.points[0].position, old.points[0].position)
+        for new, old in zip(group.session.document.curves, before.curves, strict=True)
+    ]
+    # Inner and Side begin at -1.5, Outer at -3.
+    assert np.array(ways) == pytest.approx(np.array([(0, 0), (-1.5, 0), (-1.5, 0)]), abs=1e-9)
+
+
+def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
+    click_row(group, "Group 1")
+    group.trigger("combineCurves")
+    group.session.selected.activate(1)
+    group.window.canvas.setFocus()
+    group.key(Qt.Key.Key_C, CTRL)
+    assert group.status == "Copied “Group 1”."
+    group.key(Qt.Key.Key_V, CTRL | ALT)
+    assert shapes(group) == ["", "Shape 1", "Shape 1", "Shape 1 copy", "Shape 1 copy"]
+    assert groups(group) == [(), ("Group 1",), ("Group 1",), ("Group 1 copy",), ("Group 1 copy",)]
+    group.key(Qt.Key.Key_X, CTRL)
+    assert shapes(group) == ["", "Shape 1", "Shape 1"]
