@@ -11,10 +11,11 @@ from ...document.shape_edits import next_pressed
 from .. import hints
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
+from ..guides import GuidePicker
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
-from ..parts import GESTURES, press_on_part, unless_locked
+from ..parts import GESTURES, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
@@ -26,9 +27,10 @@ class SelectTool(Tool):
 
     cursor = Cursor.ARROW
     finds_other_curves = True
+    finds_guides = True
 
     def __init__(self) -> None:
-        self._picker = CurvePicker()
+        self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
 
     def press(self, context: ToolContext) -> None:
@@ -41,10 +43,12 @@ class SelectTool(Tool):
         hit, grip = context.hit, self._grip_at(context)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
-        elif hit is not None and hit.part not in (Part.CURVE, Part.OTHER_CURVE):
-            press_on_part(context, hit)
+        elif hit is not None and not _is_below_grips(hit):
+            press_on_part(context, hit, toggling(context, hit))
         elif grip is not None:
             self._press_on_grip(context, grip)
+        elif hit is not None and hit.part is Part.GUIDE:
+            self._guides.press(context, hit)
         elif hit is not None and hit.inside:
             self._press_within(context, hit)
         elif hit is not None:
@@ -81,7 +85,9 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Edit the curve that is chosen with Enter."""
+        """Remove the guide under the pointer with Delete; edit the curve that is chosen with Enter."""
+        if self._guides.key(context, key):
+            return True
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
@@ -118,6 +124,10 @@ class SelectTool(Tool):
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
+    def claims(self, key: str) -> bool:
+        """Whether a key is for the guide under the pointer."""
+        return self._guides.claims(key)
+
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
         super().end()
@@ -129,19 +139,27 @@ class SelectTool(Tool):
         """Return what a press here would do."""
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
         snaps = context.settings.snapping.on
-        if self._is_on_pivot(context):
+        takes_pivot = self._is_on_pivot(context)
+        self._guides.hover(context, hit if grip is None and not takes_pivot else None)
+        if takes_pivot:
             return PIVOT_HINT
-        is_other = hit is not None and hit.part is Part.OTHER_CURVE
-        is_below = hit is None or hit.inside or hit.part is Part.CURVE
-        if grip is not None and group is not None and is_below:
+        if grip is not None and group is not None and _is_below_grips(hit):
             return hints.on_grip(grip, group, context.target.refusal_of(group))
+        is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if hit is not None and is_other and (not hit.inside or self._is_pressed_within(context)):
             return self._picker.hint(context, hit)
-        if (hit is None or hit.inside) and (inside := self._inside(context)) is not None:
-            return hints.inside_box(inside, context.pointer, snaps=snaps)
-        if hit is None and (idle := self._picker.idle_hint(context)) is not None:
+        if (on_guide := self._guides.hint(context)) is not None:
+            return on_guide
+        if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
         return hints.to_select(hit, context.view, context.host.selected.points, context.pointer, snaps=snaps)
+
+    def _idle_hint(self, context: ToolContext) -> Hint | None:
+        """Return what a press beside everything would do, None for nothing in particular."""
+        inside = self._inside(context)
+        if inside is None:
+            return self._picker.idle_hint(context)
+        return hints.inside_box(inside, context.pointer, snaps=context.settings.snapping.on)
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
@@ -154,6 +172,7 @@ class SelectTool(Tool):
             pivot=self._pivot(context) if not is_banding else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
+            guide=self._guides.lit,
         )
 
     @staticmethod
@@ -179,7 +198,7 @@ class SelectTool(Tool):
     def _is_on_pivot(self, context: ToolContext) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
         place, hit, box = self._pivot(context), context.hit, self._box(context)
-        is_plain = hit is None or hit.part is Part.CURVE
+        is_plain = hit is None or hit.part in (Part.CURVE, Part.GUIDE)
         is_free = context.target.pivot is not None or (
             is_plain and box is not None and is_roomy(box, context.pointer)
         )
@@ -188,6 +207,11 @@ class SelectTool(Tool):
     def _grip_at(self, context: ToolContext) -> Grip | None:
         box = self._box(context)
         return box.grip_at(context.pointer) if box is not None else None
+
+
+def _is_below_grips(hit: Hit | None) -> bool:
+    """Whether a grip of the box comes before what is hit."""
+    return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
 SELECT = ToolRecord(
@@ -201,6 +225,7 @@ SELECT = ToolRecord(
         GestureRow("Escape, a click beside them", "choose only the one edited", curves=True),
         *GESTURES,
         GestureRow("Click a point", "select it alone"),
+        GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
@@ -214,6 +239,7 @@ SELECT = ToolRecord(
             selected=True,
             curves=True,
         ),
+        GestureRow("Drag a guide", "move it; back to the ruler removes it"),
         GestureRow(
             "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
         ),
