@@ -1,4 +1,4 @@
-"""Curves aligned with each other and spaced evenly by their bounds; those of a shape or group stay together."""
+"""Curves aligned with each other and spaced evenly by their bounds; a shape or group stays together."""
 
 from __future__ import annotations
 
