@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import LIGHT
 from app.cli import main
+from app.document.edits import move_points
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, Style
 from app.families import HERMITE
@@ -691,3 +692,30 @@ def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
     assert groups(group) == [(), ("Group 1",), ("Group 1",), ("Group 1 copy",), ("Group 1 copy",)]
     group.key(Qt.Key.Key_X, CTRL)
     assert shapes(group) == ["", "Shape 1", "Shape 1"]
+
+
+# Many
+
+
+def test_a_move_in_a_list_of_thousands_makes_one_row_anew(editor, monkeypatch):
+    curves = [
+        replace(diamond(1.0, f"c{k}", x=3.0 * k), shape=f"S{k // 2}", groups=(f"G{k // 20}",))
+        for k in range(2000)
+    ]
+    editor.session.commit(Document(tuple(curves)), "Begin", active=7)
+    editor.session.selected.activate(7)
+    editor.show_dock("curvesDock")
+    model = view_of(editor).curves
+    assert model.rowCount() == 100
+    made = []
+    row = type(model)._row
+    monkeypatch.setattr(type(model), "_row", lambda self, node: made.append(node.name) or row(self, node))
+    resets = []
+    model.modelAboutToBeReset.connect(lambda: resets.append(1))
+    editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
+    assert (made, resets) == (["G0"], [])
+    fold(editor, "G0")
+    fold(editor, "S3")
+    made.clear(), resets.clear()
+    editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
+    assert (sorted(made), resets) == (["G0", "S3", "c7"], [])
