@@ -218,6 +218,25 @@ def test_more_is_combined_with_a_shape(ring):
     assert shapes(ring) == ["Shape 1"] * 3
 
 
+def test_a_letter_is_traced_combined_and_filled(editor):
+    """What a designer does for an O: ten clicks of the pen, three keys, one click on a colour."""
+    editor.new()
+    editor.choose_family(HERMITE)
+    editor.window.canvas.camera.show_box((-4.0, 4.0), (-4.0, 4.0))
+    editor.trigger("addTool")
+    for size in (3.0, 1.5):
+        for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)):
+            editor.click((size * x, size * y))
+    editor.key(Qt.Key.Key_V)
+    editor.key(Qt.Key.Key_A, CTRL | SHIFT)
+    editor.key(Qt.Key.Key_K, CTRL | ALT)
+    editor.show_dock("styleDock")
+    blue = editor.window.findChild(object, "fillPaint_Blue")
+    QTest.mouseClick(blue, LEFT)
+    assert [curve.is_closed for curve in editor.session.document.curves] == [True, True]
+    assert (seen(editor, 2.2, 0.3), seen(editor, 0.3, 0.2)) == ("#0072b2", LIGHT.paper.name())
+
+
 # The entry that opens
 
 
