@@ -738,3 +738,11 @@ def test_a_move_in_a_list_of_thousands_makes_one_row_anew(editor, monkeypatch):
     made.clear(), resets.clear()
     editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
     assert (sorted(made), resets) == (["G0", "S3", "c7"], [])
+
+
+def test_leaving_a_curve_of_a_shape_chooses_the_shape(edited):
+    edited.escape()
+    assert chosen_as_wholes(edited) == {"Outer", "Inner"}
+    assert edited.status.startswith("“Shape 1” is chosen, and edited no longer")
+    edited.key(Qt.Key.Key_Delete)
+    assert (names(edited), edited.status) == (["Side"], "Deleted “Shape 1”.")
