@@ -10,9 +10,9 @@ from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from msgspec.structs import replace
+from msgspec.structs import asdict, replace
 
 from .. import cli, exchange
 from ..document.limits import EditError
@@ -31,7 +31,6 @@ from ..view_model.least_squares import Fitted, fitted_to_curve
 from ..view_model.motion_settings import Pace, Repeat
 from .command_line import common_options
 from .documents import load_document
-from .facts_text import facts_as_json, facts_as_text
 from .options import (
     STYLES,
     add_convert_options,
@@ -42,6 +41,7 @@ from .options import (
     picture_options,
     positive_number,
 )
+from .printed_facts import facts_as_json, facts_as_text
 from .refusals import RefusalError, one_line, say
 
 if TYPE_CHECKING:
@@ -200,12 +200,28 @@ def _convert(options: argparse.Namespace) -> int:
             picture_options(options, document), own=own_options(options), report=part(report, 0.7, 1.0)
         )
         written = export(document, options.output, wanted)
-    said = (f"“{fit.curve.name}”: {fit.words}" for fit in fits)
-    _tell((*source.sentences, *_on_groups(source, options.only), *said, *written.remarks))
+    fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
+    said = [*_on_groups(source, options.only), *fitted, *written.remarks]
     off = max((fit.deviation for fit in fits), default=0.0)
     total = exchange.parts.rounded_up(source.deviation + off + written.deviation)
-    say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
+    if options.json:
+        missed = [asdict(each) for each in source.missed]
+        _say_json(
+            {
+                "output": options.output,
+                "deviation": total,
+                "missed": missed,
+                "remarks": [*source.remarks, *said],
+            }
+        )
+    else:
+        _tell([*source.sentences, *said])
+        say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
+
+
+def _say_json(content: dict[str, Any]) -> None:
+    say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
 
 
 def _wants_fit(options: argparse.Namespace) -> bool:
@@ -254,15 +270,12 @@ def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
 
 
 def _info(options: argparse.Namespace) -> int:
-    # Takes modules along that the editor does without.
-
     document = _document_of(options)
     with _told_on_terminals() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
         curves = [facts_as_json(each) for each in facts]
-        content = {"file": options.file, "unit": document.unit or None, "curves": curves}
-        say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+        _say_json({"file": options.file, "unit": document.unit or None, "curves": curves})
     else:
         say("\n\n".join(facts_as_text(each, document.unit) for each in facts))
     return 0

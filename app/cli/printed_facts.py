@@ -1,4 +1,4 @@
-"""Facts about curves as `curvebench info` prints them: in lines, and as JSON."""
+"""Facts about curves, as `info` prints them: as text, and as plain values for JSON."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
         "corners": facts.corners,
         "smooth": facts.smooth,
         "visible": facts.visible,
-        "style": asdict(facts.style),
         "shape": facts.shape or None,
         "groups": facts.groups,
+        "style": asdict(facts.style),
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
         "lebesgue_constant": _finite_only(facts.lebesgue_constant),
@@ -50,7 +50,7 @@ def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
 
 
 def facts_as_text(facts: CurveFacts, unit: str) -> str:
-    """Return the facts in lines; lengths of the style are in the unit of the document."""
+    """Return the facts as lines: the name, and one for each; the document may have a unit."""
     rows = [("shape", one_line(facts.shape))] if facts.shape else []
     rows += [("group", " > ".join(map(one_line, facts.groups)))] if facts.groups else []
     rows.append(("family", facts.family.full_title))
@@ -72,7 +72,7 @@ def facts_as_text(facts: CurveFacts, unit: str) -> str:
     if facts.box is not None:
         left, bottom, right, top = facts.box
         rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
-    rows.append(("style", style_in_words(facts.style, unit)))
+    rows.append(("style", _style_text(facts.style, unit)))
     if unit:
         rows.append(("unit", one_line(unit)))
     if not facts.visible:
@@ -121,17 +121,17 @@ def _rule_text(facts: CurveFacts) -> str:
     return f"{kind}, α = {facts.parametrization.alpha:g}" if kind == "power" else kind
 
 
-def style_in_words(style: Style, unit: str) -> str:
+def _style_text(style: Style, unit: str) -> str:
     """Return stroke and fill in a line."""
-    parts = [f"fill {style.fill}{_faint(style.fill_opacity)}"] if style.has_fill else []
+    parts = [f"fill {style.fill}{_opacity_text(style.fill_opacity)}"] if style.has_fill else []
     if style.has_stroke:
-        width = "the usual width" if style.width is None else f"{style.width:.6g} {unit}".rstrip()
+        width = "the usual width" if style.width is None else f"{style.width:.6g} {one_line(unit)}".rstrip()
         dashes = f", dashes {' '.join(f'{each:g}' for each in style.dash)}" if style.dash else ""
         paint = style.stroke or "in ink"
-        parts.insert(0, f"stroke {paint}{_faint(style.stroke_opacity)}, {width}{dashes}")
+        parts.insert(0, f"stroke {paint}{_opacity_text(style.stroke_opacity)}, {width}{dashes}")
     whole = f"; all {style.opacity:.0%} opaque" if style.opacity < 1 else ""
     return ("; ".join(parts) or NO_PAINT) + whole
 
 
-def _faint(opacity: float) -> str:
+def _opacity_text(opacity: float) -> str:
     return f", {opacity:.0%} opaque" if opacity < 1 else ""
