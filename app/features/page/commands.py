@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from ... import exchange
 from ...actions.declaration import action
 from ...actions.needs import CURVE_THROUGH_TWO, Need
 from ...actions.sections import FILE_PAGE
 from ...document.model import Page
 from ...document.plane_edits import set_page
 from ...document.words import number
+from ...exchange import drawing
 from ...exchange.errors import ExchangeError
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -39,7 +39,7 @@ class PageCommands:
         """Let pictures show just what the visible curves take, with their strokes, whatever comes later."""
         document = self._session.document
         try:
-            frame = exchange.drawing.trim.frame_of(document)
+            frame = drawing.trim.frame_of(document)
         except ExchangeError as problem:
             self._session.refuse(str(problem))
             return
