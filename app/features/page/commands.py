@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...actions.declaration import action
 from ...actions.needs import CURVE_THROUGH_TWO, Need
-from ...actions.sections import FILE_PAGE
+from ...actions.sections import EDIT_PAGE
 from ...document.model import Page
 from ...document.plane_edits import set_page
 from ...document.words import number
@@ -31,7 +31,7 @@ class PageCommands:
     @action(
         "pageAroundCurves",
         "Page Around the Curves",
-        FILE_PAGE,
+        EDIT_PAGE,
         needs=CURVE_THROUGH_TWO,
         keywords="resize fit artboard canvas size drawing export area",
     )
@@ -48,7 +48,7 @@ class PageCommands:
             size = f"{number(page.width)} × {number(page.height)} {document.unit}".strip()
             self._session.say(f"The page is {size}; pictures show what lies on it.")
 
-    @action("noPage", "No Page", FILE_PAGE, needs=_PAGE, keywords="remove delete artboard export area")
+    @action("noPage", "No Page", EDIT_PAGE, needs=_PAGE, keywords="remove delete artboard export area")
     def _take_away(self) -> None:
         """Let pictures show what the curves take, however they change."""
         self._session.change("No Page", lambda document: set_page(document, None))
