@@ -280,7 +280,7 @@ def test_the_end_of_a_handle_meets_another_curve(quintic):
     quintic.release(place)
 
 
-@pytest.mark.parametrize("keys", [CTRL, SHIFT, Qt.KeyboardModifier.AltModifier])
+@pytest.mark.parametrize("keys", [CTRL, SHIFT, SHIFT | Qt.KeyboardModifier.AltModifier])
 def test_a_handle_is_free_with_ctrl_and_at_a_held_angle_or_direction(quintic, keys):
     document = quintic.session.document
     quintic.press(handle_end(quintic, 1))

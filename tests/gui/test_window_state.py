@@ -56,6 +56,7 @@ REMEMBERED = {
     "snap_kinds",
     "pencil",
     "transform_box",
+    "rulers",
     "keep_proportions",
     "scale_strokes",
     "with_estimates",

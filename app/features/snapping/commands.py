@@ -6,7 +6,7 @@ from ...actions.declaration import action, also
 from ...actions.sections import VIEW_DRAWING
 from ...actions.strips import CANVAS_MENU, TOOLBAR
 from ...state.window_state import WindowState
-from ...tools.snapping import Snapping
+from ...tools.snapping import SnapKind, Snapping
 from ...workbench.context import WindowContext
 
 
@@ -19,7 +19,9 @@ class SnapCommands:
         context.store.changed.connect(self._show_state)
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
-        snapping = Snapping(state.snap_on, state.snap_kinds)
+        # Nobody would understand a snap to what is not seen.
+        hidden = frozenset() if state.guides_shown else {SnapKind.GUIDES}
+        snapping = Snapping(state.snap_on, state.snap_kinds - hidden)
         self._context.central.canvas.change_tool_settings(snapping=snapping)
 
     @action("toggleSnap", "Snap", VIEW_DRAWING, "%", "magnet", checked=lambda now: now.state.snap_on)
