@@ -28,8 +28,9 @@ from ...view_model.pasting import (
     copied_as_new_curve,
     refuse_unordered,
 )
+from ...workbench.clipboard import CURVES
 from ...workbench.context import WindowContext
-from .content import CURVES, PointsContent, clipboard_data, curves_in, drawing_in, points_in
+from .content import PointsContent, clipboard_data, curves_in, drawing_in, points_in
 from .keys import give_keys_to_drawing
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ class PasteCommands:
         """Add the curves or the SVG on the clipboard where they were copied from; append points."""
         self._paste(None, self._append)
 
-    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Shift+V")
+    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Alt+N")
     @also(CANVAS_MENU(22))
     def _paste_as_curve(self) -> None:
         """Make a curve of the points on the clipboard."""
