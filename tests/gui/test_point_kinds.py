@@ -14,6 +14,8 @@ from PySide6.QtWidgets import QToolButton
 from app.document.lines import is_line
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.ties import angle_between, holds
+from app.exchange.reading import import_file
+from app.exchange.writing import export
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.view_model.analysis.joints import certificate_of
@@ -465,6 +467,21 @@ def test_files_and_both_clipboards_keep_a_tie(bow):
     bow.trigger("copyPoints")
     bow.trigger("pasteAsCurve")
     assert [point.tied for point in bow.curve.points] == [True, True, False]
+
+
+def test_a_table_of_points_keeps_a_tie(bow, tmp_path):
+    bow.select_point(2)
+    bow.key(Key.Key_S, SHIFT)
+    bow.drag_handle((4.2, 3.4), ahead=True)
+    bow.select([3])
+    bow.key(Key.Key_C, SHIFT)
+    bow.drag_handle((4.8, 1.6), ahead=True)
+    export(bow.session.document, tmp_path / "bow.points.csv")
+    (back,) = import_file(tmp_path / "bow.points.csv").document.curves
+    assert [(point.corner, point.tied) for point in back.points][1:4] == [
+        (False, False), (True, True), (True, False)
+    ]  # fmt: skip
+    assert holds(back.points[2])
 
 
 @pytest.mark.parametrize("name", ["reverseCurve", "freezeParameters", "closeCurve"])
