@@ -12,6 +12,7 @@ from importlib import import_module
 FEATURES = (
     "files",
     "view",
+    "guides",
     "snapping",
     "import_export",
     "curves",

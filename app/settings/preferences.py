@@ -102,6 +102,9 @@ class Preferences:
     transform_box = SwitchOfAction("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
 
+    rulers = SwitchOfAction("view/rulers", default=True)
+    """Whether the axes of the canvas are rulers."""
+
     as_printed = SwitchOfAction("view/as_printed", default=False)
     """Whether the canvas shows light paper and the very colours that were chosen."""
 

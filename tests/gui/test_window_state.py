@@ -58,6 +58,7 @@ REMEMBERED = {
     "unit_name",
     "pencil",
     "transform_box",
+    "rulers",
     "keep_proportions",
     "scale_strokes",
     "with_estimates",

@@ -6,7 +6,7 @@ from ...actions.declaration import action, also
 from ...actions.sections import VIEW_DRAWING
 from ...actions.strips import CANVAS_MENU, TOOLBAR
 from ...state.window_state import WindowState
-from ...tools.snapping import Snapping
+from ...tools.snapping import SnapKind, Snapping
 from ...workbench.context import WindowContext
 
 
@@ -20,7 +20,9 @@ class SnapCommands:
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
         canvas = self._context.central.canvas
-        snapping = Snapping(state.snap_on, state.snap_kinds)
+        # Nobody would understand a snap to what is not seen.
+        hidden = frozenset() if state.guides_shown else {SnapKind.GUIDES}
+        snapping = Snapping(state.snap_on, state.snap_kinds - hidden)
         canvas.change_tool_settings(snapping=snapping, unit=state.unit_name)
         canvas.drawing.grid.set_spacing(state.grid_spacing)
         canvas.drawing.units.render(state.unit_name)
