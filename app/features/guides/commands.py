@@ -41,14 +41,12 @@ class GuideCommands:
 
     @property
     def _unit(self) -> str:
-        return self._context.store.state.unit_name
+        return self._session.document.unit
 
-    def _show_state(self, before: WindowState | None, state: WindowState) -> None:
+    def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
         self._canvas.show_rulers(state.shows_rulers)
         self._guides.set_visible(state.guides_shown)
         self._guides.locked = state.guides_locked
-        if before is not None and before.unit_name != state.unit_name:
-            self._guides.render(self._session.document.guides, self._unit)
 
     # The field
 
