@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
+from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from ..document.model import Axis, Vector
 from ..plotting.edge_scroll import EdgeScroll
+from ..plotting.rulers import Extent
 from ..plotting.tool_plot import ToolPlot
+from ..tools.guides import GuideTool, hint_on_ruler
 from ..tools.marks import GestureMarks
-from ..tools.pointer import Hint, Hit, Pointer
+from ..tools.pointer import Hint, Hit, Part, Pointer
 from ..tools.tool import Tool, ToolRecord
 from ..tools.toolbox import Toolbox
 from ..tools.transform import TransformKind
@@ -32,9 +35,15 @@ class Canvas(ToolPlot):
     -------
     menu_requested
         A menu is wanted: for what lies there (a Hit or None), at a place of the screen.
+    guide_drawn
+        A press on a ruler draws a guide from now on.
+    guide_opened
+        A guide, by its place in the document, shall be given a place; or a new one, by its axis.
     """
 
     menu_requested = Signal(object, QPoint)
+    guide_drawn = Signal()
+    guide_opened = Signal(object)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(tools, parent)
@@ -44,6 +53,7 @@ class Canvas(ToolPlot):
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
         self.framing = Framing(self.camera, self.drawing)
+        self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self._move_again)
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
@@ -57,13 +67,9 @@ class Canvas(ToolPlot):
 
     # Gestures
 
-    def _pressed(self, pointer: Pointer) -> None:
-        self._edge.begin(pointer.pixel)
-        super()._pressed(pointer)
-
     def _moved(self, pointer: Pointer) -> None:
         super()._moved(pointer)
-        if self._is_held and self.tools.is_pressed:
+        if self._is_held and self.tools.scrolls:
             self._edge.follow(pointer.pixel)
 
     def _end_gesture(self) -> None:
@@ -72,6 +78,14 @@ class Canvas(ToolPlot):
 
     def show_marks(self) -> None:
         self.drawing.show_marks(self.tools.marks())
+        self._mark_rulers()
+
+    def _mark_rulers(self) -> None:
+        """Mark the pointer and what is selected on the rulers."""
+        if self.rulers.are_shown:
+            box = self.tools.target.box
+            extent = Extent(box.low, box.high) if box is not None else None
+            self.rulers.show(self._pointer.pixel if self._pointer is not None else None, extent)
 
     # Tools
 
@@ -114,6 +128,57 @@ class Canvas(ToolPlot):
         """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""
         return self.tools.place() or pointer.position
 
+    @property
+    def pointed_place(self) -> Vector:
+        """The place under the pointer, or of the menu that covers it; elsewhere the middle of the view."""
+        if self._pointer is None and self._asked_at is not None:
+            return self._asked_at.position
+        return self._pointer_now().position
+
+    # Guides out of the rulers
+
+    def _axis_at(self, pointer: Pointer) -> Axis | None:
+        """Return which coordinate the guides hold that are drawn out of the ruler under the pointer."""
+        ruler = None if self.tools.is_transforming else self.rulers.axis_at(pointer.pixel)
+        # Guides lie along the ruler that they come from.
+        return None if ruler is None else (Axis.Y, Axis.X)[ruler]
+
+    def _pressed(self, pointer: Pointer) -> None:
+        self._edge.begin(pointer.pixel)
+        axis = self._axis_at(pointer)
+        if axis is None:
+            super()._pressed(pointer)
+            return
+        self.guide_drawn.emit()
+        self.gesture_began.emit()
+        self.tools.begin_with(lambda context: GuideTool(axis, context), pointer)
+        self._show_progress()
+
+    def _hovered_at(self, pointer: Pointer) -> None:
+        self._asked_at = None
+        axis = self._axis_at(pointer)
+        if axis is None:
+            super()._hovered_at(pointer)
+            return
+        self.tools.leave()
+        self.show_marks()
+        hint = hint_on_ruler(axis)
+        self._show_cursor(hint)
+        self.hint_changed.emit(hint.text)
+        self.pointed_at.emit(pointer.position)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        pointer = self.pointer_at(event)
+        axis, hit = self._axis_at(pointer), self._hit_at(event.position())
+        if event.button() == Qt.MouseButton.LeftButton and axis is not None:
+            self.guide_opened.emit(axis)
+        elif event.button() == Qt.MouseButton.LeftButton and hit is not None and hit.part is Part.GUIDE:
+            self.guide_opened.emit(hit.index)
+        else:
+            super().mouseDoubleClickEvent(event)
+            return
+        event.accept()
+
     # Menus and keys
 
     def _menu_wanted(self, event: QContextMenuEvent) -> None:
@@ -122,6 +187,7 @@ class Canvas(ToolPlot):
         place = self.framing.selected_pixel() if by_key else QPointF(event.pos())
         hit = self._hit_at(place) if place is not None else None
         corner = (place or self.camera.centre()).toPoint()
+        self._asked_at = self.pointer_at(QPointF(corner))
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
 
     def hit_at(self, place: QPoint) -> Hit | None:

@@ -25,6 +25,7 @@ from .annotations import Annotations
 from .control_polygon_layer import ControlPolygonLayer
 from .drawn_curves import DrawnCurves
 from .grid_layer import GridLayer
+from .guides_layer import GuidesLayer
 from .hit_test import hit_test
 from .image_layer import ImageLayer
 from .label_place import Surroundings, number_box, segments_near
@@ -61,6 +62,8 @@ class CanvasScene:
         The curves that are not edited; those of them that are selected together with it.
     polygon, curve, points
         The curve that is edited, and its control polygon if it does not pass its points.
+    guides
+        The guides.
     annotations
         What explains it: figures, ghosts, other versions, the legend.
     marks, pen
@@ -84,6 +87,7 @@ class CanvasScene:
         )
         self.polygon = ControlPolygonLayer(plot)
         self.annotations = Annotations(plot, self)
+        self.guides = GuidesLayer(plot)
         self.points = PointLayer(plot)
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
@@ -189,6 +193,7 @@ class CanvasScene:
     def show_marks(self, marks: GestureMarks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""
         self.marks.render(marks)
+        self.guides.light(marks.guide)
         self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
@@ -203,7 +208,9 @@ class CanvasScene:
             polyline = self.curve.polyline(shown)
             hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
         if hit is None and tool.finds_other_curves:
-            return self.curves.hit(pixel, shown)
+            hit = self.curves.hit(pixel, shown)
+        if hit is None and tool.finds_guides:
+            hit = self.guides.hit(pixel, shown)
         return hit
 
     @property

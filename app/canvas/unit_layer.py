@@ -40,6 +40,7 @@ class UnitLayer(Layer):
         painter.setPen(self.theme.muted)
         side = Qt.AlignmentFlag
         at_x, at_y = self.words(shown)
-        below = QRectF(shown.width - 126, shown.height - 22, 120, 18)
-        painter.drawText(below, int(side.AlignRight | side.AlignBottom), at_x)
-        painter.drawText(QRectF(6, 4, 200, 18), int(side.AlignLeft | side.AlignTop), at_y)
+        top = 4 if self._plot.rulers.are_shown else shown.height - 22
+        left, right = int(side.AlignLeft | side.AlignVCenter), int(side.AlignRight | side.AlignVCenter)
+        painter.drawText(QRectF(shown.width - 126, top, 120, 18), right, at_x)
+        painter.drawText(QRectF(6, 4, 200, 18), left, at_y)

@@ -12,6 +12,7 @@ from importlib import import_module
 FEATURES = (
     "files",
     "view",
+    "guides",
     "snapping",
     "import_export",
     "curves",
@@ -40,6 +41,7 @@ FEATURES = (
     "lessons",
     "help",
     "reference_image",
+    "document_settings",
     "recovery",
     "file_on_disk",
 )

@@ -254,6 +254,9 @@ class Axes:
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Paint both, in pixels of the plot area."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        if self.are_rulers:
+            left, above = self["left"].thickness + _MARGIN, self["bottom"].thickness + _MARGIN
+            painter.fillRect(QRectF(-left, -above, left, above), self._theme.surface)
         for side in self.sides(shown):
             side.paint(painter, self._theme)
         if offset := self["bottom"].ticks_in(shown).offset:

@@ -16,6 +16,7 @@ from .axes import Axes, Axis
 from .camera import Camera
 from .layers import LayerStack
 from .pixel_map import PixelMap
+from .rulers import Rulers
 
 _FOCUS_WIDTH = 2
 
@@ -32,6 +33,8 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         Which part of the plane is seen.
     layers
         What is painted.
+    rulers
+        Marks on the axes, while these are rulers.
 
     Signals
     -------
@@ -52,6 +55,7 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         self._axes = Axes(self._box, self._repaint_all)
         self.camera = self.camera_class(self, self._box)
         self.layers = LayerStack(self.viewport(), lambda: self.camera.area, self._axes.paint)
+        self.rulers = Rulers(self.viewport(), self._axes, self.camera)
         self._shows_focus = False
         self._set_up_view()
         self._axes.set_scale(self.font(), 1.0)
@@ -92,6 +96,13 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         """Return the point of the plane at a viewport pixel."""
         return self.camera.to_plane(pixel)
 
+    def show_rulers(self, shown: bool) -> None:
+        """Show the axes as rulers, the one along x above the drawing, or as plain axes."""
+        if shown != self._axes.are_rulers:
+            self._axes.set_rulers(shown)
+            self.camera.reset_origin()
+            self.camera.changed.emit()
+
     # Painting
 
     def set_theme(self, theme: Theme) -> None:
@@ -125,9 +136,10 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         origin, area, shown = self.camera.origin, self.camera.area, self.camera.pixel_map
         with QPainter(self.viewport()) as painter:
             self.layers.paint_ground(painter, shown, origin)
+            painter.translate(origin)
+            self.rulers.paint(painter, shown, self.layers.theme)
             if event.region().intersects(area):
-                painter.setClipRect(area)
-                painter.translate(origin)
+                painter.setClipRect(QRectF(area).translated(-origin))
                 self.layers.paint(painter, shown)
         if self._shows_focus:
             self._paint_focus()

@@ -50,13 +50,15 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the mouse has the reference image instead of the points.
     grid, basis, side_panel, lessons
         Whether the grid, the basis functions, the panels at the side and the lessons are shown.
+    rulers, guides_shown, guides_locked
+        Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
     thin_lines, as_printed
         Whether curves are thin lines without fills; whether paper and colours are as they print.
     presentation
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, grid_spacing, unit_name, with_estimates, theme_mode, pencil
+    snap_on, snap_kinds, with_estimates, theme_mode, pencil
         As the preferences remember them.
     transform_box, keep_proportions, scale_strokes
         As the preferences remember them.
@@ -82,14 +84,15 @@ class WindowState(msgspec.Struct, frozen=True):
     basis: bool = True
     side_panel: bool = True
     lessons: bool = False
+    rulers: bool = True
+    guides_shown: bool = True
+    guides_locked: bool = False
     thin_lines: bool = False
     as_printed: bool = False
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
-    grid_spacing: float = 0.0
-    unit_name: str = ""
     transform_box: bool = True
     keep_proportions: bool = False
     scale_strokes: bool = True
@@ -106,6 +109,11 @@ class WindowState(msgspec.Struct, frozen=True):
     file: FileSituation = FileSituation()
     is_working: bool = False
     image_problem: str = ""
+
+    @property
+    def shows_rulers(self) -> bool:
+        """Whether the axes of the canvas are rulers now: not in a presentation."""
+        return self.rulers and not self.presentation
 
     def uses(self, tool: ToolRecord) -> bool:
         """Whether the mouse has this tool; while it moves the image, it has none for points."""

@@ -26,6 +26,15 @@ class Drag(msgspec.Struct, frozen=True):
         raise NotImplementedError
 
     @property
+    def scrolls(self) -> bool:
+        """Whether the view moves on where it comes to the edge."""
+        return True
+
+    def name_at(self, pointer: Pointer) -> str:
+        """Return the name of the step that ends here."""
+        return self.name
+
+    @property
     def keys(self) -> str:
         """Effects of the modifier keys, for the status line."""
         return ""

@@ -155,6 +155,12 @@ class DragMachine:
         """Whether a gesture is in flight."""
         return self._press is not None
 
+    @property
+    def scrolls(self) -> bool:
+        """Whether a gesture is in flight that moves the view on at the edge."""
+        press = self._press
+        return press is not None and (press.drag is None or press.drag.scrolls)
+
     def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
         """Begin: past the threshold `drag`, if any, takes over; a release before that is `on_click`."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
@@ -238,7 +244,7 @@ class DragMachine:
         if press is None:
             return
         if press.moving and press.drag is not None and press.last is not None:
-            is_done = self._host.commit(press.last, press.drag.name, active=press.active)
+            is_done = self._host.commit(press.last, press.drag.name_at(pointer), active=press.active)
             if is_done and press.on_done is not None:
                 press.on_done()
         elif not press.moving and press.on_click is not None:

@@ -60,6 +60,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         What the pencil has drawn so far.
     waiting
         Lines of which curves are being made.
+    guide
+        The guide under the pointer, or that is dragged: its place in the document.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -74,6 +76,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     spot: Vector | None = None
     line: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
+    guide: int | None = None
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""

@@ -26,6 +26,7 @@ class Part(Enum):
     IMAGE = auto()
     IMAGE_CORNER = auto()
     OTHER_CURVE = auto()
+    GUIDE = auto()
 
 
 class Hit(msgspec.Struct, frozen=True):
@@ -37,7 +38,7 @@ class Hit(msgspec.Struct, frozen=True):
         Which kind of thing.
     index
         The point it belongs to; for the curve, the point before which a new one would be inserted; for
-        another curve, its place in the document.
+        another curve and a guide, its place in the document.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead

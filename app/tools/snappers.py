@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 
-from ..document.model import Document
+from ..document.model import Document, Guide
 from ..document.several_curves import PointGroup
 from ..view_model.bounds import Bounds, nine_places
 from ..view_model.curve_view import CurveView
@@ -87,8 +87,15 @@ class Snappers:
             moving.get(host.active_index, ()),
         )
 
-    def _make(self, collect: Callable[[], Targets]) -> Snapper:
-        self.now = Snapper(self._settings, self._grid, collect)
+    def for_guide(self) -> Snapper:
+        """Return the snapper of a guide: points that it meets, and the grid."""
+        host = self._host
+        return self._make(lambda: targets_of_side(host.views, host.active_index, (), self._kinds), guides=())
+
+    def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
+        # The guides as they are at the press.
+        guides = self._host.document.guides if guides is None else guides
+        self.now = Snapper(self._settings, self._grid, collect, guides)
         return self.now
 
     @property

@@ -11,7 +11,8 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.model import Vector
+from ..document.guide_edits import place_words
+from ..document.model import Axis, Guide, Vector
 from ..document.words import NamedEnum
 from ..view_model.curve_view import CurveView
 from ..view_model.nearest import NearestPoint
@@ -25,6 +26,7 @@ class SnapKind(NamedEnum):
     """Kind of thing to snap to."""
 
     GRID = "grid", "The grid"
+    GUIDES = "guides", "Guides"
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
     LEVEL = "level", "Level or plumb with the neighbours"
@@ -49,7 +51,8 @@ class Snap(msgspec.Struct, frozen=True):
     position
         The exact place.
     label
-        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "level with point 2".
+        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "guide x = 20", "level
+        with point 2".
     guides
         The points that the place is level with or straight above; a line is drawn from each.
     axes
@@ -89,15 +92,16 @@ class SnapPlaces(msgspec.Struct, frozen=True, eq=False):
 
 
 class _Line(msgspec.Struct, frozen=True):
-    """A coordinate to snap to; a line of the grid has no `guide`."""
+    """A coordinate to snap to; a neighbour's has that as its `guide`."""
 
     value: float
     label: str
     guide: Vector | None = None
+    is_grid: bool = False
 
 
 class Targets(msgspec.Struct, frozen=True):
-    """Targets of snapping besides the grid.
+    """Targets of snapping besides grid and guides.
 
     Attributes
     ----------
@@ -214,9 +218,13 @@ class Snapper:
     """
 
     def __init__(
-        self, settings: Callable[[], Snapping], grid: Callable[[], float], collect: Callable[[], Targets]
+        self,
+        settings: Callable[[], Snapping],
+        grid: Callable[[], float],
+        collect: Callable[[], Targets],
+        guides: Sequence[Guide] = (),
     ) -> None:
-        self._settings, self._grid, self._collect = settings, grid, collect
+        self._settings, self._grid, self._collect, self._guides = settings, grid, collect, guides
         self._targets: Targets | None = None
         self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
@@ -255,7 +263,7 @@ class Snapper:
             return None
         x = caught[0].value if 0 in caught else position[0]
         y = caught[1].value if 1 in caught else position[1]
-        by_grid = [axis for axis, line in caught.items() if line.guide is None]
+        by_grid = [axis for axis, line in caught.items() if line.is_grid]
         labels = [line.label for line in caught.values()]
         if len(by_grid) == 2:
             labels = ["grid"]
@@ -264,13 +272,15 @@ class Snapper:
         return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line)
 
     def _line(self, targets: Targets, position: Vector, reach: float, axis: int) -> _Line | None:
-        """Return the coordinate to snap to along one axis; a neighbour's comes before the grid's."""
-        value = position[axis]
+        """Return the coordinate to snap to along one axis: a guide's, then a neighbour's, then the grid's."""
+        value, kinds = position[axis], self._settings().kinds
+        of_guides = [each for each in self._guides if each.axis is tuple(Axis)[axis]]
+        drawn = [_Line(each.position, f"guide {place_words(each)}") for each in of_guides]
         level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
-        if SnapKind.GRID in self._settings().kinds:
-            grid = [_Line(grid_value(value, self._grid()), f"grid {'xy'[axis]}")]
-        for lines in (level, grid):
+        if SnapKind.GRID in kinds:
+            grid = [_Line(grid_value(value, self._grid()), f"grid {'xy'[axis]}", is_grid=True)]
+        for lines in (drawn if SnapKind.GUIDES in kinds else [], level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:
                 return min(near, key=lambda line: abs(line.value - value))

@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.several_curves import PointGroup, points_of, whole_curves
-from ..document.shapes import whole_shapes
 from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView
 from ..view_model.pivot import Pivot, anchored
@@ -60,11 +59,6 @@ class TransformTarget:
         """The curves that are chosen as wholes, whatever points are selected; None for none."""
         host = self._host
         return whole_curves(host.document, host.selected.chosen) if host.selected.chosen else None
-
-    def with_curve(self, curve: int) -> PointGroup:
-        """Return what a drag of a curve moves: all chosen ones if it is one of them, or else its shape."""
-        document, chosen = self._host.document, self._host.selected.chosen
-        return whole_curves(document, chosen if curve in chosen else whole_shapes(document, (curve,)))
 
     @property
     def for_keys(self) -> PointGroup:

@@ -143,8 +143,9 @@ class Tool:
     ----------
     cursor
         The shape of the pointer where a press means nothing in particular.
-    finds_other_curves, finds_image
-        Whether other curves than the one that is edited can be hit; whether nothing but the picture can.
+    finds_other_curves, finds_guides, finds_image
+        Whether other curves than the one that is edited can be hit; whether guides can; whether nothing but
+        the picture can.
     shows_new_handle
         Whether the selected point shows the handle that a press there would pull out.
     lasts_one_gesture
@@ -155,6 +156,7 @@ class Tool:
 
     cursor = Cursor.CROSS
     finds_other_curves = False
+    finds_guides = False
     finds_image = False
     shows_new_handle = False
     lasts_one_gesture = False

@@ -88,6 +88,11 @@ class Toolbox:
         return self._drags.is_pressed or self.tool.gesture is not None
 
     @property
+    def scrolls(self) -> bool:
+        """Whether a gesture is in flight that moves the view on at the edge."""
+        return self.tool.gesture is not None or self._drags.scrolls
+
+    @property
     def is_dragging(self) -> bool:
         """Whether the document is being dragged."""
         return self._drags.is_pressed
@@ -131,6 +136,11 @@ class Toolbox:
             return False
         self._above = TransformTool(kind, context)
         return True
+
+    def begin_with(self, make: Callable[[ToolContext], Tool], pointer: Pointer) -> None:
+        """Begin a gesture of a tool that lies above the one that is chosen until the gesture has ended."""
+        self.cancel()
+        self._above = make(self._at(pointer))
 
     # Events
 

@@ -53,7 +53,8 @@ class CentralArea:
         pane = QWidget(self.splitter)
         self.canvas = Canvas(Toolbox(session, SELECT), pane)
         self.message_bar = MessageBar(self.canvas.viewport())
-        self.canvas.framing.covered_top = lambda: self.message_bar.covered
+        self.message_bar.clear_top = lambda: self.canvas.rulers.thickness
+        self.canvas.framing.covered_top = self._covered_top
         self.under_canvas = QVBoxLayout(pane)
         self.under_canvas.setContentsMargins(0, 0, 0, 0)
         self.under_canvas.setSpacing(0)
@@ -64,6 +65,10 @@ class CentralArea:
         self.splitter.setChildrenCollapsible(False)
         # Else what lies behind the window's middle is seen beside the thin line of a handle.
         self.splitter.setAutoFillBackground(True)
+
+    def _covered_top(self) -> float:
+        """Return how many pixels of the drawing the message covers at the top."""
+        return max(self.message_bar.covered - self.canvas.rulers.thickness, 0.0)
 
     def fill(self, command_sets: Mapping[type, object]) -> None:
         """Build the panes that command sets declare, in their order."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
@@ -24,6 +26,11 @@ GAP = 8
 class SentenceBar(OverlayFrame):
     """A sentence with a sign and a button that puts it away; hidden while there is nothing to say.
 
+    Attributes
+    ----------
+    clear_top
+        Tells how many pixels at the top of its parent it leaves free.
+
     Signals
     -------
     closed
@@ -35,6 +42,7 @@ class SentenceBar(OverlayFrame):
     def __init__(self, kind: str, close_name: str, below: QWidget, beside: QWidget | None = None) -> None:
         super().__init__(f"{kind}Bar", below, beside)
         self._beside = beside
+        self.clear_top: Callable[[], float] = lambda: 0.0
         self._is_warning = False
         self.sign, self.sentence = Label(), Label(name=f"{kind}Text", wordWrap=True)
         self.sentence.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -78,7 +86,7 @@ class SentenceBar(OverlayFrame):
         if (layout := self.layout()) is not None:
             layout.activate()
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
-        top = _TOP
+        top = _TOP + round(self.clear_top())
         if self._beside is not None and not self._beside.isHidden():
             top = self._beside.geometry().bottom() + 1 + GAP
         self.setGeometry((self.below.width() - width) // 2, top, width, height)

@@ -7,13 +7,15 @@ from msgspec.structs import replace
 from ...document import words
 from ...document.model import Vector
 from ...document.several_curves import PointGroup
+from ...document.shape_edits import next_pressed
 from .. import hints
-from ..curve_picker import CurvePicker, chosen_curves, edit_curve
+from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
+from ..guides import GuidePicker
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
-from ..parts import GESTURES, press_on_part, unless_locked
+from ..parts import GESTURES, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
@@ -25,34 +27,67 @@ class SelectTool(Tool):
 
     cursor = Cursor.ARROW
     finds_other_curves = True
+    finds_guides = True
 
     def __init__(self) -> None:
-        self._picker = CurvePicker()
+        self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means."""
-        hit, grip = context.hit, self._grip_at(context)
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
-        elif hit is not None and hit.part is Part.OTHER_CURVE:
+            return
+        if self._picker.enter(context):
+            context = context.with_hit()
+        hit, grip = context.hit, self._grip_at(context)
+        if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
-        elif hit is not None and hit.part is not Part.CURVE:
-            press_on_part(context, hit)
+        elif hit is not None and not _is_below_grips(hit):
+            press_on_part(context, hit, toggling(context, hit))
         elif grip is not None:
             self._press_on_grip(context, grip)
+        elif hit is not None and hit.part is Part.GUIDE:
+            self._guides.press(context, hit)
+        elif hit is not None and hit.inside:
+            self._press_within(context, hit)
         elif hit is not None:
             self._press_on_curve(context, hit)
-        elif (group := self._inside(context)) is not None:
+        else:
+            self._press_beside(context)
+
+    def _press_within(self, context: ToolContext, area: Hit) -> None:
+        """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
+        if not self._is_pressed_within(context):
+            self._press_beside(context)
+        elif not context.host.selected.is_editing and not context.pointer.shift:
+            self._picker.press(context, area)
+        else:
+            self.gesture = self._band(context)(
+                context, lambda context: click_curve(context, area), is_on_curve=True
+            )
+
+    def _press_beside(self, context: ToolContext) -> None:
+        """Begin to move what the box is around, or a rubber band."""
+        if (group := self._inside(context)) is not None:
             moving = context.target.moving(group, context.pointer)
             context.drags.press(context.pointer, moving, lambda: self._deselect(context))
-        elif context.host.selected.is_editing:
-            self.gesture = Marquee(context, self._picker.unpick)
         else:
-            self.gesture = CurveMarquee(context, self._picker.unpick)
+            self.gesture = self._band(context)(context, self._picker.unpick)
+
+    def _is_pressed_within(self, context: ToolContext) -> bool:
+        """Whether a press in what another curve fills is about that, and not about the box around points."""
+        is_choosing = not context.host.selected.is_editing and not context.pointer.shift
+        return is_choosing or self._inside(context) is None
+
+    @staticmethod
+    def _band(context: ToolContext) -> type[Marquee]:
+        return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Edit the curve that is chosen with Enter."""
+        """Remove the guide under the pointer with Delete; edit the curve that is chosen with Enter."""
+        if self._guides.key(context, key):
+            return True
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
@@ -64,7 +99,7 @@ class SelectTool(Tool):
         host = context.host
         if host.selected.is_editing:
             return super().walk(context, step)
-        host.selected.choose(((host.active_index + step) % len(host.views),))
+        host.selected.choose(next_pressed(host.document, host.selected.choice, step))
         host.say(f"{chosen_curves(host)}.")
         return True
 
@@ -89,6 +124,10 @@ class SelectTool(Tool):
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
+    def claims(self, key: str) -> bool:
+        """Whether a key is for the guide under the pointer."""
+        return self._guides.claims(key)
+
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
         super().end()
@@ -100,17 +139,27 @@ class SelectTool(Tool):
         """Return what a press here would do."""
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
         snaps = context.settings.snapping.on
-        if self._is_on_pivot(context):
+        takes_pivot = self._is_on_pivot(context)
+        self._guides.hover(context, hit if grip is None and not takes_pivot else None)
+        if takes_pivot:
             return PIVOT_HINT
-        if hit is not None and hit.part is Part.OTHER_CURVE:
-            return self._picker.hint(context, hit)
-        if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
+        if grip is not None and group is not None and _is_below_grips(hit):
             return hints.on_grip(grip, group, context.target.refusal_of(group))
-        if hit is None and (inside := self._inside(context)) is not None:
-            return hints.inside_box(inside, context.pointer, snaps=snaps)
-        if hit is None and (idle := self._picker.idle_hint(context)) is not None:
+        is_other = hit is not None and hit.part is Part.OTHER_CURVE
+        if hit is not None and is_other and (not hit.inside or self._is_pressed_within(context)):
+            return self._picker.hint(context, hit)
+        if (on_guide := self._guides.hint(context)) is not None:
+            return on_guide
+        if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
         return hints.to_select(hit, context.view, context.host.selected.points, context.pointer, snaps=snaps)
+
+    def _idle_hint(self, context: ToolContext) -> Hint | None:
+        """Return what a press beside everything would do, None for nothing in particular."""
+        inside = self._inside(context)
+        if inside is None:
+            return self._picker.idle_hint(context)
+        return hints.inside_box(inside, context.pointer, snaps=context.settings.snapping.on)
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
@@ -123,6 +172,7 @@ class SelectTool(Tool):
             pivot=self._pivot(context) if not is_banding else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
+            guide=self._guides.lit,
         )
 
     @staticmethod
@@ -148,7 +198,7 @@ class SelectTool(Tool):
     def _is_on_pivot(self, context: ToolContext) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
         place, hit, box = self._pivot(context), context.hit, self._box(context)
-        is_plain = hit is None or hit.part is Part.CURVE
+        is_plain = hit is None or hit.part in (Part.CURVE, Part.GUIDE)
         is_free = context.target.pivot is not None or (
             is_plain and box is not None and is_roomy(box, context.pointer)
         )
@@ -157,6 +207,11 @@ class SelectTool(Tool):
     def _grip_at(self, context: ToolContext) -> Grip | None:
         box = self._box(context)
         return box.grip_at(context.pointer) if box is not None else None
+
+
+def _is_below_grips(hit: Hit | None) -> bool:
+    """Whether a grip of the box comes before what is hit."""
+    return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
 SELECT = ToolRecord(
@@ -170,6 +225,7 @@ SELECT = ToolRecord(
         GestureRow("Escape, a click beside them", "choose only the one edited", curves=True),
         *GESTURES,
         GestureRow("Click a point", "select it alone"),
+        GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
@@ -183,6 +239,7 @@ SELECT = ToolRecord(
             selected=True,
             curves=True,
         ),
+        GestureRow("Drag a guide", "move it; back to the ruler removes it"),
         GestureRow(
             "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
         ),

@@ -1,0 +1,126 @@
+"""The guides over the drawing: dashed lines, and the words at the one under the pointer."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from ..appearance.theme import mix
+from ..document.guide_edits import place_words
+from ..document.model import Axis, Guide, Vector
+from ..plotting.halo import Halo
+from ..plotting.layers import Layer
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import size_of
+from ..plotting.plot_widget import PlotWidget
+from ..tools.pointer import Hit, Part
+
+_REACH = 5.0
+"""Pixels from the pointer within which a guide is grabbed."""
+
+_DASHES = (8.0, 4.0)
+_CALM = 0.75
+"""Share of the accent in a guide that is not pointed at."""
+
+_GAP = 4.0
+
+
+class GuidesLayer(Layer):
+    """Layer of the guides, above all curves and below points and gestures.
+
+    Attributes
+    ----------
+    guides
+        What is drawn.
+    lit, last
+        The guide under the pointer, or that is dragged, None for none; the one that was this last.
+    locked
+        Whether they cannot be grabbed.
+    """
+
+    z = 5.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self.guides: tuple[Guide, ...] = ()
+        self.lit: int | None = None
+        self.last: int | None = None
+        self.locked = False
+        self._unit = ""
+        self._halo = Halo()
+
+    def render(self, guides: tuple[Guide, ...], unit: str) -> None:
+        """Draw these guides from the next paint on; `unit` is that of their places."""
+        if (guides, unit) != (self.guides, self._unit):
+            self.guides, self._unit = guides, unit
+            self.update()
+
+    def light(self, place: int | None) -> None:
+        """Draw one of the guides lit, with its place in words."""
+        if place != self.lit:
+            self.lit = place
+            self.last = self.last if place is None else place
+            self.update()
+
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return the guide at a pixel of the plot area, the nearest of several."""
+        if self.locked or not self.is_visible or not self.guides:
+            return None
+        away = [abs(_pixel_of(guide, shown) - pixel[_across(guide)]) for guide in self.guides]
+        # Of those at one place the last one wins: it is drawn on top.
+        nearest = len(away) - 1 - int(np.argmin(away[::-1]))
+        if away[nearest] > _REACH:
+            return None
+        guide = self.guides[nearest]
+        x, y = shown.plane(*pixel)
+        position = (guide.position, y) if guide.axis is Axis.X else (x, guide.position)
+        return Hit(Part.GUIDE, nearest, position)
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw those in sight."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        for place, guide in enumerate(self.guides):
+            at = round(_pixel_of(guide, shown)) if self._is_in_sight(guide, shown) else None
+            if at is not None:
+                self._paint_guide(painter, shown, guide, at, is_lit=place == self.lit)
+
+    def _is_in_sight(self, guide: Guide, shown: PixelMap) -> bool:
+        return 0 <= _pixel_of(guide, shown) <= (shown.width, shown.height)[_across(guide)]
+
+    def _paint_guide(
+        self, painter: QPainter, shown: PixelMap, guide: Guide, at: int, *, is_lit: bool
+    ) -> None:
+        colour = self.theme.accent if is_lit else mix(self.theme.accent, self.theme.paper, _CALM)
+        pen = QPen(QColor(colour), 1.0)
+        if not is_lit:
+            pen.setDashPattern(_DASHES)
+        painter.setPen(pen)
+        if guide.axis is Axis.X:
+            painter.drawLine(QPointF(at, 0), QPointF(at, shown.height))
+        else:
+            painter.drawLine(QPointF(0, at), QPointF(shown.width, at))
+        if is_lit:
+            self._write(painter, shown, guide, at)
+
+    def _write(self, painter: QPainter, shown: PixelMap, guide: Guide, at: int) -> None:
+        """Write where the guide lies, near its upper or left end."""
+        text = place_words(guide, self._unit)
+        painter.setFont(self.fonts.times(0.95 * self.scale))
+        size = size_of(painter, text)
+        if guide.axis is Axis.X:
+            left = at + _GAP if at + _GAP + size.width() <= shown.width else at - _GAP - size.width()
+            box = QRectF(QPointF(left, _GAP), size)
+        else:
+            top = at - _GAP - size.height()
+            box = QRectF(QPointF(_GAP, top if top >= 0 else at + _GAP), size)
+        self._halo.write(painter, box, text, self.theme.paper, self.theme.accent, 2 * self.scale)
+
+
+def _across(guide: Guide) -> int:
+    """Return which coordinate of a pixel tells how far it is from a guide."""
+    return 0 if guide.axis is Axis.X else 1
+
+
+def _pixel_of(guide: Guide, shown: PixelMap) -> float:
+    return shown.point(guide.position, guide.position)[_across(guide)]

@@ -1,0 +1,177 @@
+"""Rulers and guides: shown, locked, added, typed, cleared."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QPointF, Qt
+
+from ...actions.declaration import action, also
+from ...actions.needs import Need
+from ...actions.sections import VIEW_DRAWING, VIEW_GUIDES, VIEW_GUIDES_MORE
+from ...actions.strips import CANVAS_MENU, GUIDE_MENU
+from ...document.guide_edits import add_guide, clear_guides, move_guide, place_words, remove_guide
+from ...document.model import Axis, Guide
+from ...state.window_state import WindowState
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from .field import GuideField
+
+_SOME_GUIDE = Need("a guide", lambda now: bool(now.session.document.guides))
+_BESIDE = 6
+"""Pixels between the field and the guide, or the ruler."""
+
+
+class GuideCommands:
+    """Keeps the canvas in step with the guides of the document, and changes them."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+        self._canvas = context.central.canvas
+        self._guides = self._canvas.drawing.guides
+        self._made: GuideField | None = None
+        # The guide whose place is typed; None for a new one.
+        self._typed: int | None = None
+        self._show_state(None, context.store.state)
+        context.store.changed.connect(self._show_state)
+        self._canvas.guide_drawn.connect(lambda: context.store.change(guides_shown=True))
+        self._canvas.guide_opened.connect(self._open)
+
+    def follow(self, _view: CurveView) -> None:
+        """Show the guides of the document."""
+        self._guides.render(self._session.document.guides, self._unit)
+
+    @property
+    def _unit(self) -> str:
+        return self._session.document.unit
+
+    def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
+        self._canvas.show_rulers(state.shows_rulers)
+        self._guides.set_visible(state.guides_shown)
+        self._guides.locked = state.guides_locked
+
+    # The field
+
+    @property
+    def field(self) -> GuideField:
+        """The field on the canvas; made when somebody first types into it."""
+        if self._made is None:
+            self._made = GuideField(self._canvas.viewport())
+            self._made.entered.connect(self._take)
+            self._made.closed.connect(lambda: self._canvas.setFocus(Qt.FocusReason.OtherFocusReason))
+            self._session.interrupted.connect(self._made.close_field)
+        return self._made
+
+    def _open(self, which: int | Axis) -> None:
+        """Ask for the place of a guide in the document, or of a new one of an axis."""
+        self._canvas.cancel_gesture()
+        if isinstance(which, Axis):
+            self._typed = None
+            self.field.open_for(None, which, self._unit, self._corner_of_new)
+        else:
+            guide, self._typed = self._session.document.guides[which], which
+            self.field.open_for(guide, guide.axis, self._unit, lambda _axis: self._corner_of(guide))
+
+    def _corner_of(self, guide: Guide) -> QPoint:
+        """Return where the field stands for a guide: beside it, at the ruler."""
+        origin, pixel = self._canvas.camera.origin, self._canvas.to_pixel(guide.position, guide.position)
+        if guide.axis is Axis.X:
+            return QPoint(pixel.x() + _BESIDE, int(origin.y()) + _BESIDE)
+        return QPoint(int(origin.x()) + _BESIDE, pixel.y() + _BESIDE)
+
+    def _corner_of_new(self, axis: Axis) -> QPoint:
+        """Return where the field stands for a new guide: at the ruler along which its place is measured."""
+        origin, centre = self._canvas.camera.origin, self._canvas.camera.centre()
+        at = QPointF(centre.x(), origin.y()) if axis is Axis.X else QPointF(origin.x(), centre.y())
+        return (at + QPointF(_BESIDE, _BESIDE)).toPoint()
+
+    def _take(self, axis: Axis, position: float) -> None:
+        guide, place = Guide(axis, position), self._typed
+        if place is None:
+            self._context.store.change(guides_shown=True)
+            name = f"Guide at {place_words(guide)}"
+            self._session.change(name, lambda document: add_guide(document, axis, position))
+        else:
+            name = f"Move guide to {place_words(guide)}"
+            self._session.change(name, lambda document: move_guide(document, place, position))
+
+    # Actions
+
+    @action(
+        "toggleRulers",
+        "Rulers",
+        VIEW_DRAWING,
+        "Ctrl+Shift+R",
+        "rulers",
+        full_name="Show Rulers",
+        checked=lambda now: now.state.rulers,
+    )
+    def _toggle_rulers(self) -> None:
+        """Show rulers above the canvas and at its left, or plain axes."""
+        self._context.store.change(rulers=not self._context.store.state.rulers)
+
+    @action("addGuide", "Add Guide…", VIEW_GUIDES, "Shift+G", "add-guide", keywords="guideline help line")
+    @also(CANVAS_MENU(33))
+    def _add(self) -> None:
+        """Type where a new guide lies: “x = 20”, “y = 1 in”; or drag one out of a ruler."""
+        self._open(Axis.X)
+
+    @action("typeGuide", "Type Place…", VIEW_GUIDES, full_name="Type Place of Guide…", needs=_SOME_GUIDE)
+    @also(GUIDE_MENU(10))
+    def _type(self) -> None:
+        """Type where the guide lies that was pointed at last."""
+        self._open(self._last())
+
+    @action(
+        "removeGuide",
+        "Remove Guide",
+        VIEW_GUIDES,
+        "",
+        "delete",
+        needs=_SOME_GUIDE,
+        keywords="delete guideline",
+    )
+    @also(GUIDE_MENU(11))
+    def _remove(self) -> None:
+        """Remove the guide that was pointed at last."""
+        place = self._last()
+        where = place_words(self._session.document.guides[place])
+        self._session.change(f"Remove guide at {where}", lambda document: remove_guide(document, place))
+
+    def _last(self) -> int:
+        """Return the guide that was pointed at last, else the last one that was added."""
+        count, last = len(self._session.document.guides), self._guides.last
+        return last if last is not None and last < count else count - 1
+
+    @action(
+        "toggleGuides",
+        "Show Guides",
+        VIEW_GUIDES_MORE,
+        "Shift+\\, |",
+        "guides",
+        checked=lambda now: now.state.guides_shown,
+        keywords="hide guidelines",
+    )
+    def _toggle(self) -> None:
+        """Show or hide the guides; nothing snaps to hidden ones."""
+        self._context.store.change(guides_shown=not self._context.store.state.guides_shown)
+
+    @action(
+        "lockGuides",
+        "Lock Guides",
+        VIEW_GUIDES_MORE,
+        "",
+        "lock",
+        checked=lambda now: now.state.guides_locked,
+    )
+    @also(GUIDE_MENU(20))
+    def _lock(self) -> None:
+        """Keep the guides where they are: a press goes to what lies behind them."""
+        self._context.store.change(guides_locked=not self._context.store.state.guides_locked)
+
+    @action("clearGuides", "Clear Guides", VIEW_GUIDES_MORE, needs=_SOME_GUIDE, keywords="remove all guides")
+    @also(GUIDE_MENU(21))
+    def _clear(self) -> None:
+        """Remove all guides."""
+        self._session.change("Clear guides", clear_guides)
+
+
+COMMAND_SETS = (GuideCommands,)

@@ -1,0 +1,172 @@
+"""Guides: drawn out of a ruler, dragged, dragged back."""
+
+from __future__ import annotations
+
+import math
+
+from msgspec.structs import replace
+
+from ..document.guide_edits import move_guide, place_words, remove_guide
+from ..document.model import Axis, Document, Guide, Vector
+from .drag import Drag
+from .drag_machine import EditingHost
+from .marks import GestureMarks
+from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .snapping import Snapper
+from .tool import Tool, ToolContext
+
+CURSORS = {0: Cursor.WIDER, 1: Cursor.HIGHER}
+"""Shape of the pointer over a guide that holds x, or y."""
+
+
+def index_of(axis: Axis) -> int:
+    """Return which coordinate an axis is: 0 or 1."""
+    return list(Axis).index(axis)
+
+
+class MoveGuide(Drag, frozen=True):
+    """Drag of a guide, at the press the last of a document or at some place in it; beyond the rulers it goes.
+
+    Attributes
+    ----------
+    document
+        The document at the press, with the guide.
+    place
+        Its place there.
+    is_new
+        Whether it is drawn out of a ruler.
+    """
+
+    place: int
+    snapper: Snapper
+    unit: str
+    is_new: bool = False
+
+    name = "Guide"
+    scrolls = False
+    keys = "Back to the ruler: no guide"
+
+    @property
+    def _axis(self) -> Axis:
+        return self.document.guides[self.place].axis
+
+    def name_at(self, pointer: Pointer) -> str:
+        """Return the name of the step: where the guide is, or that it is gone."""
+        if _is_beyond(pointer):
+            return f"Remove guide at {place_words(self.document.guides[self.place])}"
+        return f"{'Guide at' if self.is_new else 'Move guide to'} {place_words(self._guide_at(pointer))}"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Let the guide be where the pointer is, or be none over a ruler."""
+        if _is_beyond(pointer):
+            return remove_guide(self.document, self.place)
+        return move_guide(self.document, self.place, self._guide_at(pointer).position)
+
+    def _guide_at(self, pointer: Pointer) -> Guide:
+        index = index_of(self._axis)
+        caught = self.snapper.snap(pointer.position, pointer, index)[index]
+        is_snapped = self.snapper.caught is not None
+        return Guide(self._axis, caught if is_snapped else _clean(caught, pointer.scale))
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return where the guide is."""
+        if _is_beyond(pointer):
+            return "Drag onto the drawing for a guide" if self.is_new else "Let go to remove the guide"
+        return f"Guide {place_words(self._guide_at(pointer), self.unit)}"
+
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return the place on the guide beside the pointer."""
+        guide = self._guide_at(pointer)
+        x, y = pointer.position
+        return (guide.position, y) if guide.axis is Axis.X else (x, guide.position)
+
+
+def _is_beyond(pointer: Pointer) -> bool:
+    """Whether the pointer is over a ruler, or farther out there."""
+    return pointer.pixel[0] < 0 or pointer.pixel[1] < 0
+
+
+def _clean(value: float, pixels_per_unit: float) -> float:
+    """Return a number near `value`, within a pixel, with no more decimals than that takes."""
+    return round(value, -math.floor(-math.log10(pixels_per_unit)))
+
+
+class GuidePicker:
+    """The guide under the pointer, for a tool that finds guides.
+
+    Attributes
+    ----------
+    lit
+        Its place in the document, None for none.
+    """
+
+    def __init__(self) -> None:
+        self.lit: int | None = None
+        self._host: EditingHost | None = None
+
+    def hover(self, context: ToolContext, hit: Hit | None) -> None:
+        """Take note of what lies under the pointer."""
+        self._host = context.host
+        self.lit = hit.index if hit is not None and hit.part is Part.GUIDE else None
+
+    def press(self, context: ToolContext, hit: Hit) -> None:
+        """Begin to drag the guide that is hit."""
+        document, self.lit = context.host.document, hit.index
+        snapper, unit = context.snappers.for_guide(), context.settings.unit
+        context.drags.press(context.pointer, MoveGuide(document, hit.index, snapper, unit))
+
+    def hint(self, context: ToolContext) -> Hint | None:
+        """Return what a press on the guide would do, None beside all of them."""
+        if self.lit is None:
+            return None
+        guide = context.host.document.guides[self.lit]
+        words = place_words(guide, context.settings.unit)
+        removes = " · Del: remove it" if self._is_removable else ""
+        text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type{removes}"
+        return Hint(text, grab=True, cursor=CURSORS[index_of(guide.axis)])
+
+    @property
+    def _is_removable(self) -> bool:
+        """Whether Delete means the guide: what is selected comes before it."""
+        host = self._host
+        if host is None or self.lit is None or self.lit >= len(host.document.guides):
+            return False
+        return not host.selected.points and not host.selected.chosen
+
+    def claims(self, key: str) -> bool:
+        """Whether a key is for the guide."""
+        return key in ("delete", "backspace") and self._is_removable
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Remove the guide with Delete; return whether there was one."""
+        place = self.lit
+        if place is None or not self.claims(key):
+            return False
+        where = place_words(context.host.document.guides[place])
+        self.lit = None
+        return bool(context.host.change(f"Remove guide at {where}", lambda now: remove_guide(now, place)))
+
+
+def hint_on_ruler(axis: Axis) -> Hint:
+    """Return what a press on the ruler would do out of which guides of an axis are drawn."""
+    text = "Drag onto the drawing for a guide · Double-click: type where it lies"
+    return Hint(text, grab=True, cursor=CURSORS[index_of(axis)])
+
+
+class GuideTool(Tool):
+    """Tool that draws a guide out of a ruler, from the press on until the button is let go."""
+
+    cursor = Cursor.MOVE
+    lasts_one_gesture = True
+
+    def __init__(self, axis: Axis, context: ToolContext) -> None:
+        document = context.host.document
+        self._place = len(document.guides)
+        # Where the guide lies in this document is told nowhere: over the ruler there is none.
+        drawn = replace(document, guides=(*document.guides, Guide(axis, 0.0)))
+        snapper, unit = context.snappers.for_guide(), context.settings.unit
+        context.drags.press(context.pointer, MoveGuide(drawn, self._place, snapper, unit, is_new=True))
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return what the guide snaps to, and which it is."""
+        return GestureMarks(snap=context.snappers.caught, guide=self._place)

@@ -1,0 +1,512 @@
+"""Rulers and guides: drawn out of a ruler, dragged, typed, snapped to, hidden, locked, cleared, saved."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QToolButton
+
+from app.appearance.theme import DARK, LIGHT, mix
+from app.canvas.guides_layer import _CALM
+from app.document.expression import ExpressionError
+from app.document.guide_edits import add_guide
+from app.document.model import Axis, Document, Guide, make_curve
+from app.families import HERMITE
+from app.features.guides.commands import GuideCommands
+from app.features.guides.places import TypedPlace, read_place
+from app.storage.files import load, save
+
+LINE = Document((make_curve(((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))),))
+CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def drawing(editor):
+    """A curve, with rulers along the canvas."""
+    editor.session.commit(LINE, "Begin")
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
+    editor.settle()
+    return editor
+
+
+def guides(editor):
+    return [(guide.axis.value, guide.position) for guide in editor.session.document.guides]
+
+
+def above(editor, x=1.0):
+    """A pixel on the upper ruler."""
+    canvas = editor.window.canvas
+    return QPoint(canvas.to_pixel(x, 0.0).x(), int(canvas.camera.origin.y()) - 10)
+
+
+def beside(editor, y=1.0):
+    """A pixel on the left ruler."""
+    canvas = editor.window.canvas
+    return QPoint(int(canvas.camera.origin.x()) - 20, canvas.to_pixel(0.0, y).y())
+
+
+def draw(editor, start, to):
+    """Drag from a pixel to a place of the plane."""
+    editor.drag_pixels(editor.window.canvas, start, editor.window.canvas.to_pixel(*to))
+
+
+def begin(editor, start, to):
+    """Press at a pixel and drag to another, and hold."""
+    canvas = editor.window.canvas
+    editor.send(canvas, QEvent.Type.MouseMove, start, held=False)
+    editor.send(canvas, QEvent.Type.MouseButtonPress, start)
+    for step in range(1, 5):
+        editor.send(canvas, QEvent.Type.MouseMove, start + (to - start) * step / 4)
+    editor.settle()
+
+
+def let_go(editor, pixel):
+    editor.send(editor.window.canvas, QEvent.Type.MouseButtonRelease, pixel, held=False)
+    editor.settle()
+
+
+def with_guides(editor, *places):
+    editor.session.change("Guides", lambda now: guided(now, places))
+    editor.settle()
+
+
+def guided(document, places):
+    for axis, position in places:
+        document = add_guide(document, Axis(axis), position)
+    return document
+
+
+# Out of the ruler
+
+
+def test_a_guide_is_drawn_out_of_the_upper_ruler_live_and_in_one_step(drawing):
+    canvas, steps = drawing.window.canvas, drawing.session.undo_stack.count()
+    end = canvas.to_pixel(1.0, 3.0)
+    begin(drawing, above(drawing), end)
+    (guide,) = drawing.session.document.guides
+    assert guide.axis is Axis.Y
+    assert guide.position == pytest.approx(3.0, abs=drawing.pixel)
+    assert len(str(guide.position)) <= 5
+    assert f"Guide y = {guide.position:g}" in drawing.status
+    assert drawing.session.undo_stack.count() == steps
+    let_go(drawing, end)
+    assert guides(drawing) == [("y", guide.position)]
+    assert drawing.session.undo_stack.count() == steps + 1
+    assert drawing.session.undo_stack.undoText() == f"Guide at y = {guide.position:g}"
+    drawing.trigger("undo")
+    assert guides(drawing) == []
+
+
+def test_one_is_drawn_out_of_the_left_ruler_whatever_tool_is_in_use(drawing):
+    for tool in ("addTool", "pencilTool", "measureTool", "selectTool"):
+        drawing.trigger(tool)
+        before = drawing.session.document
+        draw(drawing, beside(drawing), (2.0, 1.0))
+        assert guides(drawing) == [("x", pytest.approx(2.0, abs=drawing.pixel))]
+        assert drawing.session.document.curves == before.curves
+        assert drawing.window.store.state.tool.action == tool
+        drawing.trigger("undo")
+
+
+def test_escape_a_click_and_the_way_back_draw_none(drawing):
+    canvas, steps = drawing.window.canvas, drawing.session.undo_stack.count()
+    end = canvas.to_pixel(1.0, 3.0)
+    begin(drawing, above(drawing), end)
+    drawing.escape()
+    assert guides(drawing) == []
+    let_go(drawing, end)
+    drawing.drag_pixels(canvas, above(drawing), above(drawing))
+    drawing.drag_pixels(canvas, above(drawing, 0.0), above(drawing, 3.0))
+    begin(drawing, above(drawing), end)
+    ruler = above(drawing)
+    drawing.send(canvas, QEvent.Type.MouseMove, ruler)
+    drawing.settle()
+    assert guides(drawing) == []
+    let_go(drawing, ruler)
+    assert guides(drawing) == []
+    assert drawing.session.undo_stack.count() == steps
+    assert not canvas.is_dragging
+
+
+def test_the_ruler_says_what_a_press_does_and_shows_it(drawing):
+    canvas = drawing.window.canvas
+    drawing.send(canvas, QEvent.Type.MouseMove, above(drawing), held=False)
+    drawing.settle()
+    assert drawing.window.status_line.hint.startswith("Drag onto the drawing for a guide")
+    assert canvas.viewport().cursor().shape() == Qt.CursorShape.SizeVerCursor
+    drawing.send(canvas, QEvent.Type.MouseMove, beside(drawing), held=False)
+    assert canvas.viewport().cursor().shape() == Qt.CursorShape.SizeHorCursor
+
+
+def test_a_new_guide_snaps_to_points_and_says_so(drawing):
+    drawing.trigger("toggleSnap")
+    near = drawing.window.canvas.to_pixel(3.07 + 3 * drawing.pixel, 1.0)
+    begin(drawing, beside(drawing), near)
+    assert "snapped to: straight below point 2" in drawing.status
+    let_go(drawing, near)
+    assert guides(drawing) == [("x", 3.07)]
+    drawing.trigger("toggleSnap")
+
+
+# A guide in hand
+
+
+def test_a_guide_is_dragged_elsewhere_and_escape_brings_it_back(drawing):
+    with_guides(drawing, ("x", -1.0), ("y", 4.0))
+    steps = drawing.session.undo_stack.count()
+    drawing.drag((-1.0, 1.0), (-2.0, 0.0))
+    assert guides(drawing) == [("x", pytest.approx(-2.0, abs=drawing.pixel)), ("y", 4.0)]
+    assert drawing.session.undo_stack.count() == steps + 1
+    assert drawing.session.undo_stack.undoText().startswith("Move guide to x = −")
+    before = guides(drawing)
+    drawing.press((6.0, 4.0))
+    drawing.move((6.0, 3.0))
+    assert guides(drawing) != before
+    drawing.escape()
+    assert guides(drawing) == before
+    drawing.release((6.0, 3.0))
+    assert drawing.session.undo_stack.count() == steps + 1
+
+
+def test_dragged_back_to_the_ruler_it_is_gone(drawing):
+    with_guides(drawing, ("x", -1.0), ("y", 4.0))
+    canvas = drawing.window.canvas
+    begin(drawing, canvas.to_pixel(-1.0, 1.0), beside(drawing))
+    assert drawing.status.startswith("Let go to remove the guide")
+    let_go(drawing, beside(drawing))
+    assert guides(drawing) == [("y", 4.0)]
+    assert drawing.session.undo_stack.undoText() == "Remove guide at x = −1"
+    draw_back = canvas.to_pixel(6.0, 4.0)
+    drawing.drag_pixels(canvas, draw_back, above(drawing))
+    assert guides(drawing) == []
+
+
+def test_delete_removes_the_guide_under_the_pointer_while_no_point_is_selected(drawing):
+    with_guides(drawing, ("x", -1.0))
+    drawing.select([1])
+    drawing.hover((-1.0, 1.0))
+    assert "Del" not in drawing.window.status_line.hint
+    drawing.key(Qt.Key.Key_Delete)
+    assert guides(drawing) == [("x", -1.0)]
+    assert len(drawing.curve.points) == 3
+    drawing.hover((-1.5, 1.0))
+    drawing.hover((-1.0, 1.0))
+    assert "Del: remove it" in drawing.window.status_line.hint
+    drawing.key(Qt.Key.Key_Delete)
+    assert guides(drawing) == []
+    assert len(drawing.curve.points) == 3
+    assert drawing.session.undo_stack.undoText() == "Remove guide at x = −1"
+
+
+def test_points_and_the_curve_come_before_a_guide(drawing):
+    with_guides(drawing, ("x", 1.03))
+    drawing.drag((1.03, 2.04), (1.5, 3.0))
+    assert guides(drawing) == [("x", 1.03)]
+    assert drawing.point(1) == pytest.approx((1.5, 3.0), abs=drawing.pixel)
+
+
+# The field
+
+
+def field(editor):
+    return editor.window.commands[GuideCommands].field
+
+
+def type_place(editor, text, key=Qt.Key.Key_Return):
+    assert field(editor).edit.hasFocus()
+    field(editor).edit.selectAll()
+    editor.type_text(field(editor).edit, text)
+    QTest.keyClick(field(editor).edit, key)
+    editor.settle()
+
+
+def double_click(editor, pixel):
+    canvas = editor.window.canvas
+    for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
+        editor.send(canvas, kind, pixel, held=kind == QEvent.Type.MouseButtonPress)
+    place = pixel.toPointF()
+    left, nothing = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    event = QMouseEvent(
+        QEvent.Type.MouseButtonDblClick, place, canvas.viewport().mapToGlobal(place), left, left, nothing
+    )
+    QApplication.sendEvent(canvas.viewport(), event)
+    editor.send(canvas, QEvent.Type.MouseButtonRelease, pixel, held=False)
+    editor.settle()
+
+
+def test_a_guide_is_added_by_typing_without_a_dialog(drawing):
+    drawing.trigger("addGuide")
+    assert field(drawing).isVisible()
+    assert QApplication.activeModalWidget() is None
+    type_place(drawing, "20/8")
+    assert guides(drawing) == [("x", 2.5)]
+    assert drawing.session.undo_stack.undoText() == "Guide at x = 2.5"
+    assert drawing.window.canvas.hasFocus()
+    assert field(drawing).isHidden()
+    drawing.trigger("addGuide")
+    type_place(drawing, "y = 1.25")
+    assert guides(drawing) == [("x", 2.5), ("y", 1.25)]
+    drawing.trigger("addGuide")
+    QTest.mouseClick(drawing.window.findChild(QToolButton, "guideAxis"), Qt.MouseButton.LeftButton)
+    type_place(drawing, "-1")
+    assert guides(drawing)[-1] == ("y", -1.0)
+
+
+def test_what_cannot_be_a_place_is_said_in_the_field_and_escape_puts_it_away(drawing):
+    steps = drawing.session.undo_stack.count()
+    drawing.trigger("addGuide")
+    type_place(drawing, "far")
+    assert "“far” is not a number" in field(drawing).remark
+    assert field(drawing).edit.text() == "far"
+    QTest.keyClick(field(drawing).edit, Qt.Key.Key_Escape)
+    assert field(drawing).isHidden()
+    drawing.trigger("addGuide")
+    assert field(drawing).remark == ""
+    drawing.click((6.0, -2.0))
+    assert field(drawing).isHidden()
+    assert drawing.session.undo_stack.count() == steps
+
+
+def test_a_guide_that_is_there_already_is_not_added_again(drawing):
+    with_guides(drawing, ("x", 2.5))
+    drawing.trigger("addGuide")
+    type_place(drawing, "2.5")
+    assert drawing.status == "There is a guide at x = 2.5 already."
+    assert guides(drawing) == [("x", 2.5)]
+
+
+def test_a_double_click_types_its_place(drawing):
+    with_guides(drawing, ("x", -1.0))
+    double_click(drawing, drawing.window.canvas.to_pixel(-1.0, 1.0))
+    assert field(drawing).edit.text() == "-1"
+    type_place(drawing, "y = 3")
+    assert "This guide holds x" in field(drawing).remark
+    type_place(drawing, "-2.25")
+    assert guides(drawing) == [("x", -2.25)]
+    assert drawing.session.undo_stack.undoText() == "Move guide to x = −2.25"
+
+
+def test_a_double_click_on_a_ruler_types_a_new_one_along_it(drawing):
+    double_click(drawing, above(drawing))
+    type_place(drawing, "1")
+    double_click(drawing, beside(drawing))
+    type_place(drawing, "2")
+    assert guides(drawing) == [("y", 1.0), ("x", 2.0)]
+
+
+def test_places_are_typed_with_units(point_locale):
+    assert read_place("1/4") == TypedPlace(None, 0.25)
+    assert read_place("X=3", "mm") == TypedPlace(Axis.X, 3.0)
+    assert read_place("y = 1 in", "mm").position == pytest.approx(25.4)
+    assert read_place("2cm", "in").position == pytest.approx(2 / 2.54)
+    assert read_place("1in", "in").position == 1.0
+    assert read_place("sqrt(4) mm", "cm").position == pytest.approx(0.2)
+    for text, unit in (("1 in", ""), ("1 parsec", "mm"), ("", "mm"), ("x =", "")):
+        with pytest.raises(ExpressionError):
+            read_place(text, unit)
+
+
+# Snapping
+
+
+def snap_at(editor, index, place):
+    """Drag a point near a place with snapping turned round, and return what it has snapped to."""
+    editor.press(editor.point(index))
+    editor.move(place, keys=CTRL)
+    found = editor.window.canvas.marks.snap
+    editor.release(place, keys=CTRL)
+    return found.label if found is not None else None
+
+
+def test_points_snap_to_guides_and_their_crossings_exactly(drawing):
+    with_guides(drawing, ("x", 5.123), ("y", -1.377))
+    off = 4 * drawing.pixel
+    assert snap_at(drawing, 1, (5.123 + off, -1.377 - off)) == "guide x = 5.123 · guide y = −1.377"
+    assert drawing.point(1) == (5.123, -1.377)
+
+
+def test_hidden_guides_catch_nothing_and_are_not_hit(drawing):
+    with_guides(drawing, ("x", 5.123))
+    drawing.trigger("toggleGuides")
+    drawing.hover((5.123, -2.0))
+    assert not drawing.window.status_line.hint.startswith("Guide")
+    label = snap_at(drawing, 1, (5.123 + 2 * drawing.pixel, -1.377))
+    assert label is None or "guide" not in label
+    assert not drawing.window.canvas.drawing.guides.is_visible
+    # A new one shows them again.
+    draw(drawing, above(drawing), (1.0, 4.0))
+    assert drawing.window.store.state.guides_shown
+
+
+def test_snapping_to_guides_is_a_choice_of_its_own(drawing):
+    with_guides(drawing, ("x", 5.123))
+    preferences = drawing.window.preferences
+    preferences.snap_kinds = frozenset(each for each in preferences.snap_kinds if each.value != "guides")
+    drawing.window.store.read_preferences()
+    label = snap_at(drawing, 1, (5.123 + 2 * drawing.pixel, -1.377))
+    assert label is None or "guide" not in label
+
+
+def test_a_side_of_the_box_snaps_to_guides(drawing):
+    with_guides(drawing, ("x", 5.123))
+    drawing.trigger("toggleSnap")
+    drawing.select([1, 2])
+    grip, off = drawing.grip(1, 0), 3 * drawing.pixel
+    side = drawing.window.canvas.marks.box.high[0]
+    drawing.press(grip)
+    drawing.move((grip[0] + 5.123 - side + off, grip[1]))
+    assert drawing.window.canvas.marks.snap.label == "guide x = 5.123"
+    drawing.escape()
+
+
+def test_a_curve_that_is_dragged_and_the_end_of_a_handle_snap_to_guides(drawing):
+    curves = (
+        make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 2.0)), family=HERMITE),
+        make_curve(((0.0, -2.0), (2.0, -2.0))),
+    )
+    drawing.session.commit(Document(curves), "Curves")
+    with_guides(drawing, ("y", -1.123), ("x", 5.123))
+    drawing.trigger("toggleSnap")
+    off = 3 * drawing.pixel
+    drawing.press((1.0, -2.0))
+    drawing.move((1.05, -1.123 + off))
+    assert "guide y = −1.123" in drawing.window.canvas.marks.snap.label
+    drawing.release((1.05, -1.123 + off))
+    assert drawing.session.document.curves[1].points[0].y == -1.123
+    drawing.session.selected.activate(0)
+    drawing.select([1])
+    drawing.press(drawing.handle().position)
+    drawing.move((5.123 + off, 2.6))
+    assert "guide x = 5.123" in drawing.window.canvas.marks.snap.label
+    drawing.escape()
+    drawing.escape()
+
+
+# Shown, locked, cleared
+
+
+def test_locked_guides_stay_and_a_press_goes_to_what_is_behind(drawing):
+    with_guides(drawing, ("x", -1.0))
+    drawing.trigger("lockGuides")
+    drawing.drag((-1.0, 1.0), (-2.0, 0.0))
+    assert guides(drawing) == [("x", -1.0)]
+    drawing.trigger("lockGuides")
+
+
+def test_all_guides_are_cleared_in_one_step(drawing):
+    with_guides(drawing, ("x", -1.0), ("y", 4.0))
+    drawing.trigger("clearGuides")
+    assert guides(drawing) == []
+    assert not drawing.action("clearGuides").isEnabled()
+    drawing.trigger("undo")
+    assert len(guides(drawing)) == 2
+
+
+def test_the_menu_of_a_guide_is_about_that_one(drawing):
+    with_guides(drawing, ("x", -1.0), ("y", 4.0))
+    drawing.hover((-1.0, 1.0))
+    menu = drawing.open_menu((-1.0, 1.0))
+    assert menu.objectName() == "guideMenu"
+    drawing.choose("removeGuide")
+    assert guides(drawing) == [("y", 4.0)]
+
+
+def test_guides_are_saved_and_are_no_part_of_a_picture(drawing, tmp_path):
+    with_guides(drawing, ("x", -1.5), ("y", 1 / 3))
+    save(tmp_path / "guided.curve.json", drawing.session.document)
+    assert load(tmp_path / "guided.curve.json").guides == (
+        Guide(Axis.X, -1.5),
+        Guide(Axis.Y, 1 / 3),
+    )
+
+
+@pytest.mark.parametrize(("name", "theme"), [("themeLight", LIGHT), ("themeDark", DARK)])
+def test_a_guide_is_a_dashed_line_that_is_seen(drawing, name, theme):
+    drawing.trigger(name)
+    with_guides(drawing, ("x", -2.0))
+    drawing.wait_for_rest()
+    canvas = drawing.window.canvas
+    image = canvas.grab().toImage()
+    x = canvas.to_pixel(-2.0, 0.0).x()
+    top = int(canvas.camera.origin.y())
+    colour = mix(theme.accent, theme.paper, _CALM)
+    ratio = image.devicePixelRatio()
+
+    def column(at):
+        rows = range(top + 5, top + 5 + int(canvas.pixel_map.height) - 10)
+        return [image.pixelColor(round(at * ratio), round(y * ratio)) for y in rows]
+
+    share = max(
+        sum(each.name() == colour.name() for each in column(at)) / len(column(at)) for at in (x - 1, x, x + 1)
+    )
+    assert 0.4 < share < 0.85
+    drawing.trigger("themeSystem")
+
+
+# Rulers
+
+
+def test_rulers_are_switched_to_plain_axes_and_remembered(drawing):
+    canvas = drawing.window.canvas
+    with_rulers = canvas.camera.origin.y()
+    assert with_rulers > 15
+    size = (canvas.pixel_map.width, canvas.pixel_map.height)
+    drawing.trigger("toggleRulers")
+    assert canvas.camera.origin.y() < 5
+    assert (canvas.pixel_map.width, canvas.pixel_map.height) == size
+    assert not drawing.window.preferences.rulers
+    # What lies there then is no ruler.
+    draw(drawing, beside(drawing), (2.0, 1.0))
+    assert guides(drawing) == []
+    drawing.trigger("toggleRulers")
+    assert canvas.camera.origin.y() == with_rulers
+    assert canvas.to_plane(canvas.to_pixel(1.0, 2.0)) == pytest.approx((1.0, 2.0), abs=2 * drawing.pixel)
+
+
+def test_a_presentation_has_plain_axes(drawing):
+    canvas = drawing.window.canvas
+    drawing.trigger("presentation")
+    assert not canvas.rulers.are_shown
+    drawing.trigger("presentation")
+    assert canvas.rulers.are_shown
+
+
+def strip(editor, first, last):
+    """The colours along the lower edge of the upper ruler, between two places of the plane."""
+    canvas = editor.window.canvas
+    image = canvas.grab().toImage()
+    y = int(canvas.camera.origin.y()) - 3
+    pixels = range(canvas.to_pixel(first, 0).x(), canvas.to_pixel(last, 0).x())
+    ratio = image.devicePixelRatio()
+    return [image.pixelColor(round(x * ratio), round(y * ratio)).name() for x in pixels]
+
+
+def test_the_rulers_show_where_the_pointer_is_and_how_far_the_selection_reaches(drawing):
+    canvas = drawing.window.canvas
+    canvas._left()
+    drawing.settle()
+    bare = strip(drawing, -2.5, 6.5)
+    drawing.hover((5.0, -1.0))
+    marked = strip(drawing, -2.5, 6.5)
+    changed = [x for x, (one, other) in enumerate(zip(bare, marked, strict=True)) if one != other]
+    place = canvas.to_pixel(5.0, 0).x() - canvas.to_pixel(-2.5, 0).x()
+    assert changed
+    assert all(abs(each - place) <= 6 for each in changed)
+    canvas._left()
+    drawing.select([1, 2])
+    banded = strip(drawing, -2.5, 6.5)
+    changed = [x for x, (one, other) in enumerate(zip(bare, banded, strict=True)) if one != other]
+    ends = [canvas.to_pixel(x, 0).x() - canvas.to_pixel(-2.5, 0).x() for x in (1.03, 3.07)]
+    assert changed[0] == pytest.approx(ends[0], abs=1)
+    assert changed[-1] == pytest.approx(ends[1], abs=1)
+    assert len(changed) > 0.9 * (ends[1] - ends[0])
+
+
+def test_messages_stand_below_the_ruler(drawing):
+    canvas, bar = drawing.window.canvas, drawing.window.message_bar
+    bar.tell("Hello.")
+    drawing.settle()
+    assert bar.geometry().top() >= canvas.camera.origin.y()
+    bar.close_button.click()
