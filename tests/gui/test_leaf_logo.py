@@ -24,8 +24,8 @@ IN_INKSCAPE = 31
 """Clicks and keys of the same by the manual of Inkscape 1.3, a key with modifiers counted as one.
 
 B, five clicks of the pen; S, a click for the centre and its drag to the foot; Ctrl+Shift+M, the page Rotate,
-a click into the angle, Ctrl+A, 7, 2; four times Ctrl+D and a click on Apply; Ctrl+A, the lock, a click into W,
-Ctrl+A, 7, 0, Tab. The unit is that of the document in both.
+a click into the angle, Ctrl+A, 7, 2; four times Ctrl+D and a click on Apply; Ctrl+A, the lock, a click into
+W, Ctrl+A, 7, 0, Tab. The unit is that of the document in both.
 """
 
 
@@ -92,7 +92,7 @@ def test_five_leaves_around_a_foot_seventy_millimetres_wide(sheet):
     hands.press(Key.Key_M, CTRL | SHIFT)
     hands.type("70")
     hands.press(Key.Key_Return)
-    width, height = np.ptp(sampled_bounds(sheet, *range(5)), axis=0)
+    width = np.ptp(sampled_bounds(sheet, *range(5)), axis=0)[0]
     assert width == pytest.approx(70.0, abs=CLOSE)
     assert sheet.window.canvas.tools.target.bounds.size[0] == pytest.approx(70.0, abs=1e-11)
     assert sum(hands.count.values()) <= IN_INKSCAPE
