@@ -188,7 +188,7 @@ class SelectTool(Tool):
         return context.target.group if is_inside else None
 
     def _pivot(self, context: ToolContext) -> Vector | None:
-        """Return the pivot that is shown: one that was chosen, or the middle of the box."""
+        """Return the pivot that can be taken: one that was chosen, or the middle of the box."""
         target = context.target
         if (place := target.pivot) is not None:
             return place
