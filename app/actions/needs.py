@@ -29,8 +29,7 @@ class Need(msgspec.Struct, frozen=True):
 
 NOTHING = Need("", lambda _now: True)
 
-SELECTED_POINTS = Need("selected points", lambda now: bool(now.selection or now.chosen))
-POINTS_OR_CURVES = Need("selected points, or chosen curves", SELECTED_POINTS.is_met)
+HIGHLIGHTED = Need("a curve or a point", lambda now: now.has_highlight)
 TWO_SELECTED = Need("two selected points or more", lambda now: len(now.selection) > 1)
 THREE_SELECTED = Need("three selected points or more", lambda now: len(now.selection) > 2)
 HERMITE_CURVE = Need("a Hermite curve", lambda now: now.has_derivatives)

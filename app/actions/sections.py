@@ -91,6 +91,7 @@ EDIT_ALIGN_TO = EDIT.section("Align and Distribute")
 EDIT_DELETE = EDIT.section(is_separated=False)
 EDIT_CLIPBOARD = EDIT.section()
 EDIT_COPY_AS = EDIT.section("Copy and Paste Special", is_separated=False)
+EDIT_DERIVATIVES = EDIT.section("Copy and Paste Special")
 EDIT_STYLE = EDIT.section("Copy and Paste Special")
 EDIT_PROGRAM = EDIT.section()
 

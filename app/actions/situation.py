@@ -41,6 +41,12 @@ class Situation:
         return self.session.selected.curves
 
     @property
+    def has_highlight(self) -> bool:
+        """Whether there is something to copy or to delete."""
+        highlight, curves = self.session.selected.highlight(), self.session.document.curves
+        return bool(highlight.curves) and (len(curves) > 1 or bool(curves[0].points))
+
+    @property
     def chosen(self) -> frozenset[int]:
         """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
         return self.session.selected.chosen

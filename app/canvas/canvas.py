@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
-from ..document.model import Axis
+from ..document.model import Axis, Vector
 from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.rulers import Extent
 from ..plotting.tool_plot import ToolPlot
@@ -53,6 +53,7 @@ class Canvas(ToolPlot):
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
         self.framing = Framing(self.camera, self.drawing)
+        self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self._move_again)
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
@@ -127,6 +128,13 @@ class Canvas(ToolPlot):
         """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""
         return self.tools.place() or pointer.position
 
+    @property
+    def pointed_place(self) -> Vector:
+        """The place under the pointer, or of the menu that covers it; elsewhere the middle of the view."""
+        if self._pointer is None and self._asked_at is not None:
+            return self._asked_at.position
+        return self._pointer_now().position
+
     # Guides out of the rulers
 
     def _axis_at(self, pointer: Pointer) -> Axis | None:
@@ -147,6 +155,7 @@ class Canvas(ToolPlot):
         self._show_progress()
 
     def _hovered_at(self, pointer: Pointer) -> None:
+        self._asked_at = None
         axis = self._axis_at(pointer)
         if axis is None:
             super()._hovered_at(pointer)
@@ -178,6 +187,7 @@ class Canvas(ToolPlot):
         place = self.framing.selected_pixel() if by_key else QPointF(event.pos())
         hit = self._hit_at(place) if place is not None else None
         corner = (place or self.camera.centre()).toPoint()
+        self._asked_at = self.pointer_at(QPointF(corner))
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
 
     def hit_at(self, place: QPoint) -> Hit | None:

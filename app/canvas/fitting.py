@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -84,9 +84,9 @@ class Framing:
         view = self._drawing.view
         return view is None or not len(view.points) or all_inside(self._camera.pixel_map, view.points)
 
-    def shows_curves_from(self, first: int) -> bool:
-        """Whether the curves from this place on lie in sight, as far as `fit` would show them."""
-        boxes, _sizes = _limited(self._drawing.views[first:])
+    def shows_curves(self, places: Iterable[int]) -> bool:
+        """Whether the curves at these places lie in sight, as far as `fit` would show them."""
+        boxes, _sizes = _limited([self._drawing.views[place] for place in places])
         return all_inside(self._camera.pixel_map, boxes.reshape(-1, 2))
 
     def fit(self) -> None:

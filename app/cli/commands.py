@@ -122,6 +122,12 @@ def _document_of(options: argparse.Namespace) -> Document:
         raise RefusalError(f"“{options.file}” is no document (*.curve.json): {reads}.") from None
 
 
+def _drawn_document(options: argparse.Namespace) -> Document:
+    """Return what pictures are made of: the document, or the curves of it that were asked for."""
+    document = _document_of(options)
+    return exchange.cubics_in.Imported(document).called(options.only).document if options.only else document
+
+
 def _render(options: argparse.Namespace) -> int:
     name = options.output.lower()
     pictures, films = endings_of(FORMATS.pictures), endings_of(FILMS)
@@ -133,7 +139,7 @@ def _render(options: argparse.Namespace) -> int:
             raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
         known = enumerated(_picture_endings(), "or")
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
-    document = _document_of(options)
+    document = _drawn_document(options)
     with _told_on_terminals() as report:
         made = export(document, options.output, picture_options(options, document).reporting(report))
     _tell(made.remarks)
@@ -154,7 +160,7 @@ def _picture_endings() -> tuple[str, ...]:
 def _render_film(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without at its start.
 
-    document, repeat = _document_of(options), Repeat(options.motion or "loop")
+    document, repeat = _drawn_document(options), Repeat(options.motion or "loop")
     film = Film(
         width=options.width or Film.width,
         fps=options.fps,

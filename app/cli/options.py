@@ -58,6 +58,14 @@ def _unit(text: str) -> str:
 def add_picture_options(parser: argparse.ArgumentParser) -> None:
     """Let a command take the options of pictures."""
     add = parser.add_argument
+    add(
+        "--only",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="take only the curves of this name, or those in the group of this name or id, such as axes_1 or "
+        "'line2d_*'; may be given more than once",
+    )
     add("--width", type=whole_number, metavar="N", help="in pixels; in points of 1/72 inch for a PDF")
     add(
         "--unit",
@@ -66,6 +74,12 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
         help=f"what a length of one is ({', '.join(MILLIMETRES)}), if the document does not say it: without "
         "--width an SVG or PDF then has "
         "true size; TikZ has, and a PNG by its pixels per inch; a DXF names it",
+    )
+    add(
+        "--dpi",
+        type=positive_number,
+        metavar="X",
+        help="pixels of a PNG for each inch of its true size, for a document with a unit",
     )
     add(
         "--scale",
@@ -122,14 +136,6 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         type=positive_number,
         metavar="X",
         help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
-    )
-    add(
-        "--only",
-        action="append",
-        default=[],
-        metavar="NAME",
-        help="take the curves of this name, or those in the group of this name or id, such as axes_1 or "
-        "'line2d_*'; may be given more than once",
     )
     _add_table_options(convert)
     _add_fit_options(convert)
@@ -308,6 +314,7 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
         tolerance=options.tolerance,
         style=STYLES[options.theme] if options.theme else None,
         points=options.points,
+        dpi=options.dpi,
         scale=options.scale,
         unit=options.unit or document.unit,
         transparent=options.transparent,

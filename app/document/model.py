@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
+from .export import NEVER_EXPORTED, Export
 from .style import PLAIN_STYLE, Style
 from .value import Value
 from .words import NamedEnum
@@ -333,6 +334,8 @@ class Document(Value, frozen=True):
         Lines to draw along.
     page
         What pictures of it show; None for what its curves take.
+    export
+        How it was exported last.
     """
 
     curves: tuple[Curve, ...]
@@ -341,6 +344,7 @@ class Document(Value, frozen=True):
     grid_spacing: float = 0.0
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
+    export: Export = NEVER_EXPORTED
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""

@@ -17,7 +17,7 @@ from .curve_tree import OUTSIDE, Container, whole_nodes
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
 from .shape_edits import contained, with_own_names
-from .shapes import whole_shapes
+from .shapes import tidy_shapes, whole_shapes
 from .transforms import Affine, transform_points
 from .words import points
 
@@ -41,7 +41,7 @@ class PointGroup(msgspec.Struct, frozen=True):
     parts
         The curves, each with the indices of its points.
     name
-        The name of the curve where it is a single one, whole.
+        The name of the curve, shape or group where it is a single one, whole.
     """
 
     parts: tuple[tuple[int, frozenset[int]], ...]
@@ -103,7 +103,7 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
     places = sorted(curves)
     return PointGroup(
         tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in places),
-        document.curves[places[0]].name if len(places) == 1 else None,
+        name_of(document, places),
     )
 
 
@@ -167,6 +167,12 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
     return document
 
 
+def alone(document: Document, curves: Collection[int]) -> Document:
+    """Return some curves of a document in a document of their own, which has no page."""
+    chosen = tuple(document.curves[place] for place in sorted(curves))
+    return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
+
+
 def in_order(document: Document, order: Sequence[int]) -> Document:
     """Return the document with its curves in this order, each given by its place now."""
     return replace(document, curves=tuple(document.curves[place] for place in order))
@@ -183,17 +189,13 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
     return max(0, min(before, len(document.curves) - len(curves) - 1))
 
 
-def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Added:
-    """Add copies of curves right in front of them, in their order, in these colours, visible and free.
+def add_copies(document: Document, curves: Collection[int]) -> Added:
+    """Add copies of curves right in front of them, in their order, as they look, visible and free.
 
     Copies of whole shapes and groups are shapes and groups of their own.
     """
     last = whole_nodes(document.curves, curves)[-1]
-    inside = contained(document.curves, curves, last.around)
-    copies = [
-        replace(curve, style=replace(curve.style, stroke=colour))
-        for curve, colour in zip(inside.values(), colours, strict=True)
-    ]
+    copies = list(contained(document.curves, curves, last.around).values())
     at = last.places.stop
     return Added(add_curves(document, copies, at, last.around), range(at, at + len(copies)))
 
@@ -241,7 +243,16 @@ def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
 
 def named(document: Document, curves: Collection[int]) -> str:
     """Return the name of the curve, or of the shape or group that they are, or "3 curves"."""
+    name = name_of(document, curves)
+    return f"{len(curves)} curves" if name is None else name
+
+
+def name_of(document: Document, curves: Collection[int]) -> str | None:
+    """Return the name of the curve, or of the shape or group that they are; None where they are several."""
     if len(curves) == 1:
         return document.curves[next(iter(curves))].name
+    first = document.curves[min(curves, default=0)]
+    if not curves or not (first.shape or first.groups):
+        return None
     nodes = whole_nodes(document.curves, curves)
-    return nodes[0].name if len(nodes) == 1 else f"{len(curves)} curves"
+    return nodes[0].name if len(nodes) == 1 else None

@@ -15,6 +15,7 @@ from .curve_edits import free_copy_name, with_each
 from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, tree_of, whole_nodes
 from .edits import EditError
 from .model import Curve, Document
+from .selection import Choice
 from .shapes import SHARED, shape_of, shared_start, whole_shapes, with_values
 from .style import NO_PAINT, FillRule
 
@@ -193,19 +194,25 @@ def _without_group(curve: Curve, depth: int) -> Curve:
     return replace(curve, groups=(*curve.groups[:depth], *curve.groups[depth + 1 :]))
 
 
-def pressed(document: Document, curve: int, active: int, chosen: Collection[int]) -> frozenset[int]:
+def pressed(document: Document, curve: int, choice: Choice) -> frozenset[int]:
     """Return the curves that a press on one of them means: its outermost group, or else its shape.
 
-    A group is entered, and what is in it meant, while a curve of it is edited and not all of it is chosen.
+    A group is entered, and what is in it meant, while a curve of it is edited, or chosen but not all of them.
     """
-    curves = document.curves
-    groups, here = curves[curve].groups, curves[active].groups
-    for depth in range(len(groups)):
-        around = group_around(curves, curve, depth)
-        is_entered = active in around and here[: depth + 1] == groups[: depth + 1]
-        if not is_entered or all(place in chosen for place in around):
+    chosen = choice.chosen
+    here = choice.active if choice.is_editing or choice.active in chosen else -1
+    for depth in range(len(document.curves[curve].groups)):
+        around = group_around(document.curves, curve, depth)
+        if here not in around or all(place in chosen for place in around):
             return frozenset(around)
     return frozenset(shape_of(document, curve))
+
+
+def next_pressed(document: Document, choice: Choice, step: int) -> frozenset[int]:
+    """Return the shape or group in front (1) of what is chosen, or behind it (−1); all around at the ends."""
+    here = choice.chosen or {choice.active}
+    place = (max(here) if step > 0 else min(here)) + step
+    return pressed(document, place % len(document.curves), choice)
 
 
 # Names

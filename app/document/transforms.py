@@ -170,9 +170,15 @@ class Reference(NamedEnum):
         self.tip = tip
 
     EACH_OTHER = "each_other", "Each other", "Align chosen curves to the box around them"
-    EDITED = "edited", "The one edited", "Align chosen curves to the one that was chosen first and is edited"
+    FIRST = "first", "The first chosen", "Align chosen curves to the first of them: the one edited, if one is"
     LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
     DRAWING = "drawing", "The drawing", "Align chosen curves to the box around all curves"
+    PAGE = "page", "The page", "Align chosen curves to the page of the document"
+
+    @property
+    def is_around(self) -> bool:
+        """Whether it is there without the chosen curves, so that one of them can be aligned to it."""
+        return self in (Reference.DRAWING, Reference.PAGE)
 
 
 class Spacing(NamedEnum):

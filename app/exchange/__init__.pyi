@@ -6,6 +6,7 @@ from . import dxf_library as dxf_library
 from . import facts as facts
 from . import parts as parts
 from . import rescaled as rescaled
+from . import svg as svg
 from . import units as units
 from .drawing.image import png_file as png_file
 from .formats.formulas import svg_path_data as svg_path_data

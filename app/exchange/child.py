@@ -104,6 +104,21 @@ def limited(
         answer = msgspec.msgpack.decode(output, type=_Answer, dec_hook=from_plain)
     except msgspec.DecodeError:
         raise ExchangeError(_why_silent(code)) from None
+    return _result_of(answer)
+
+
+def at_once(reader: Reader, data: bytes) -> Imported:
+    """Return what a reader makes of a content so small that it needs no process of its own.
+
+    Raises
+    ------
+    ExchangeError
+        As `limited`, but for the limits.
+    """
+    return _result_of(answer_to(Request(reader.__module__, reader.__name__, None, data)))
+
+
+def _result_of(answer: _Answer) -> Imported:
     if answer.result is None:
         raise ExchangeError(answer.problem)
     return answer.result
@@ -187,11 +202,12 @@ def main(memory: str) -> None:
             sys.exit(_NO_MEMORY)
 
 
-def answer_to(request: Request, memory: int) -> _Answer:
-    """Return what the reader says, whatever it may raise."""
+def answer_to(request: Request, memory: int | None = None) -> _Answer:
+    """Return what the reader says, whatever it may raise; with so much memory, if that is limited."""
     try:
         reader: Reader = getattr(import_module(request.module), request.reader)
-        _limit_memory(memory)
+        if memory is not None:
+            _limit_memory(memory)
         result = reader(request.data, request.tolerance)
         validate(result.document)
     except ExchangeError as problem:

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
+from msgspec.structs import replace
 
+from ..document.export import Export
+from ..document.model import Document
+from ..document.several_curves import alone
+from ..document.shapes import whole_shapes
 from .drawing.styles import DARK, LIGHT
 from .formats import FORMATS, Format
-from .options import BASIS, DARK_PAPER, TRUE_SIZE, Option, Options, Value, all_options
+from .options import BASIS, DARK_PAPER, EXTENT, TRUE_SIZE, Extent, Option, Options, Value, all_options
+from .units import known_unit
 
 
 @dataclass(frozen=True)
@@ -38,30 +45,71 @@ class ExportChoice:
         """The record of the format."""
         return next(each for each in FORMATS.offered if each.ending == self.ending)
 
-    def shown(self) -> tuple[Option[Any], ...]:
-        """Return the options of the format that matter with these values."""
+    def of_chosen(self) -> ExportChoice:
+        """Return the same for the chosen curves alone."""
+        return ExportChoice(self.ending, {**self.values, EXTENT.name: Extent.CHOSEN})
+
+    def shown(self, unit: str = "") -> tuple[Option[Any], ...]:
+        """Return the options of the format that matter with these values, in a document of that unit."""
         options = self.format.options
-        hidden = self.format.hidden({each.name: self[each] for each in options})
+        values = {each.name: self[each] for each in options}
+        values[TRUE_SIZE.name] = self._is_to_scale(unit)
+        hidden = self.format.hidden(values)
         return tuple(each for each in options if each not in hidden)
 
-    def options(self, active: int, unit: str = "", *, with_estimates: bool = False) -> Options:
-        """Return the options of the format; `active` is the curve that is edited, `unit` what one is.
+    def _is_to_scale(self, unit: str) -> bool:
+        return self[TRUE_SIZE] and bool(known_unit(unit))
 
-        `with_estimates` is whether the basis panel shows what each point does with its estimates.
+    def order(
+        self, document: Document, active: int, chosen: Collection[int] = (), *, with_estimates: bool = False
+    ) -> Order:
+        """Return what is to be written of a document.
+
+        Parameters
+        ----------
+        active
+            The curve that is edited.
+        chosen
+            Those that are chosen, if any.
+        with_estimates
+            Whether the basis panel shows what each point does with its estimates.
         """
+        unit = document.unit
         values = {each.name: self[each] for each in self.format.options}
         is_picture, dark = DARK_PAPER.name in values, values.pop(DARK_PAPER.name, False)
-        has_basis, is_to_scale = values.pop(BASIS.name, False), values.pop(TRUE_SIZE.name, True)
+        has_basis = values.pop(BASIS.name, False)
         shared = {name: values.pop(name) for name in Options.__struct_fields__ if name in values}
+        if values.pop(TRUE_SIZE.name, True) is False:
+            unit = ""
+        matters = {each.name for each in self.shown(document.unit)}
         has_paper = is_picture and (dark or not shared.get("transparent"))
-        return Options(
-            **shared,
+        part, active = _part_of(document, self[EXTENT], active, chosen)
+        options = Options(
+            **{name: value for name, value in shared.items() if name in matters},
             style=(DARK if dark else LIGHT) if has_paper else None,
             basis=active if has_basis else None,
             with_estimates=with_estimates,
-            unit=unit if is_to_scale else "",
+            unit=unit,
             own=values,
         )
+        return Order(part, options)
+
+
+class Order(NamedTuple):
+    """A document to be written, with the options of its writer."""
+
+    document: Document
+    options: Options
+
+
+def _part_of(
+    document: Document, extent: Extent, active: int, chosen: Collection[int]
+) -> tuple[Document, int]:
+    """Return what of a document is meant, and where in it the active curve is."""
+    if extent is Extent.CHOSEN:
+        places = sorted(whole_shapes(document, chosen or (active,)))
+        return alone(document, places), places.index(active) if active in places else 0
+    return (document if extent is Extent.PAGE else replace(document, page=None)), active
 
 
 def choice_from(text: str) -> ExportChoice:
@@ -70,10 +118,33 @@ def choice_from(text: str) -> ExportChoice:
         kept = msgspec.json.decode(text or "{}", type=dict[str, Any])
     except (msgspec.DecodeError, UnicodeError):
         return ExportChoice()
-    ending = kept.get("ending")
-    if ending not in [each.ending for each in FORMATS.offered]:
-        ending = ExportChoice().ending
-    return chosen(ending, {each: kept[each.name] for each in offered_options() if each.name in kept})
+    return _usable(kept.get("ending"), kept)
+
+
+def choice_of(export: Export) -> ExportChoice | None:
+    """Return the choice that a document was exported with; None if it never was."""
+    if not export.ending:
+        return None
+    kept = {}
+    for name, text in export.options:
+        with suppress(msgspec.DecodeError, UnicodeError):
+            kept[name] = msgspec.json.decode(text)
+    return _usable(export.ending, kept)
+
+
+def note_of(choice: ExportChoice, name: str) -> Export:
+    """Return what a document remembers of an export to a file."""
+    values = {key: value for key, value in choice.values.items() if value is not Extent.CHOSEN}
+    options = tuple((key, msgspec.json.encode(value).decode()) for key, value in sorted(values.items()))
+    return Export(choice.ending, name, options)
+
+
+def _usable(ending: object, kept: Mapping[str, Any]) -> ExportChoice:
+    known = [each.ending for each in FORMATS.offered]
+    return chosen(
+        ending if isinstance(ending, str) and ending in known else ExportChoice().ending,
+        {each: kept[each.name] for each in offered_options() if each.name in kept},
+    )
 
 
 def chosen(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
@@ -84,9 +155,10 @@ def chosen(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
 
 def offered_options() -> tuple[Option[Any], ...]:
     """Return the options of all formats that the window offers, in the order of their rows."""
-    return all_options(each.options for each in FORMATS.offered)
+    return all_options([(EXTENT,), *(each.options for each in FORMATS.offered)])
 
 
 def text_of(choice: ExportChoice) -> str:
-    """Return a choice as JSON."""
-    return msgspec.json.encode({"ending": choice.ending, **choice.values}).decode()
+    """Return a choice as JSON, for other documents: which curves are chosen here says nothing there."""
+    values = {key: value for key, value in choice.values.items() if key != EXTENT.name}
+    return msgspec.json.encode({"ending": choice.ending, **values}).decode()

@@ -83,6 +83,8 @@ class Imported:
     def called(self, names: Sequence[str]) -> Imported:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
 
+        Without the page of all.
+
         Raises
         ------
         ExchangeError
@@ -92,7 +94,8 @@ class Imported:
         taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
-        return self.only(taken)
+        found = self.only(taken)
+        return replace(found, document=msgspec.structs.replace(found.document, page=None))
 
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""

@@ -13,6 +13,8 @@ from typing import Any, Generic, TypeVar
 import msgspec
 from msgspec.structs import replace
 
+from .. import exchange
+from ..document.words import NamedEnum
 from ..tasks.progress import Report, silent
 from .drawing.styles import INK, LIGHT, PictureStyle
 
@@ -144,6 +146,23 @@ class Tolerance(Real):
     limits: tuple[float, float] = (math.ulp(0.0), math.nextafter(1e12, 0.0))
 
 
+class Extent(NamedEnum):
+    """Part of a document that goes into a file."""
+
+    PAGE = "page", "Page"
+    ALL = "all", "All curves"
+    CHOSEN = "chosen", "Chosen curves"
+
+
+EXTENT = OneOf(
+    name="extent",
+    label="What",
+    tip="What goes into the file",
+    default=Extent.PAGE,
+    choices={each: each.label for each in Extent},
+)
+"""Option of all formats; without a page all curves are one."""
+
 WIDTH = Whole(
     name="width",
     label="Width",
@@ -159,6 +178,14 @@ SCALE = OneOf(
     default=1.0,
     choices={1.0: "× 1 (96 dpi)", 2.0: "× 2 (192 dpi)", 3.0: "× 3 (288 dpi)", 4.0: "× 4 (384 dpi)"},
 )
+DPI = Whole(
+    name="dpi",
+    label="Resolution",
+    tip="Pixels for each inch of the true size",
+    default=300,
+    limits=(10, 4800),
+    suffix=" dpi",
+)
 TRUE_SIZE = Check(name="true_size", label="Size", title="True size", default=True)
 DARK_PAPER = OneOf(
     name="dark",
@@ -168,7 +195,7 @@ DARK_PAPER = OneOf(
     default=False,
     choices={False: "Light", True: "Dark"},
 )
-TRANSPARENT = Check(name="transparent", title="Transparent", tip="Leave the paper out", default=False)
+TRANSPARENT = Check(name="transparent", title="Transparent", tip="Leave the paper out", default=True)
 
 
 def _shown(name: str, title: str, tip: str) -> Check:
@@ -206,6 +233,8 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         Of pictures: colours; by default dark ink, on light paper in a PNG and on none in SVG and PDF.
     points
         Of pictures and DXF: whether to draw the points.
+    dpi
+        Of a PNG at true size: pixels for each inch; without it its width counts.
     scale
         Of a PNG: how many pixels stand for each of `width`, and for 1/96 inch.
     transparent
@@ -232,6 +261,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     tolerance: float | None = None
     style: PictureStyle | None = None
     points: bool = False
+    dpi: float | None = None
     scale: float = 1.0
     transparent: bool = False
     handles: bool = False
@@ -251,6 +281,11 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     def reporting(self, report: Report) -> Options:
         """Return the same options with somebody who hears how far it has come."""
         return replace(self, report=report)
+
+    @property
+    def is_to_scale(self) -> bool:
+        """Whether pictures have true size."""
+        return self.width is None and bool(exchange.units.known_unit(self.unit))
 
     @property
     def paper_style(self) -> PictureStyle:

@@ -7,7 +7,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from ..document.edits import EditError
+from ..document.export import NEVER_EXPORTED, Export
 from ..document.model import Document, empty_document
 from ..document.plain import plain
 from ..storage.examples import template_title
@@ -42,6 +45,9 @@ class Files:
         self.path: Path | None = None
         self.file: OpenFile | None = None
         self.beginning = Beginning()
+        # By the beginnings of the documents that undo and redo go to.
+        self._exports: dict[Beginning, Export] = {}
+        self._is_noted = False
 
     @property
     def is_read_only(self) -> bool:
@@ -51,12 +57,30 @@ class Files:
     @property
     def has_changes(self) -> bool:
         """Whether something was changed here since the document was opened or saved."""
-        return not self._session.undo_stack.isClean()
+        return self._is_noted or not self._session.undo_stack.isClean()
 
     @property
     def is_modified(self) -> bool:
         """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
         return self.has_changes or (self.file is not None and self.file.has_lost_document)
+
+    @property
+    def last_export(self) -> Export:
+        """How the document was exported last; saved with it, but no step of the history."""
+        return self._exports.get(self.beginning, NEVER_EXPORTED)
+
+    def note_export(self, export: Export) -> None:
+        """Take note of how the document was exported; where it has a file, that is to be saved."""
+        if export == self.last_export:
+            return
+        self._exports[self.beginning] = export
+        if self.path is not None:
+            self._is_noted = True
+            self._session.file_changed.emit()
+
+    def _take_note_of(self, export: Export) -> None:
+        """Take up the note in a file that was read or written."""
+        self._exports[self.beginning], self._is_noted = export, False
 
     def close(self) -> None:
         """Go on without a file."""
@@ -101,6 +125,7 @@ class Files:
             return
         after = State(document, 0, Beginning(path, title, self.beginning))
         session.history.push(session.state, after, text)
+        self._take_note_of(document.export)
         # What is in front now is as it came; the work that was left is told of by `left`.
         session.undo_stack.setClean()
         session.file_changed.emit()
@@ -130,7 +155,9 @@ class Files:
             file = OpenFile.adopt(path, self.file)
         # The path comes later: what is put away of the document before leaves this file alone.
         self._take(None, file)
-        self._session.begin(State(document, 0, beginning or Beginning()), path, views)
+        beginning = beginning or Beginning()
+        self._exports, self._is_noted = {beginning: document.export}, False
+        self._session.begin(State(document, 0, beginning), path, views)
 
     # The file of this one
 
@@ -144,7 +171,9 @@ class Files:
         if target is None:
             raise EditError("The document has no file yet; choose one with Save As.")
         session.cancel()
-        self._take(target, OpenFile.saved(target, session.committed, self.file, overwrite=overwrite))
+        document = replace(session.committed, export=self.last_export)
+        self._take(target, OpenFile.saved(target, document, self.file, overwrite=overwrite))
+        self._is_noted = False
         session.undo_stack.setClean()
         session.saved.emit()
         session.file_changed.emit()
@@ -156,9 +185,10 @@ class Files:
             return
         document = plain(self.file.read_again())
         session.cancel()
-        if document != session.committed:
+        if replace(document, export=session.committed.export) != session.committed:
             active = session.active_index if session.active_index < len(document.curves) else 0
             session.history.push(session.state, State(document, active, self.beginning), "Reload")
+        self._take_note_of(document.export)
         session.undo_stack.setClean()
         session.file_changed.emit()
 
@@ -177,6 +207,7 @@ class Files:
     def give_up_changes(self) -> None:
         """Let the document go as it is, unsaved: nobody is asked about it."""
         self._session.undo_stack.setClean()
+        self._is_noted = False
         if self.file is not None:
             self.file.accept()
             self._session.file_changed.emit()

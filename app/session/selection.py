@@ -15,6 +15,7 @@ from ..document.selection import (
 )
 from ..document.shapes import whole_shapes
 from ..view_model.pivot import Pivot
+from .highlight import Highlight
 
 if TYPE_CHECKING:
     from .session import Session
@@ -68,6 +69,16 @@ class Selection:
         if not self.is_editing:
             return self._chosen
         return self.curves if len(self.curves) > 1 else frozenset()
+
+    def highlight(self, *, whole_curves: bool = False) -> Highlight:
+        """Return the selected points, or else the chosen curves, or the edited one, with all of their shapes.
+
+        `whole_curves` passes over the points, as where the list of curves has the focus.
+        """
+        if self.points and not whole_curves:
+            return Highlight(frozenset({self._session.active_index}), self.points)
+        curves = self.curves if self.is_editing else self._chosen
+        return Highlight(whole_shapes(self._session.document, curves))
 
     @property
     def whole(self) -> frozenset[int]:

@@ -8,6 +8,7 @@ from itertools import chain
 from operator import attrgetter
 
 from ..document.derivatives import VECTORS
+from ..document.export import NEVER_EXPORTED, Export
 from ..document.model import (
     MAX_MAGNITUDE,
     Curve,
@@ -25,6 +26,8 @@ from .number_check import check_number
 from .style_check import validate_style
 
 LONGEST_UNIT = 12
+LONGEST_NAME, LONGEST_OPTION = 255, 1000
+MOST_OPTIONS = 64
 
 
 def validate(document: Document) -> None:
@@ -44,6 +47,7 @@ def validate(document: Document) -> None:
     if document.image is not None:
         _validate_image(document.image)
     _validate_plane(document)
+    _validate_export(document.export)
     if problem := shape_problem(document):
         raise FormatError(problem)
 
@@ -57,6 +61,25 @@ def validate_changes(before: Document, after: Document) -> None:
     if after.image is not None and after.image is not before.image:
         _validate_image(after.image)
     _validate_plane(after)
+    _validate_export(after.export)
+
+
+def _validate_export(export: Export) -> None:
+    """Raise FormatError unless a document may be kept with how it was exported."""
+    if export is NEVER_EXPORTED:
+        return
+    name = export.name
+    if len(name) > LONGEST_NAME or not name.isprintable() or "/" in name or "\\" in name:
+        raise FormatError(f"export.name must be the name of a file without its folder, not {quoted(name)}")
+    if len(export.ending) > LONGEST_NAME or not export.ending.isprintable():
+        raise FormatError(f"export.ending must be the end of a name, not {quoted(export.ending)}")
+    if len(export.options) > MOST_OPTIONS:
+        raise FormatError(f"export.options must be at most {MOST_OPTIONS}, not {len(export.options)}")
+    for index, texts in enumerate(export.options):
+        if not all(len(text) <= LONGEST_OPTION and text.isprintable() for text in texts):
+            raise FormatError(
+                f"export.options[{index}] must be printable texts of at most {LONGEST_OPTION} characters"
+            )
 
 
 def _validate_plane(document: Document) -> None:

@@ -114,6 +114,11 @@ class InputDriver:
         """Move over the canvas with no button down."""
         self.move(at, held=False)
 
+    def leave(self) -> None:
+        """Take the mouse away from the canvas."""
+        QApplication.sendEvent(self.window.canvas.viewport(), QEvent(QEvent.Type.Leave))
+        self.settle()
+
     def key(self, key: Qt.Key, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Press a key with the canvas in focus."""
         require_reachable(self.window.canvas)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ..document.several_curves import named
+from ..document.several_curves import PointGroup, name_of, named, whole_curves
+from ..document.shape_edits import pressed
+from ..document.shapes import shape_of, whole_shapes
 from . import hints
 from .drag_machine import EditingHost
 from .drags import Refuse
@@ -11,19 +13,29 @@ from .tool import ToolContext
 
 
 class CurvePicker:
-    """Choice among curves: a drag moves the one that is pressed, or all that are chosen if it is one of them.
+    """Choice among curves: a drag moves what is pressed, or all that is chosen if it is a part of that.
 
-    A click edits it; while no curve is edited it is chosen, and a double click edits it.
+    A click edits a curve; while none is edited it chooses the group or shape that it is in, and a double
+    click edits it. With Ctrl a group is passed over.
     """
 
+    def enter(self, context: ToolContext) -> bool:
+        """Edit another curve of the shape that is edited where its line is pressed; return whether it is."""
+        host, hit = context.host, context.hit
+        if hit is None or not _is_of_edited_shape(context, hit) or context.pointer.shift:
+            return False
+        host.selected.activate(hit.index)
+        host.say(f"Editing “{host.active_view.source.name}” now.")
+        return True
+
     def press(self, context: ToolContext, hit: Hit) -> None:
-        """Begin to drag the curve hit, whole, with those that are chosen together with it; or a click."""
+        """Begin to drag what is hit, with all that is chosen together with it; or a click."""
         host, target, pointer = context.host, context.target, context.pointer
-        group = target.with_curve(hit.index)
+        group = _dragged(context, hit)
         if refusal := target.refusal_of(group):
-            context.drags.press(pointer, Refuse(host.document, refusal), lambda: _click(context, hit))
+            context.drags.press(pointer, Refuse(host.document, refusal), lambda: click_curve(context, hit))
         else:
-            context.drags.press(pointer, target.moving(group, pointer), lambda: _click(context, hit))
+            context.drags.press(pointer, target.moving(group, pointer), lambda: click_curve(context, hit))
 
     def unpick(self, context: ToolContext) -> None:
         """Choose the active curve alone; while none is edited, none at all."""
@@ -37,14 +49,20 @@ class CurvePicker:
 
     def hint(self, context: ToolContext, hit: Hit) -> Hint:
         """Return what a press on another curve would do."""
-        host, target = context.host, context.target
-        group, is_chosen = target.with_curve(hit.index), hit.index in host.selected.chosen
-        if refusal := target.refusal_of(group):
-            name, verb = host.document.curves[hit.index].name, _verb(host)
-            locked = Hint(f"Click to {verb} “{name}” (locked) · Shift+click: choose it too", grab=True)
+        host = context.host
+        if _is_of_edited_shape(context, hit) and not context.pointer.shift:
+            name = host.document.curves[hit.index].name
+            return Hint(f"Drag to bend “{name}” or move a point of it, click to edit it", grab=True)
+        group, is_chosen = _dragged(context, hit), hit.index in host.selected.chosen
+        if refusal := context.target.refusal_of(group):
+            what = f"{_verb(host)} “{_name(context, hit)}”"
+            locked = Hint(f"Click to {what} (locked) · Shift+click: choose it too", grab=True)
             return Hint(refusal) if is_chosen else locked
+        if hit.inside and (host.selected.is_editing or context.pointer.shift):
+            return Hint(f"{_words_within(context, hit)} · Drag: select with a rubber band", grab=True)
+        click = _words_of_click(context, hit, is_chosen=is_chosen)
         drag = hints.to_move(group.quoted, context.pointer, snaps=context.settings.snapping.on)
-        return Hint(f"{drag} · {_words_of_click(context, hit, is_chosen=is_chosen)}", cursor=Cursor.MOVE)
+        return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
     def idle_hint(self, context: ToolContext) -> Hint | None:
         """Return the hint beside everything while the transforms act on whole curves, or none is edited."""
@@ -66,7 +84,7 @@ def _verb(host: EditingHost) -> str:
 def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     """Return what a click on a curve does, and what Shift would change of drag and click."""
     host = context.host
-    name, is_editing = host.document.curves[hit.index].name, host.selected.is_editing
+    name, is_editing = _name(context, hit), host.selected.is_editing
     if context.pointer.shift:
         return "click to take it out" if is_chosen else "click to choose it too"
     if is_chosen:
@@ -76,19 +94,59 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
 
 
-def _click(context: ToolContext, hit: Hit) -> None:
-    """Edit the curve hit, or choose it; with Shift choose it too, or no longer."""
-    host, chosen = context.host, context.host.selected.chosen
-    if context.pointer.shift and host.selected.is_editing:
-        host.selected.set_curves(host.selected.curves ^ {hit.index})
+def _words_within(context: ToolContext, hit: Hit) -> str:
+    """Return what a click in what a curve fills does, where a drag is a rubber band."""
+    name = _name(context, hit)
+    if not context.pointer.shift:
+        return f"Click to edit “{name}” · Shift+click: choose it too"
+    is_chosen = hit.index in context.host.selected.chosen
+    return f"Click to take “{name}” out" if is_chosen else f"Click to choose “{name}” too"
+
+
+def _name(context: ToolContext, hit: Hit) -> str:
+    """Return the name of what a click is about: the curve that it edits, or what it chooses."""
+    host = context.host
+    is_one = host.selected.is_editing and not context.pointer.shift
+    return named(host.document, (hit.index,) if is_one else _meant(context, hit))
+
+
+def _meant(context: ToolContext, hit: Hit) -> frozenset[int]:
+    """Return the curves that a press on one of them means; with Ctrl its shape, whatever group it is in."""
+    host = context.host
+    if context.pointer.ctrl:
+        return whole_shapes(host.document, (hit.index,))
+    return pressed(host.document, hit.index, host.selected.choice)
+
+
+def _dragged(context: ToolContext, hit: Hit) -> PointGroup:
+    chosen = context.host.selected.chosen
+    return whole_curves(context.host.document, chosen if hit.index in chosen else _meant(context, hit))
+
+
+def _is_of_edited_shape(context: ToolContext, hit: Hit) -> bool:
+    """Whether the line of another curve of the shape that is edited is hit."""
+    host, selected = context.host, context.host.selected
+    is_line = hit.part is Part.OTHER_CURVE and not hit.inside and hit.index not in selected.chosen
+    return is_line and selected.is_editing and hit.index in shape_of(host.document, host.active_index)
+
+
+def click_curve(context: ToolContext, hit: Hit) -> None:
+    """Edit the curve hit, or choose what it is in; with Shift choose it too, or no longer."""
+    host, selected = context.host, context.host.selected
+    if context.pointer.shift and selected.is_editing:
+        selected.set_curves(_toggled(selected.curves, _meant(context, hit)))
     elif context.pointer.shift:
-        host.selected.choose(chosen ^ {hit.index})
-    elif host.selected.is_editing or context.pointer.is_double:
+        selected.choose(_toggled(selected.chosen, _meant(context, hit)))
+    elif selected.is_editing or context.pointer.is_double:
         edit_curve(context, hit.index)
         return
     else:
-        host.selected.choose((hit.index,))
+        selected.choose(_meant(context, hit))
     host.say(f"{chosen_curves(host)}.")
+
+
+def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:
+    return chosen - curves if curves <= chosen else chosen | curves
 
 
 def edit_curve(context: ToolContext, curve: int) -> None:
@@ -105,8 +163,8 @@ def chosen_curves(host: EditingHost) -> str:
     """Return a sentence about the curves that the tools act on."""
     chosen, active = host.selected.chosen, host.active_view.source.name
     if not host.selected.is_editing:
-        if len(chosen) == 1:
-            return f"“{active}” is chosen"
+        if name := name_of(host.document, chosen):
+            return f"“{name}” is chosen"
         return f"{named(host.document, chosen)} chosen" if chosen else "No curve is chosen"
     if not chosen:
         return f"Only “{active}” is chosen"

@@ -11,6 +11,7 @@ from curvecore.arrays import FloatArray
 
 from ..document import words
 from ..document.model import Vector
+from ..document.shape_edits import pressed
 from ..view_model.curve_view import CurveView
 from ..view_model.plane import crosses_box
 from .curve_picker import chosen_curves
@@ -29,8 +30,10 @@ class Marquee(Gesture):
         Two opposite corners of the band; None until the pointer has travelled far enough for a drag.
     """
 
-    def __init__(self, context: ToolContext, on_click: Callable[[ToolContext], object]) -> None:
-        self._press, self._on_click = context.pointer, on_click
+    def __init__(
+        self, context: ToolContext, on_click: Callable[[ToolContext], object], *, is_on_curve: bool = False
+    ) -> None:
+        self._press, self._on_click, self._is_on_curve = context.pointer, on_click, is_on_curve
         self._before = context.host.selected.choice
         self.band: tuple[Vector, Vector] | None = None
         self._had = self._selected(context)
@@ -47,11 +50,13 @@ class Marquee(Gesture):
     def release(self, context: ToolContext) -> None:
         """End; a click beside everything deselects, with Shift it leaves the selection.
 
-        With nothing to deselect, `on_click` is called.
+        With nothing to deselect, and where the press is on a curve, `on_click` is called.
         """
         self.move(context)
         if self.band is not None:
             self._take(context)
+        elif self._is_on_curve:
+            self._on_click(context)
         elif not context.pointer.shift:
             self._click(context)
 
@@ -97,21 +102,22 @@ class Marquee(Gesture):
 class CurveMarquee(Marquee):
     """Rubber band while no curve is edited: chooses the visible, free curves that lie wholly inside.
 
-    With Alt those that it touches, too.
+    With Alt those that it touches, too. Shapes and groups are taken whole, or not.
     """
 
     def _selected(self, context: ToolContext) -> frozenset[int]:
         return context.host.selected.chosen
 
     def _inside(self, context: ToolContext, low: FloatArray, high: FloatArray) -> frozenset[int]:
-        return frozenset(
-            place
-            for place, view in enumerate(context.host.views)
-            if view.source.visible
-            and not view.source.locked
-            and view.has_curve
-            and _is_taken(view, low, high, touched=context.pointer.alt)
-        )
+        views, document, touched = context.host.views, context.host.document, context.pointer.alt
+        free = {place for place, view in enumerate(views) if _is_free(view)}
+        taken = {place for place in free if _is_taken(views[place], low, high, touched=touched)}
+        found: set[int] = set()
+        for place in taken:
+            if place not in found:
+                meant = pressed(document, place, self._before) & free
+                found |= meant if touched or meant <= taken else set()
+        return frozenset(found)
 
     def _show(self, context: ToolContext, indices: frozenset[int]) -> None:
         context.host.selected.show_choice(indices)
@@ -124,6 +130,10 @@ class CurveMarquee(Marquee):
 
     def _words(self, context: ToolContext) -> str:
         return f"{chosen_curves(context.host)} · {_KEYS} · Alt: curves that are touched"
+
+
+def _is_free(view: CurveView) -> bool:
+    return view.source.visible and not view.source.locked and view.has_curve
 
 
 def _is_taken(view: CurveView, low: FloatArray, high: FloatArray, *, touched: bool) -> bool:

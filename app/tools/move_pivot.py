@@ -11,6 +11,7 @@ from .drag_machine import CANCELLED, THRESHOLD
 from .pointer import Cursor, Hint, Pointer
 from .snapping import with_snap
 from .tool import Gesture, ToolContext
+from .transform_box import TransformBox
 
 _REACH = 7.0
 """Pixels from the mark within which a press takes it."""
@@ -21,19 +22,30 @@ PIVOT_HINT = Hint(
 )
 
 
+_LEAST_BOX = 60.0
+"""Pixels: in the middle of a smaller box a press moves what is in it."""
+
+
 def is_on_pivot(place: Vector, pointer: Pointer) -> bool:
     """Whether a press would take the mark of a pivot at `place`."""
     return math.dist(place, pointer.position) * pointer.scale <= _REACH
 
 
+def is_roomy(box: TransformBox, pointer: Pointer) -> bool:
+    """Whether a box is large enough for a pivot that nobody chose."""
+    return max(box.size) * pointer.scale >= _LEAST_BOX
+
+
 class MovePivot(Gesture):
-    """Drag of the pivot; it changes nothing in the document."""
+    """Drag of the pivot; it changes nothing in the document. A double click puts the pivot back."""
 
     def __init__(self, context: ToolContext) -> None:
         self._press, self._start = context.pointer, context.target.centre
         self._before = context.host.selected.pivot
         self._snapper = context.snappers.for_pivot(context.target.bounds)
         self._is_moving = False
+        if context.pointer.is_double:
+            context.target.set_pivot(None)
 
     def move(self, context: ToolContext) -> None:
         """Follow the pointer."""

@@ -10,7 +10,7 @@ import numpy as np
 from ..document import words
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import freeze_parameters, set_parameters
-from ..document.model import Document, Vector
+from ..document.model import Curve, Document, ParametrizationKind, Vector
 from ..view_model.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingHost
@@ -137,7 +137,11 @@ class DragTicks(Drag, frozen=True):
         if moving <= self.idle:
             return _idle_words(self.point)
         text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by)}"
-        return f"{text}, {len(moving)} ticks by {words.number(by)}" if len(moving) > 1 else text
+        if len(moving) > 1:
+            text = f"{text}, {len(moving)} ticks by {words.number(by)}"
+        if makes_way := self._making_way(moving):
+            text = f"{text}, {words.count_of(len(makes_way), 'hollow tick')} beside making way"
+        return f"{text}{_turns_manual(self.before.curves[self.curve])}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press, as far as the ticks that stay let it.
@@ -150,14 +154,20 @@ class DragTicks(Drag, frozen=True):
         if moving <= self.idle:
             return self.before
         moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
-        for knot in self.idle - moving:
-            before, after = self._beside(knot, moving, -1), self._beside(knot, moving, 1)
-            if before in moving or after in moving:
-                share = (self.parameters[knot] - self.parameters[before]) / (
-                    self.parameters[after] - self.parameters[before]
-                )
-                moved[knot] = moved[before] + share * (moved[after] - moved[before])
+        for knot, (before, after) in self._making_way(moving).items():
+            share = (self.parameters[knot] - self.parameters[before]) / (
+                self.parameters[after] - self.parameters[before]
+            )
+            moved[knot] = moved[before] + share * (moved[after] - moved[before])
         return set_parameters(self.document, self.curve, moved)
+
+    def _making_way(self, moving: frozenset[int]) -> dict[int, tuple[int, int]]:
+        """Return the idle knots that keep their place between two others of which one moves, with those."""
+        beside = {
+            knot: (self._beside(knot, moving, -1), self._beside(knot, moving, 1))
+            for knot in sorted(self.idle - moving)
+        }
+        return {knot: both for knot, both in beside.items() if both[0] in moving or both[1] in moving}
 
     def _beside(self, knot: int, moving: frozenset[int], step: int) -> int:
         """Return the next knot on a side that does not make way, or one beyond all."""
@@ -227,7 +237,7 @@ class RailTool(ScrubTool):
         if hit is None or hit.part is Part.SCRUB:
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
-            return Hint(_tick_hint(hit, context.view, context.host.selected.points), cursor=Cursor.WIDER)
+            return _tick_hint(hit, context.pointer, context.view, context.host.selected.points)
         if hit.part is Part.PLACE:
             return Hint(
                 f"The dot of point {hit.index}: near t = {words.number(hit.position[0])} it acts most · "
@@ -271,18 +281,25 @@ def _idle_words(point: int) -> str:
     return f"A hollow tick: t of point {point} does nothing to the curve, those of filled ticks do"
 
 
-def _tick_hint(hit: Hit, view: CurveView, selection: frozenset[int]) -> str:
+def _turns_manual(curve: Curve) -> str:
+    """Return, to follow a sentence, that the rule for the parameters gives way, unless they are manual."""
+    kind = curve.parametrization.kind
+    return "" if kind is ParametrizationKind.MANUAL else f"; {kind.phrase} turns manual"
+
+
+def _tick_hint(hit: Hit, pointer: Pointer, view: CurveView, selection: frozenset[int]) -> Hint:
+    """Return the hint over a tick; one that does nothing to the curve is none to drag alone."""
     index, family = hit.index, view.source.family
     is_one_of_several = index in selection and len(selection) > 1
     what = f"t of {len(selection)} points" if is_one_of_several else f"t of point {index}"
     if not (family.interpolates or is_one_of_several or view.curve is None):
         if view.is_current and view.curve.idle_parameters[hit.knot]:
-            return f"{_idle_words(index)} · E: all ticks on the side you move to go along"
+            text = f"{_idle_words(index)} · E: all ticks on the side you move to go along"
+            return Hint(text, cursor=Cursor.WIDER if pointer.ripple else None)
         what = f"{what}, a knot of the curve" if 0 < index < len(view.points) - 1 else what
-    return (
-        f"Drag to change {what} · E: all ticks on the side you move to go along · "
-        "Shift+click selects more · Double-click types t"
-    )
+    drag = f"Drag to change {what}{_turns_manual(view.source)}"
+    keys = "E: all ticks on the side you move to go along · Shift+click selects more · Double-click types t"
+    return Hint(f"{drag} · {keys}", cursor=Cursor.WIDER)
 
 
 RAIL = ToolRecord(name="rail", make=RailTool, hint="")

@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.several_curves import PointGroup, points_of, whole_curves
-from ..document.shapes import whole_shapes
 from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView
 from ..view_model.pivot import Pivot, anchored
@@ -61,11 +60,6 @@ class TransformTarget:
         host = self._host
         return whole_curves(host.document, host.selected.chosen) if host.selected.chosen else None
 
-    def with_curve(self, curve: int) -> PointGroup:
-        """Return what a drag of a curve moves: all chosen ones if it is one of them, or else its shape."""
-        document, chosen = self._host.document, self._host.selected.chosen
-        return whole_curves(document, chosen if curve in chosen else whole_shapes(document, (curve,)))
-
     @property
     def for_keys(self) -> PointGroup:
         """The target of the keys: the same, or else all points of the curve that is edited."""
@@ -78,6 +72,12 @@ class TransformTarget:
         """The words for that: "3 curves", "2 points", "all 5 points"."""
         group = self.for_keys
         return f"{'all ' if self.group is None and group.only_point is None else ''}{group.words}"
+
+    @property
+    def is_nothing(self) -> bool:
+        """Whether nothing is selected, and no curve is edited or has no points."""
+        is_there = self.group is not None or self._host.selected.is_editing
+        return not is_there or not any(indices for _, indices in self.for_keys.parts)
 
     @property
     def refusal_of_keys(self) -> str:
@@ -123,7 +123,7 @@ class TransformTarget:
 
     def _pivot(self) -> Pivot | None:
         chosen = self._host.selected.pivot
-        if chosen is None:
+        if chosen is None or self.is_nothing:
             return None
         return chosen.at(anchored(self._host.views, self.for_keys, live=self._host.is_previewing))
 

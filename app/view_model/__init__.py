@@ -31,7 +31,7 @@ A curve changed:
 - ``least_squares``: curves of few points near many.
 - ``bounds``: the box of points or curves.  ``stretch``: what fills another.  ``alignment``: curves by theirs.
   ``pivot``: the place that transforms are about, and what they did.
-- ``pasting``: points carried from one curve to another.
+- ``pasting``: points carried from one curve to another.  ``arrivals``: curves from elsewhere.
 - ``point_columns``: the columns of the point table.
 
 Beside the curve:

@@ -34,7 +34,7 @@ def align_curves(
     chosen: Collection[int],
     edge: Edge,
     reference: Reference = Reference.EACH_OTHER,
-    edited: int = 0,
+    first: int = 0,
 ) -> Document:
     """Move each shape of the chosen curves so that it lies along an edge, or the middle, of the reference.
 
@@ -42,12 +42,14 @@ def align_curves(
     ----------
     views
         The views of all curves.
-    edited
-        The curve that is edited.
+    first
+        The one that was chosen first.
     """
     items = _items(document, views, chosen)
-    if reference is Reference.EDITED:
-        bounds = next(item.bounds for item in items if edited in item.group.curves)
+    if reference is Reference.PAGE:
+        bounds = _page_of(document)
+    elif reference is Reference.FIRST:
+        bounds = next((item.bounds for item in items if first in item.group.curves), items[0].bounds)
     elif reference is Reference.LARGEST:
         bounds = max((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
     else:
@@ -88,6 +90,13 @@ def _items(document: Document, views: Sequence[CurveView], curves: Collection[in
     groups = [whole_curves(document, places) for places in shapes]
     found = [(group, bounds_of(views, group)) for group in groups]
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
+
+
+def _page_of(document: Document) -> Bounds:
+    page = document.page
+    if page is None:
+        raise EditError("The document has no page to align to.")
+    return Bounds((page.x, page.y), (page.x + page.width, page.y + page.height))
 
 
 def _joined(boxes: Sequence[Bounds]) -> Bounds:

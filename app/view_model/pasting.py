@@ -143,3 +143,10 @@ def copied_as_new_curve(copy: Curve, name: str) -> Curve:
         kind = ParametrizationKind.CHORD_LENGTH if copy.is_manual else copy.parametrization.kind
         copy = replace(copy, points=points, parametrization=replace(copy.parametrization, kind=kind))
     return replace(set_interval(Document((copy,)), 0, 0.0, 1.0).curves[0], name=name)
+
+
+def part_of(view: CurveView, indices: Collection[int]) -> Curve | None:
+    """Return a curve of some points alone; None for fewer than two, which are none, and for all of them."""
+    if not 1 < len(indices) < len(view.source.points):
+        return None
+    return copied_as_new_curve(replace(copied(view, indices), shape=""), view.source.name)

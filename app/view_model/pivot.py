@@ -48,9 +48,10 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         before, after = self.points, now.points
         if before.shape == after.shape and np.array_equal(before, after):
             return IDENTITY
-        if self.group != now.group or before.shape != after.shape:
+        if self.group.parts != now.group.parts or before.shape != after.shape:
             return None
-        return self._as_boxes(_map_between(before, after), now)
+        by = _map_between(before, after)
+        return by if by is IDENTITY else self._as_boxes(by, now)
 
     def _as_boxes(self, by: Affine, now: Anchor) -> Affine:
         """Return a map along the axes as that of the bounds: where a curve is stretched they are exact."""

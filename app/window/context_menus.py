@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMenu
 
 from ..actions.declaration import place_actions
 from ..actions.strips import CANVAS_MENU, CURVE_MENU, GUIDE_MENU, POINT_MENU
+from ..document.shape_edits import pressed
 from ..tools.pointer import Hit, Part
 from ..workbench.context import WindowContext
 from ..workbench.strip_menu import strip_menu
@@ -31,8 +32,11 @@ class ContextMenus:
         session = self._context.session
         if hit is not None and hit.part is Part.OTHER_CURVE:
             # One of those that are selected leaves them selected: the menu is about all.
-            selected = session.selected.curves
-            session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
+            selected = session.selected.curves if session.selected.is_editing else session.selected.chosen
+            if session.selected.is_editing or hit.index in selected:
+                session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
+            else:
+                session.selected.choose(pressed(session.document, hit.index, session.selected.choice))
             self._open_on_edited(place)
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(place)

@@ -1,4 +1,4 @@
-"""Files dragged over the window, or named at the start: what becomes of them; they are only read."""
+"""What is dragged over the window, and files named at the start; they are only read."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
+from ..document.model import Vector
 from ..document.words import count_of, listed, names_of
 from ..storage.files import StorageError
 from ..storage.format_error import FormatError
@@ -58,6 +59,7 @@ class Drops:
     ) -> None:
         self._context = context
         self._import, self._trace = hooks(takers, "import_files"), hooks(takers, "trace")
+        self._holds, self._paste = hooks(takers, "holds_drawing"), hooks(takers, "paste_dropped")
         self.open_window: OpenWindow | None = None
 
     def take(self, files: Given, problems: Iterable[str] = ()) -> None:
@@ -70,6 +72,20 @@ class Drops:
         self._context.files.after_opening(
             lambda problem: self._add(files, [problem, *left] if problem else left)
         )
+
+    def accepts_drawing(self, event: QDropEvent) -> bool:
+        """Accept a drag of curves that are in no file, such as text out of a browser, as a copy."""
+        can_copy = bool(event.possibleActions() & Qt.DropAction.CopyAction)
+        if not can_copy or not any(holds(event.mimeData()) for holds in self._holds):
+            return False
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
+        return True
+
+    def take_drawing(self, event: QDropEvent, place: Vector) -> None:
+        """Add the curves of an accepted drag at a place."""
+        for paste in self._paste:
+            paste(event.mimeData(), place)
 
     def _add(self, files: Given, left: list[str]) -> None:
         """Import and trace what was given, and say what was `left` out, and why."""

@@ -224,9 +224,12 @@ class MainWindow(Guarded, QMainWindow):
         files = accepted(event)
         if files is not None:
             self.status_line.show_tip(files.invitation)
+        elif self.commands.drops.accepts_drawing(event):
+            self.status_line.show_tip("Drop to add the drawing here")
 
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
-        accepted(event)
+        if accepted(event) is None:
+            self.commands.drops.accepts_drawing(event)
 
     def dragLeaveEvent(self, event: QDragLeaveEvent) -> None:
         self.status_line.show_tip("")
@@ -236,6 +239,9 @@ class MainWindow(Guarded, QMainWindow):
         files = accepted(event)
         if files is not None:
             self.commands.drops.take(files)
+        elif self.commands.drops.accepts_drawing(event):
+            place = self.canvas.viewport().mapFrom(self, event.position().toPoint())
+            self.commands.drops.take_drawing(event, self.canvas.to_plane(place))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.asks_before_closing and not self.context.files.may_discard():

@@ -8,6 +8,9 @@ from functools import cache
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
+SVG_TYPES = ("image/x-inkscape-svg", "image/svg+xml")
+"""MIME types of SVG; where a program offers both, the first says more."""
+
 
 def put_on_clipboard(data: QMimeData) -> None:
     """Let other programs, and this one, paste `data`."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from ..storage.format_error import FormatError
 from ..tasks.single_task import SingleTask
 from ..tasks.task import Work
 
+_MOST_REMARKS = 3
 _EXPECTED = (ExchangeError, StorageError, FormatError)
 
 
@@ -75,6 +76,11 @@ class FileWork:
     def refuse(self, path: Path, what: str, problem: Exception) -> None:
         """Say why something was not done with a file."""
         self._warn(why_not(path, what, problem))
+
+    def warn_of(self, remarks: Sequence[str]) -> None:
+        """Say what was left out; of much, the beginning."""
+        more = [f"And {len(remarks) - _MOST_REMARKS} more."] if len(remarks) > _MOST_REMARKS else []
+        self._warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
 
     def _warn(self, sentence: str) -> None:
         if sentence:

@@ -24,6 +24,8 @@ from app.document.several_curves import (
     with_appearance,
 )
 from app.document.shape_edits import moved_into, stepped
+from app.document.style import Style
+from app.document.style_edits import with_whole_style
 from app.document.transforms import rotation
 from app.families import HERMITE
 
@@ -107,16 +109,19 @@ def test_looks_are_changed_as_far_as_given(four):
 
 def test_copies_come_after_the_last_in_their_order(four):
     document = with_appearance(four, {0}, visible=False, locked=True)
-    after = add_copies(document, {0, 2}, ["", "#0072b2"]).document
+    document = with_whole_style(document, {2}, Style(stroke="#0072b2", width=3.0, fill="#f0e442"))
+    after = add_copies(document, {0, 2}).document
     assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
     copy = after.curves[3]
-    assert (copy.visible, copy.locked, after.curves[4].style.stroke) == (True, False, "#0072b2")
+    assert (copy.visible, copy.locked, copy.style) == (True, False, document.curves[0].style)
+    # As they look: a copy used to be in the next colour.
+    assert after.curves[4].style == document.curves[2].style
 
 
 def test_copies_of_copies_are_numbered(four):
     document = four
     for curve in (0, 1, 2):
-        document = add_copies(document, {curve}, [""]).document
+        document = add_copies(document, {curve}).document
     assert [curve.name for curve in document.curves[:5]] == ["A", "A copy", "A copy 2", "A copy 3", "B"]
     pasted = add_curves(document, [document.curves[4], make_curve([], name="New")], 1)
     assert [curve.name for curve in pasted.curves[:3]] == ["A", "B copy", "New"]

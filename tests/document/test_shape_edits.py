@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from app.document.curve_tree import Container, NodeKind, tree_of, whole_nodes
 from app.document.edits import EditError
 from app.document.model import Document, make_curve
+from app.document.selection import Choice
 from app.document.several_curves import add_copies, add_curves, add_imported, in_order, named
 from app.document.shape_edits import (
     broken_apart,
@@ -18,6 +19,7 @@ from app.document.shape_edits import (
     groups_meant,
     moved_into,
     named_anew,
+    next_pressed,
     place_above,
     pressed,
     stepped,
@@ -217,7 +219,25 @@ def test_nothing_goes_into_itself():
 def test_a_press_means_the_outermost_group_that_is_not_entered(drawn, pressed_at, active, chosen, meant):
     some = document(drawn)
     (curve,), (edited,) = places(some, pressed_at), places(some, active)
-    assert pressed(some, curve, edited, places(some, chosen)) == places(some, meant)
+    whole = frozenset(places(some, chosen))
+    choice = Choice(edited, frozenset(), whole, whole if len(whole) > 1 else frozenset(), is_editing=True)
+    assert pressed(some, curve, choice) == places(some, meant)
+    # While nothing is edited, it is what is chosen that tells which groups are entered.
+    choosing = Choice(edited, frozenset(), whole, whole, is_editing=False)
+    assert pressed(some, curve, choosing) == places(some, meant)
+    none = Choice(edited, frozenset(), frozenset({edited}), frozenset(), is_editing=False)
+    assert pressed(some, curve, none) in [set(node.places) for node in tree_of(some.curves)]
+
+
+def test_a_step_to_the_next_thing_goes_past_whole_shapes_and_groups():
+    some = document("a(bc)[de]")
+    choice = Choice(0, frozenset(), frozenset({0}), frozenset({0}), is_editing=False)
+    found = []
+    for _ in range(4):
+        chosen = next_pressed(some, choice, 1)
+        found.append("".join(some.curves[place].name for place in sorted(chosen)))
+        choice = Choice(max(chosen), frozenset(), chosen, chosen, is_editing=False)
+    assert found == ["bc", "de", "a", "bc"]
 
 
 def test_new_curves_tear_nothing_apart():
@@ -227,12 +247,12 @@ def test_new_curves_tear_nothing_apart():
 
 def test_copies_of_shapes_and_groups_have_names_of_their_own():
     some = document("(ab)[cd]")
-    copied = add_copies(some, {0, 1}, ["", ""]).document
+    copied = add_copies(some, {0, 1}).document
     assert text(copied).replace("a copy", "A").replace("b copy", "B") == "(ab)(AB)[cd]"
     assert [curve.shape for curve in copied.curves[2:4]] == ["S1 copy", "S1 copy"]
-    inside = add_copies(some, {2}, [""]).document
+    inside = add_copies(some, {2}).document
     assert [curve.groups for curve in inside.curves[2:]] == [("G1",)] * 3
-    whole = add_copies(some, {2, 3}, ["", ""]).document
+    whole = add_copies(some, {2, 3}).document
     assert [curve.groups for curve in whole.curves[2:]] == [("G1",), ("G1",), ("G1 copy",), ("G1 copy",)]
     pasted = add_curves(some, some.curves, 4)
     assert [curve.shape for curve in pasted.curves] == ["S1", "S1", "", "", "S1 copy", "S1 copy", "", ""]

@@ -7,13 +7,16 @@ import zlib
 from xml.etree import ElementTree
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtGui import QImage
 
 from app.cli import main
-from app.document.model import Document, make_curve
+from app.document.model import Document, Page, make_curve
+from app.document.style import Style
 from app.exchange.choice import ExportChoice
-from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.drawing import drawing_of, extent_of
 from app.exchange.drawing.image import png_preview
+from app.exchange.drawing.trim import trimmed
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, format_of
 from app.exchange.options import Options
@@ -48,7 +51,7 @@ def test_an_svg_has_true_size(unit):
 
 
 def test_millimetres_are_called_so():
-    frame = drawing_of(SEVENTY).frame
+    frame = trimmed(drawing_of(SEVENTY)).frame
     assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, Options(unit="mm")).text
 
 
@@ -92,7 +95,7 @@ def test_a_pdf_has_true_size(unit, tmp_path):
     document = BAR if unit == "mm" else Document((make_curve(((0.0, 0.0), (9.0, 0.0))),))
     export(document, tmp_path / "a.pdf", Options(unit=unit))
     data = (tmp_path / "a.pdf").read_bytes()
-    frame, scale = drawing_of(document).frame, MILLIMETRES[unit] * 72 / 25.4
+    frame, scale = trimmed(drawing_of(document)).frame, MILLIMETRES[unit] * 72 / 25.4
     wide, high = page_of(data)
     # Whole points that have room for all: it was 720 wide.
     assert 0 <= wide - frame.width * scale < 1
@@ -126,19 +129,21 @@ def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
 @pytest.mark.parametrize(
     ("ending", "unit", "said"),
     [
-        (".svg", "mm", "78.4 × 48.4 mm, 1 : 1 (1 is 1 mm)"),
-        (".pdf", "mm", "Page of 78.67 × 48.68 mm, 1 : 1 (1 is 1 mm)"),
+        (".svg", "mm", "70.21 × 40.21 mm, 1 : 1 (1 is 1 mm)"),
+        (".pdf", "mm", "Page of 70.56 × 40.22 mm, 1 : 1 (1 is 1 mm)"),
+        (".png", "mm", "829 × 475 pixels, 70.21 × 40.21 mm at 300 dpi"),
+        (".png", "", "1600 × 988 pixels"),
         (".pdf", "", "Page of 254 × 156.8 mm, not to scale"),
         (".svg", "s", "800 × 493.9 px, not to scale"),
     ],
 )
 def test_size_scale_and_page_are_said_before(ending, unit, said):
-    bent = Document((make_curve(((10.0, 5.0), (80.0, 45.0))),))
+    bent = Document((make_curve(((10.0, 5.0), (80.0, 45.0))),), unit=unit)
     look = format_of(f"a{ending}", FORMATS.pictures).preview
-    assert look(bent, ExportChoice(ending).options(0, unit), (100, 100)).size == said
-    whole = ExportChoice(ending, {"true_size": False}).options(0, unit)
-    assert whole.unit == ""
-    assert "not to scale" in look(bent, whole, (100, 100)).size
+    assert look(*ExportChoice(ending).order(bent, 0), (100, 100)).size == said
+    whole = ExportChoice(ending, {"true_size": False}).order(bent, 0)
+    assert whole.options.unit == ""
+    assert look(*whole, (100, 100)).size.endswith(("not to scale", "pixels"))
 
 
 def test_the_command_line_is_told_the_unit(tmp_path, capsys):
@@ -177,9 +182,78 @@ def test_basis_functions_are_those_that_the_panel_shows():
     curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=HERMITE)
     document = Document((curve,))
     drawn = [
-        svg_of(document, ExportChoice(".svg", {"basis": True}).options(0, with_estimates=shown)).text
+        svg_of(*ExportChoice(".svg", {"basis": True}).order(document, 0, with_estimates=shown)).text
         for shown in (False, True)
     ]
     lines = [ElementTree.fromstring(each.encode()).findall(".//*[@id='basis']//*[@d]") for each in drawn]
     # Two kinds of functions of four points each; and one function of each point.
     assert [len(each) for each in lines] == [3 + 8, 3 + 4]
+
+
+# The picture is as large as what it shows
+
+
+def picture_box(document, **options):
+    """Left, top, width and height of what an SVG shows."""
+    root = ElementTree.fromstring(svg_of(document, Options(unit="mm", **options)).data)
+    return [float(text) for text in root.get("viewBox").split()]
+
+
+def test_at_true_size_a_picture_takes_its_curves_with_their_strokes():
+    """A logo of 70 mm became a picture of 78.4 mm."""
+    style = Style(width=2.0)
+    curves = tuple(replace(curve, style=style) for curve in SEVENTY.curves)
+    left, _top, width, _height = picture_box(Document(curves))
+    low, high = extent_of(drawing_of(SEVENTY).outlines[0].control_points)
+    assert (left, left + width) == pytest.approx((low[0] - 1.0, high[0] + 1.0))
+    filled = tuple(replace(curve, style=Style(stroke="none", fill="#000000")) for curve in SEVENTY.curves)
+    left, _top, width, _height = picture_box(Document(filled))
+    assert (left, left + width) == pytest.approx((low[0], high[0]))
+
+
+def test_a_line_of_the_usual_width_lies_inside():
+    left, _top, width, _height = picture_box(SEVENTY)
+    low, high = extent_of(drawing_of(SEVENTY).outlines[0].control_points)
+    root = ElementTree.fromstring(svg_of(SEVENTY, Options(unit="mm")).data)
+    (stroke,) = {float(each.get("stroke-width")) for each in root.iter() if each.get("stroke-width")}
+    assert (left, left + width) == pytest.approx((low[0] - stroke / 2, high[0] + stroke / 2))
+
+
+def test_a_level_line_has_room_beside_it():
+    _left, _top, width, height = picture_box(BAR)
+    assert (width, height) == pytest.approx((70.21, 1.404), rel=1e-3)
+
+
+def test_a_page_is_shown_as_it_is():
+    paged = replace(SEVENTY, page=Page(0.0, 0.0, 200.0, 100.0))
+    assert picture_box(paged) == [0.0, -100.0, 200.0, 100.0]
+
+
+@pytest.mark.parametrize("shown", ["points", "handles", "grid"])
+def test_what_is_drawn_beside_the_curves_has_its_margin(shown):
+    assert picture_box(SEVENTY, **{shown: True})[2] > 75.0
+
+
+@pytest.mark.parametrize("dpi", [72, 96, 300, 1200])
+def test_a_png_has_the_pixels_that_its_inches_take(dpi, tmp_path):
+    export(SEVENTY, tmp_path / "a.png", Options(unit="mm", dpi=dpi))
+    image = QImage(str(tmp_path / "a.png"))
+    assert image.width() == round(picture_box(SEVENTY)[2] / 25.4 * dpi)
+    assert image.dotsPerMeterX() == pytest.approx(dpi / 0.0254, rel=2e-3)
+
+
+def test_pixels_for_each_inch_need_a_unit(tmp_path):
+    with pytest.raises(ExchangeError, match="need a unit of length"):
+        export(SEVENTY, tmp_path / "a.png", Options(dpi=300))
+
+
+def test_the_command_line_counts_pixels_by_inches(tmp_path, capsys):
+    path, picture = tmp_path / "a.curve.json", tmp_path / "a.png"
+    save(path, replace(SEVENTY, unit="cm"))
+    assert main(["render", str(path), "-o", str(picture), "--dpi", "30"]) == 0
+    assert QImage(str(picture)).width() == round(picture_box(SEVENTY)[2] * 10 / 25.4 * 30)
+    assert main(["convert", str(path), str(picture), "--dpi", "60"]) == 0
+    assert QImage(str(picture)).width() == round(picture_box(SEVENTY)[2] * 10 / 25.4 * 60)
+    save(path, SEVENTY)
+    assert main(["render", str(path), "-o", str(picture), "--dpi", "300"]) != 0
+    assert "need a unit of length" in capsys.readouterr().err

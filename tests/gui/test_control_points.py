@@ -130,6 +130,15 @@ def test_ticks_that_do_nothing_are_said_so(drawn, name):
     editor.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[1]), held=False)
     assert "does nothing" in editor.status
     assert "hollow" in editor.status
+    # Nothing that the pointer says could be dragged, unless E takes others along.
+    assert panel.viewport().cursor().shape() == Qt.CursorShape.ArrowCursor
+    panel.setFocus()
+    QTest.keyPress(panel, Qt.Key.Key_E)
+    assert panel.viewport().cursor().shape() == Qt.CursorShape.SizeHorCursor
+    QTest.keyRelease(panel, Qt.Key.Key_E)
+    knot = panel.rail_pixel(editor.parameters[2 if name == "b_spline" else 5])
+    editor.send(panel, QEvent.Type.MouseMove, knot, held=False)
+    assert panel.viewport().cursor().shape() == Qt.CursorShape.SizeHorCursor
     document, steps = editor.session.document, editor.session.undo_stack.count()
     # It used to be a step of the history that changed nothing.
     editor.drag_parameter(1, editor.parameters[1] + 0.02)
@@ -167,6 +176,27 @@ def test_hollow_ticks_make_way(drawn, name):
         editor.drag_parameter(2, -0.4)
         assert 0.0 < editor.parameters[1] < editor.parameters[2] < 0.01
     editor.trigger("undo")
+
+
+def test_ticks_that_make_way_are_told_and_so_is_the_rule_that_ends(drawn, name):
+    editor = drawn(name)
+    panel, grabbed = editor.window.basis_panel, 2 if name == "b_spline" else 5
+    place = panel.rail_pixel(editor.parameters[grabbed])
+    phrase = editor.curve.parametrization.kind.phrase
+    editor.send(panel, QEvent.Type.MouseMove, place, held=False)
+    assert f"; {phrase} turns manual · E: " in editor.window.status_line.hint
+    editor.send(panel, QEvent.Type.MouseButtonPress, place)
+    editor.send(panel, QEvent.Type.MouseMove, place - QPointF(20.0, 0.0))
+    editor.settle()
+    ticks = "1 hollow tick" if name == "b_spline" else "4 hollow ticks"
+    assert f", {ticks} beside making way; {phrase} turns manual" in editor.status
+    editor.send(panel, QEvent.Type.MouseButtonRelease, place - QPointF(20.0, 0.0), held=False)
+    editor.settle()
+    # Once they are manual nothing more is said of a rule.
+    place = panel.rail_pixel(editor.parameters[grabbed])
+    editor.send(panel, QEvent.Type.MouseMove, place, held=False)
+    assert "turns manual" not in editor.window.status_line.hint
+    assert editor.window.status_line.hint.startswith("Drag to change t of point")
 
 
 def test_a_hollow_tick_takes_others_along_with_e(drawn, name):

@@ -322,3 +322,38 @@ def test_several_files_chosen_to_be_imported_come_as_those_of_a_drop(editor, tmp
         assert dialog.windowTitle() == f"Import {path.name} ({place} of 3)"
         press(editor, dialog, "cancelImport")
     assert dialogs(editor) == []
+
+
+# Drawings that are no files
+
+
+LEAF = '<svg xmlns="http://www.w3.org/2000/svg"><path id="leaf" d="M0 0L4 0L2 3Z"/></svg>'
+
+
+@pytest.mark.parametrize("kind", ["image/svg+xml", "text/plain"])
+def test_a_drawing_dragged_out_of_another_program_comes_to_where_it_is_dropped(editor, kind):
+    data = QMimeData()
+    data.setData(kind, LEAF.encode())
+    corner = editor.window.canvas.viewport().mapFrom(editor.window, QPoint(300, 300))
+    place = editor.window.canvas.to_plane(corner)
+    entered = send(editor, QDragEnterEvent, data, COPY | MOVE)
+    assert (entered.isAccepted(), entered.dropAction()) == (True, COPY)
+    assert "Drop to add the drawing here" in editor.status
+    assert send(editor, QDragMoveEvent, data, COPY | MOVE).dropAction() == COPY
+    pixel = editor.pixel
+    assert send(editor, QDropEvent, data, COPY | MOVE).isAccepted()
+    editor.wait_for_work()
+    assert editor.curve.name == "leaf"
+    xs, ys = zip(*(point.position for point in editor.curve.points), strict=True)
+    assert ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2) == pytest.approx(place, abs=pixel)
+
+
+@pytest.mark.parametrize(("text", "actions"), [("only words", COPY), (LEAF, MOVE)])
+def test_other_text_and_what_must_be_moved_is_not_taken(editor, text, actions):
+    data = QMimeData()
+    data.setText(text)
+    document = editor.session.document
+    for kind in (QDragEnterEvent, QDropEvent):
+        assert not send(editor, kind, data, actions).isAccepted()
+    editor.wait_for_work()
+    assert editor.session.document is document

@@ -16,11 +16,12 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
-from app.document.model import Document, make_curve
+from app.document.model import Document, Page, make_curve
 from app.exchange.choice import ExportChoice, choice_from, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
+from app.storage.files import load
 from app.testing import Editor
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -53,8 +54,10 @@ def settled(editor, dialog):
 def choose(box, text):
     box.setFocus()
     QTest.keyClick(box, Qt.Key.Key_Home)
-    for _ in range([box.itemText(i) for i in range(box.count())].index(text)):
-        QTest.keyClick(box, Qt.Key.Key_Down)
+    for _ in range(box.count()):
+        if box.currentText() != text:
+            QTest.keyClick(box, Qt.Key.Key_Down)
+    assert box.currentText() == text
 
 
 def choose_format(dialog, ending):
@@ -80,11 +83,12 @@ def looks(dialog):
 def test_a_png_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
     plain = looks(dialog)
     assert dialog.size_label.text().startswith("1600 × ")
+    dialog.form.fields["width"].widget.setFocus()
     dialog.form.fields["width"].widget.lineEdit().selectAll()
     QTest.keyClicks(dialog.form.fields["width"].widget, "500")
     QTest.keyClick(dialog.form.fields["width"].widget, Qt.Key.Key_Tab)
     choose(dialog.form.fields["scale"].widget, "× 2 (192 dpi)")
-    click(dialog.form.fields["transparent"].widget)
+    assert dialog.form.fields["transparent"].widget.isChecked()
     for name in ("points", "handles", "grid", "basis"):
         click(dialog.form.fields[name].widget)
     settled(editor, dialog)
@@ -245,7 +249,30 @@ def test_the_curves_are_copied_as_pictures(editor):
     root = ElementTree.fromstring(bytes(data.data("image/svg+xml").data()))
     assert len(list(root.iter(f"{SVG}path"))) == 1
     assert data.hasImage()
-    assert "Copied the curves as an image" in editor.status
+    assert "Copied the drawing as an image" in editor.status
+
+
+def test_the_drawing_is_copied_as_svg(editor):
+    editor.trigger("copySvg")
+    editor.wait_for_work()
+    data = QGuiApplication.clipboard().mimeData()
+    root = ElementTree.fromstring(bytes(data.data("image/x-inkscape-svg").data()))
+    assert len(list(root.iter(f"{SVG}path"))) == 1
+    assert data.data("image/svg+xml") == data.data("image/x-inkscape-svg")
+    assert data.text() == bytes(data.data("image/svg+xml").data()).decode()
+    assert editor.status == "Copied the drawing as SVG."
+
+
+@pytest.mark.parametrize("name", ["copySvg", "copyImage", "copyPathData"])
+def test_of_several_chosen_curves_these_are_copied(waves, name):
+    editor = waves("ABC")
+    editor.session.selected.set_curves({0, 2})
+    editor.trigger(name)
+    editor.wait_for_work()
+    assert editor.status.startswith("Copied 2 curves as ")
+    data = QGuiApplication.clipboard().mimeData()
+    svg = bytes(data.data("image/svg+xml").data()).decode() or data.text()
+    assert svg.count("M ") == 2
 
 
 def test_the_path_data_are_copied(editor):
@@ -363,12 +390,15 @@ def test_a_name_that_was_not_asked_about_is_not_replaced(editor, dialog, tmp_pat
     assert "p.points.csv was not written. It is there already" in editor.message
 
 
-def test_the_unit_of_the_preferences_gives_true_size_and_is_said(qtbot, tmp_path, monkeypatch):
-    preferences = Preferences(tmp_path / "settings.ini")
-    preferences.unit_name = "cm"
-    editor = Editor(qtbot, preferences=preferences)
+def measured(editor, unit="cm", **more):
+    """Have a document with a unit."""
+    editor.session.commit(replace(editor.session.document, unit=unit, **more), "Measure")
     editor.trigger("exportPicture")
-    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    return settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+
+
+def test_the_unit_of_the_document_gives_true_size_and_is_said(editor, tmp_path, monkeypatch):
+    dialog = measured(editor)
     choose_format(dialog, ".svg")
     settled(editor, dialog)
     assert dialog.size_label.text().endswith("cm, 1 : 1 (1 is 1 cm)")
@@ -379,6 +409,181 @@ def test_the_unit_of_the_preferences_gives_true_size_and_is_said(qtbot, tmp_path
     path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
     root = ElementTree.fromstring(path.read_text())
     assert root.get("width") == f"{root.get('viewBox').split()[2]}cm"
+
+
+def test_a_png_at_true_size_is_by_dots_for_each_inch(editor, tmp_path, monkeypatch):
+    dialog = measured(editor, "mm")
+    choose_format(dialog, ".png")
+    fields = dialog.form.fields
+    assert [name for name in ("width", "scale", "dpi") if fields[name].widget.isVisible()] == ["dpi"]
+    fields["dpi"].widget.setFocus()
+    fields["dpi"].widget.lineEdit().selectAll()
+    QTest.keyClicks(fields["dpi"].widget, "1200")
+    QTest.keyClick(fields["dpi"].widget, Qt.Key.Key_Tab)
+    settled(editor, dialog)
+    found = re.fullmatch(r"(\d+) × (\d+) pixels, (\S+) × (\S+) mm at 1200 dpi", dialog.size_label.text())
+    assert int(found[1]) == pytest.approx(float(found[3]) / 25.4 * 1200, rel=2e-3)
+    image = QImage(str(export(editor, dialog, tmp_path / "a.png", monkeypatch)))
+    assert (image.width(), image.height()) == (int(found[1]), int(found[2]))
+
+
+def test_without_a_unit_or_true_size_a_png_has_a_width(editor, dialog):
+    fields = dialog.form.fields
+    shown = [name for name in ("width", "scale", "dpi") if fields[name].widget.isVisible()]
+    assert shown == ["width", "scale"]
+    dialog.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    other = measured(editor, "mm")
+    click(other.form.fields["true_size"].widget)
+    assert [n for n in ("width", "scale", "dpi") if other.form.fields[n].widget.isVisible()] == shown
+    other.close()
+
+
+# What goes into the file
+
+
+def paths_in(path):
+    return [each.get("d") for each in ElementTree.parse(path).getroot().iter(f"{SVG}path")]
+
+
+@pytest.mark.parametrize("ending", [".svg", ".csv"])
+def test_of_chosen_curves_these_are_exported(waves, tmp_path, monkeypatch, ending):
+    editor = waves("ABC")
+    editor.session.selected.set_curves({0, 2})
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert dialog.form.fields["extent"].widget.currentText() == "Chosen curves"
+    choose_format(dialog, ending)
+    path = export(editor, dialog, tmp_path / f"a{ending}", monkeypatch)
+    if ending == ".svg":
+        assert len(paths_in(path)) == 2
+        assert float(ElementTree.parse(path).getroot().get("viewBox").split()[3]) > 7
+    else:
+        with path.open(encoding="utf-8") as file:
+            assert {row["curve"] for row in csv.DictReader(file)} == {"A", "C"}
+
+
+def test_all_curves_are_exported_where_none_is_chosen_or_all_are_asked_for(waves, tmp_path, monkeypatch):
+    editor = waves("ABC")
+    editor.session.selected.set_curves({0, 2})
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose_format(dialog, ".svg")
+    choose(dialog.form.fields["extent"].widget, "All curves")
+    assert len(paths_in(export(editor, dialog, tmp_path / "a.svg", monkeypatch))) == 3
+    editor.session.selected.activate(1)
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert dialog.form.fields["extent"].widget.currentText() == "All curves"
+    choose(dialog.form.fields["extent"].widget, "Chosen curves")
+    path = export(editor, dialog, tmp_path / "b.svg", monkeypatch)
+    assert len(paths_in(path)) == 1, "the curve that is edited"
+
+
+def test_the_preview_follows_what_is_chosen(waves):
+    editor = waves("ABC")
+    editor.session.selected.set_curves({0, 2})
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    before = looks(dialog)
+    editor.session.selected.set_curves({0, 1})
+    settled(editor, dialog)
+    assert looks(dialog) != before
+    dialog.close()
+
+
+def test_a_page_is_what_is_exported_unless_it_is_left_out(editor, tmp_path, monkeypatch):
+    dialog = measured(editor, "mm", page=Page(0.0, 0.0, 100.0, 50.0))
+    choose_format(dialog, ".svg")
+    assert dialog.form.fields["extent"].widget.currentText() == "Page"
+    path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    assert ElementTree.parse(path).getroot().get("width") == "100mm"
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose(dialog.form.fields["extent"].widget, "All curves")
+    path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    assert ElementTree.parse(path).getroot().get("width") != "100mm"
+
+
+@pytest.mark.parametrize("ending", [".png", ".svg", ".pdf"])
+def test_there_is_no_background_unless_it_is_asked_for(editor, dialog, ending, tmp_path, monkeypatch):
+    choose_format(dialog, ending)
+    settled(editor, dialog)
+    assert dialog.form.fields["transparent"].widget.isChecked()
+    path = export(editor, dialog, tmp_path / f"a{ending}", monkeypatch)
+    if ending == ".svg":
+        assert not list(ElementTree.parse(path).getroot().iter(f"{SVG}rect"))
+    elif ending == ".png":
+        assert QImage(str(path)).pixelColor(0, 0).alpha() == 0
+    editor.trigger("exportPicture")
+    again = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    before = looks(again)
+    click(again.form.fields["transparent"].widget)
+    settled(editor, again)
+    assert looks(again) != before
+    again.close()
+
+
+# Remembered with the document
+
+
+def test_a_document_remembers_how_it_was_exported(editor, dialog, tmp_path, monkeypatch):
+    path = tmp_path / "logo.curve.json"
+    editor.session.save(path)
+    choose_format(dialog, ".svg")
+    click(dialog.form.fields["grid"].widget)
+    steps = editor.session.undo_stack.count()
+    export(editor, dialog, tmp_path / "my logo.svg", monkeypatch)
+    assert editor.session.undo_stack.count() == steps, "no step of the history"
+    assert editor.session.files.is_modified, "but something to save"
+    editor.session.save()
+    assert not editor.session.files.is_modified
+    editor.new()
+    editor.window.preferences.export_choice = ""
+    editor.trigger("exportPicture")
+    other = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert other.form.choice() == ExportChoice()
+    other.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    editor.session.open(path)
+    editor.trigger("exportPicture")
+    again = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert again.form.choice() == ExportChoice(".svg", {"grid": True})
+    asked = []
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *given: asked.append(given[2]) or ("", ""))
+    QTest.mouseClick(again.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
+    assert Path(asked[0]).name == "my logo.svg"
+
+
+def test_undo_leaves_it_as_it_is(editor, dialog, tmp_path, monkeypatch):
+    editor.drag_point(0, to=(0.5, 0.5))
+    choose_format(dialog, ".svg")
+    export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    editor.trigger("undo")
+    assert editor.session.files.last_export.name == "a.svg"
+    path = tmp_path / "a.curve.json"
+    editor.session.save(path)
+    assert load(path).export == editor.session.files.last_export
+
+
+def test_the_same_once_more_is_nothing_to_save(editor, dialog, tmp_path, monkeypatch):
+    choose_format(dialog, ".svg")
+    export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    editor.session.save(tmp_path / "a.curve.json")
+    editor.trigger("exportPicture")
+    again = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    export(editor, again, tmp_path / "a.svg", monkeypatch)
+    assert not editor.session.files.is_modified
+
+
+def test_which_curves_were_chosen_is_not_remembered(waves, tmp_path, monkeypatch):
+    editor = waves("ABC")
+    editor.session.selected.set_curves({0, 2})
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    export(editor, dialog, tmp_path / "a.png", monkeypatch)
+    assert editor.session.files.last_export.options == ()
+    assert "chosen" not in editor.window.preferences.export_choice
 
 
 def test_what_an_export_leaves_out_is_said_in_the_window(editor, dialog, tmp_path, monkeypatch):

@@ -172,6 +172,40 @@ def test_escape_takes_a_drag_of_it_back(two):
     assert two.session.selected.pivot is None
 
 
+def test_a_double_click_puts_it_back_to_the_middle(two):
+    two.trigger("selectAll")
+    middle = pivot(two)
+    drag_pivot(two, (-1.0, 1.0))
+    document = two.session.document
+    two.double_click(pivot(two))
+    assert pivot(two) == middle
+    assert two.session.selected.pivot is None
+    assert two.session.document is document
+
+
+def test_in_the_middle_of_a_small_box_a_drag_moves_what_is_in_it(two):
+    two.window.canvas.camera.show_box((-100, 100), (-60, 60))
+    two.session.selected.choose({0})
+    before, middle = points(two), pivot(two)
+    two.drag(middle, (middle[0] + 20, middle[1]))
+    assert points(two)[:, 0] == pytest.approx(before[:, 0] + 20, abs=two.pixel)
+    assert two.session.selected.pivot is None
+
+
+def test_with_nothing_chosen_there_is_none(two):
+    two.trigger("selectAll")
+    drag_pivot(two, (-1.0, 1.0))
+    place = pivot(two)
+    two.session.selected.choose({0})
+    assert pivot(two) == place, "the curve as a whole has that of its points"
+    two.session.selected.choose(())
+    assert pivot(two) is None
+    document = two.session.document
+    two.key(Key.Key_H)
+    assert two.session.document is document
+    assert "No curve is chosen" in two.status
+
+
 def test_it_goes_along_when_what_it_belongs_to_is_moved(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))

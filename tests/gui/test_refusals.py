@@ -46,8 +46,6 @@ def has(widget, colour):
         (Qt.Key.Key_2, ALT, "“Corner Tangents” needs selected points of a Hermite curve."),
         (Qt.Key.Key_4, ALT, "“Straight Segment” needs a Hermite curve."),
         (Qt.Key.Key_4, ALT | KEYPAD, "“Straight Segment” needs a Hermite curve."),
-        (Qt.Key.Key_Delete, Qt.KeyboardModifier.NoModifier, "“Delete Points” needs selected points."),
-        (Qt.Key.Key_C, CTRL, "“Copy Points” needs selected points, or chosen curves."),
         (Qt.Key.Key_Up, ALT, "“Raise Curve” needs a curve in front of this one."),
     ],
 )
@@ -56,6 +54,23 @@ def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expecte
     line.key(key, held)
     assert line.status == expected
     assert line.window.status_line.is_refusal
+
+
+@pytest.mark.parametrize(
+    ("key", "held", "name"),
+    [
+        (Qt.Key.Key_Delete, Qt.KeyboardModifier.NoModifier, "Delete"),
+        (Qt.Key.Key_C, CTRL, "Copy"),
+        (Qt.Key.Key_X, CTRL, "Cut"),
+        (Qt.Key.Key_D, CTRL, "Duplicate"),
+    ],
+)
+def test_in_an_empty_document_there_is_nothing_to_copy_or_to_delete(editor, key, held, name):
+    editor.new()
+    editor.trigger("selectTool")
+    editor.key(key, held)
+    assert editor.status == f"“{name}” needs a curve or a point."
+    assert editor.window.status_line.is_refusal
 
 
 def test_they_say_so_from_the_panels_too(line):

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
+from app.appearance.theme import LIGHT
+from app.cli import main
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, Style
 from app.families import HERMITE
@@ -147,6 +152,40 @@ def test_combined_curves_are_one_shape_whose_hole_is_a_hole(rings):
     assert chosen(rings) == {"Outer", "Inner"}
     rings.trigger("undo")
     assert shapes(rings) == ["", "", ""]
+
+
+def seen(editor, x, y):
+    """The colour of the canvas at a place of the plane."""
+    canvas = editor.window.canvas
+    editor.settle()
+    return QColor(canvas.viewport().grab().toImage().pixel(canvas.to_pixel(x, y))).name()
+
+
+@pytest.mark.parametrize("edited", ["Outer", "Inner", "Side"])
+def test_the_hole_is_seen_whatever_is_edited(ring, edited):
+    fold(ring, "Shape 1")
+    click_row(ring, edited)
+    assert (seen(ring, 2.2, 0.3), seen(ring, 0.3, 0.2)) == ("#cc3311", LIGHT.paper.name())
+    ring.trigger("breakApart") if edited != "Side" else ring.trigger("undo")
+    assert seen(ring, 0.3, 0.2) == "#cc3311"
+
+
+def test_the_hole_is_one_in_pictures_and_one_path_in_svg(ring, tmp_path):
+    saved = tmp_path / "ring.curve.json"
+    ring.session.save(saved)
+    png, svg = tmp_path / "ring.png", tmp_path / "ring.svg"
+    assert [main(["render", str(saved), "-o", str(path)]) for path in (png, svg)] == [0, 0]
+    picture = QImage(str(png))
+    scale = picture.height() / 7.2
+
+    def colour(x, y):
+        return QColor(picture.pixel(int((x + 3.6) * scale), int((3.6 - y) * scale))).name()
+
+    # The ring is 6 high, and the margin a tenth of that; Inner and Outer cross y = 0 at 1.5 and 3.
+    assert [colour(x, 0.1) for x in (-2.9, -1.6, 1.6, 2.9)] == ["#cc3311"] * 4
+    assert "#cc3311" not in {colour(x, 0.1) for x in (-3.1, -1.4, 0.0, 1.4, 3.1)}
+    text = svg.read_text()
+    assert (text.count("<path"), text.count('fill-rule="evenodd"')) == (2, 1)
 
 
 def test_what_runs_the_other_way_keeps_its_rule(rings):
@@ -438,17 +477,172 @@ def test_within_the_shape_that_is_edited_a_rubber_band_begins(ring):
 
 
 @pytest.mark.parametrize("how", ["pen", "pencil", "paste"])
-def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, how):
+def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, qtbot, how):
     ring.session.selected.activate(0)
     if how == "pen":
         ring.trigger("addTool")
         ring.click((4.2, 2.0))
     elif how == "pencil":
         ring.trigger("pencilTool")
-        ring.drag((4.2, -2.0), (4.3, 2.0))
-        ring.wait_for_work()
+        ring.press((4.2, -2.0))
+        for y in (-1.0, 0.0, 1.0, 2.0):
+            ring.move((4.2 + 0.1 * y * y, y))
+        ring.release((4.6, 2.0))
+        qtbot.waitUntil(lambda: len(names(ring)) == 4)
     else:
         ring.paste_text("0 5\n1 6\n2 5")
         ring.key(Qt.Key.Key_V, CTRL | SHIFT)
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
     assert names(ring)[2] == "Curve 1"
+
+
+# Whole shapes and groups on the canvas
+
+
+@pytest.fixture
+def whole(rings):
+    """Outer and Inner a shape, with Side in a group; none is edited, and none chosen."""
+    rings.session.selected.choose({0, 1})
+    rings.trigger("combineCurves")
+    rings.session.selected.choose({0, 1, 2})
+    rings.trigger("groupCurves")
+    rings.session.selected.choose(())
+    rings.settle()
+    return rings
+
+
+def chosen_as_wholes(editor):
+    return {editor.session.document.curves[place].name for place in editor.session.selected.chosen}
+
+
+ALL = {"Outer", "Inner", "Side"}
+
+
+def test_a_click_chooses_the_whole_group_and_a_double_click_enters_it(whole):
+    whole.hover((6.0, 0.3))
+    assert "move “Group 1”" in whole.window.status_line.hint
+    assert "click to choose it, double-click to edit it" in whole.window.status_line.hint
+    whole.click((6.0, 0.3))
+    assert (chosen_as_wholes(whole), whole.status) == (ALL, "“Group 1” is chosen.")
+    whole.double_click((6.0, 0.3))
+    assert (whole.session.selected.is_editing, whole.curve.name) == (True, "Side")
+
+
+def test_with_ctrl_a_click_passes_over_the_group(whole):
+    whole.click((6.0, 0.3), keys=CTRL)
+    assert chosen_as_wholes(whole) == {"Side"}
+    # Now the group is entered.
+    whole.click((2.2, 0.3))
+    assert (chosen_as_wholes(whole), whole.status) == ({"Outer", "Inner"}, "“Shape 1” is chosen.")
+    whole.click((4.2, 2.5))
+    whole.click((2.2, 0.3))
+    assert chosen_as_wholes(whole) == ALL
+
+
+def test_shift_click_chooses_whole_shapes_too_and_no_longer(whole):
+    whole.trigger("selectAllCurves")
+    whole.trigger("ungroupCurves")
+    whole.session.selected.choose(())
+    for at, expected in (((6.0, 0.3), {"Side"}), ((2.2, 0.3), ALL), ((2.2, 0.3), {"Side"})):
+        whole.click(at, keys=SHIFT)
+        assert chosen_as_wholes(whole) == expected
+
+
+def test_a_drag_within_a_fill_moves_all_of_the_group(whole):
+    before = [point.position for curve in whole.session.document.curves for point in curve.points]
+    whole.drag((2.2, 0.3), (2.2, 1.3))
+    after = [point.position for curve in whole.session.document.curves for point in curve.points]
+    ways = np.subtract(after, before)
+    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
+    assert ways[0] == pytest.approx((0, 1), abs=2 * whole.pixel)
+    assert step_name(whole) == "Move Group 1"
+
+
+def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
+    whole.drag((6.5, 0.2), (6.6, 0.4), keys=SHIFT)
+    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 3 curves")
+    whole.session.selected.choose({2})
+    whole.trigger("ungroupCurves")
+    whole.session.selected.choose(())
+    whole.drag((4.5, -1.5), (7.5, 1.5), keys=SHIFT)
+    assert chosen_as_wholes(whole) == {"Side"}
+
+
+def test_a_rubber_band_takes_shapes_and_groups_whole_or_not(whole):
+    whole.drag((-2.0, 2.8), (4.3, -2.9))
+    assert chosen_as_wholes(whole) == set()
+    whole.drag((-3.3, 3.3), (4.5, -3.3))
+    assert chosen_as_wholes(whole) == set()
+    whole.drag((-3.3, 3.3), (7.3, -3.3))
+    assert chosen_as_wholes(whole) == ALL
+    whole.drag((-3.3, 3.3), (0.0, 2.5), keys=ALT)
+    assert chosen_as_wholes(whole) == ALL
+
+
+def test_tab_goes_from_one_thing_to_the_next(whole):
+    whole.session.selected.choose({2})
+    whole.trigger("ungroupCurves")
+    whole.session.selected.choose({2})
+    found = []
+    for _ in range(3):
+        whole.key(Qt.Key.Key_Tab)
+        found.append(chosen_as_wholes(whole))
+    assert found == [{"Outer", "Inner"}, {"Side"}, {"Outer", "Inner"}]
+
+
+def test_the_menu_of_a_fill_is_about_the_whole_group(whole):
+    canvas = whole.window.canvas
+    place = canvas.to_pixel(2.2, 0.3)
+    port = canvas.viewport()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
+    QApplication.sendEvent(port, event)
+    whole.settle()
+    assert chosen_as_wholes(whole) == ALL
+    whole.choose("ungroupCurves")
+    assert groups(whole) == [()] * 3
+
+
+# While a curve of a shape is edited
+
+
+@pytest.fixture
+def edited(ring):
+    """The ring, whose outer curve is edited."""
+    ring.session.selected.activate(0)
+    ring.settle()
+    return ring
+
+
+def test_another_curve_of_the_shape_bends_at_once(edited):
+    at = tuple(float(x) for x in edited.session.views[1].curve.evaluate(0.1))
+    edited.hover(at)
+    assert edited.window.status_line.hint.startswith("Drag to bend “Inner” or move a point of it")
+    edited.drag(at, (at[0] + 0.3, at[1] + 0.3))
+    assert (edited.curve.name, step_name(edited)[:4]) == ("Inner", "Bend")
+    edited.trigger("undo")
+    edited.session.selected.activate(0)
+    edited.drag((1.5, 0.0), (1.8, 0.4))
+    assert edited.session.document.curves[1].points[0].position == pytest.approx(
+        (1.8, 0.4), abs=2 * edited.pixel
+    )
+    assert shapes(edited) == ["Shape 1", "Shape 1", ""]
+
+
+def test_a_drag_over_the_fill_of_another_curve_is_a_rubber_band_and_a_click_edits_it(edited):
+    document = edited.session.document
+    edited.hover((6.3, 0.2))
+    hint = edited.window.status_line.hint
+    assert hint == "Click to edit “Side” · Shift+click: choose it too · Drag: select with a rubber band"
+    edited.drag((6.3, 0.4), (2.5, -0.5))
+    assert (edited.curve.name, edited.session.selection) == ("Outer", {0})
+    assert edited.session.document is document
+    edited.click((6.3, 0.2))
+    assert edited.curve.name == "Side"
+
+
+def test_shift_click_within_a_fill_chooses_it_too(edited):
+    edited.click((6.3, 0.2), keys=SHIFT)
+    assert chosen(edited) == {"Outer", "Side"}
+    edited.session.selected.activate(2)
+    edited.click((2.2, 0.3), keys=SHIFT)
+    assert chosen(edited) == ALL

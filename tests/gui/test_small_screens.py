@@ -35,6 +35,7 @@ from app.window.preferences_dialog import PreferencesDialog
 
 ROOM = QSize(960, 540) - FRAME
 LINE = Document((make_curve(((0.0, 0.0), (4.0, 1.0))),))
+MEASURED = Document(LINE.curves, unit="mm")
 
 
 @pytest.fixture(params=[1.0, 2.0], ids=["usual type", "type at 200 %"])
@@ -73,7 +74,7 @@ def dialogs(window):
     """One of each dialog of the program, with as much in it as there can be."""
     for each in FORMATS.offered:
         export = ExportDialog(ExportChoice(each.ending), window)
-        export.show_document(LINE, 0, "mm")
+        export.show_document(MEASURED, 0)
         yield export
     yield MotionDialog(window)
     yield CrashDialog(window, "Traceback\n" * 40, is_safe=False)

@@ -634,7 +634,7 @@ def test_derivatives_are_copied_from_point_to_points(wave):
     wave.key(Qt.Key.Key_C, CTRL | ALT)
     assert wave.status == "Copied the derivatives of point 1."
     wave.select([2, 3])
-    wave.key(Qt.Key.Key_V, CTRL | ALT)
+    wave.key(Qt.Key.Key_V, CTRL | ALT | SHIFT)
     assert [point.velocity for point in wave.curve.points] == [None, velocity, velocity, velocity]
     assert wave.point(2) == (2, 0)
     assert wave.session.undo_stack.undoText() == "Paste derivatives to 2 points"

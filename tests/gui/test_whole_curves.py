@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.appearance.colours import point_colours
+from app.features.curve_list.view import Spot
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -379,3 +380,27 @@ def test_a_drag_with_the_mouse_really_held(whole):
     QTest.mouseMove(canvas.viewport(), end)
     QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=end)
     assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
+
+
+# Copies
+
+
+def test_a_duplicate_looks_as_what_it_is_made_from_and_is_chosen(whole):
+    whole.session.selected.choose({2})
+    click_swatch(whole, 2, "colour_Vermillion")
+    whole.trigger("duplicateCurve")
+    assert [curve.style.stroke for curve in whole.session.document.curves] == ["", "", "#d55e00", "#d55e00"]
+    assert state(whole) == (False, "C copy", "C copy")
+    assert whole.status == "“C copy” lies on the original and is chosen; a drag moves it."
+
+
+def test_a_duplicate_of_the_edited_curve_keeps_its_colour_and_has_its_points_selected(three):
+    click_swatch(three, 1, "colour_Vermillion")
+    three.trigger("duplicateCurve")
+    assert [curve.style.stroke for curve in three.session.document.curves] == ["", "#d55e00", "#d55e00", ""]
+    assert (three.curve.name, len(three.session.selection)) == ("B copy", 4)
+
+
+def click_swatch(editor, row, colour):
+    editor.click_in_list(row, Spot.SWATCH)
+    editor.choose(colour)

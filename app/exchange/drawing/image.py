@@ -86,8 +86,14 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     drawing = _drawing(document, options, options.paper_style)
     width, height = _size(drawing, options)
     dots = _true_dots_per_metre(drawing, options)
-    density = f", 1 : 1 at {dots * 0.0254:.4g} per inch" if dots else ""
-    return _preview(drawing, options, options.paper_style, f"{width} × {height} pixels{density}", room)
+    size = f"{width} × {height} pixels"
+    if dots:
+        unit = known_unit(options.unit)
+        true = size_in_words(drawing.frame.width, drawing.frame.height, unit)
+        size += (
+            f", {true} at {options.dpi:g} dpi" if options.dpi else f", 1 : 1 at {dots * 0.0254:.4g} per inch"
+        )
+    return _preview(drawing, options, options.paper_style, size, room)
 
 
 def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
@@ -137,15 +143,23 @@ def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
 
 
 def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
-    wanted = (DEFAULT_WIDTH if options.width is None else options.width) * options.scale
     # Huge factors shall be refused, not overflow.
-    width = round(min(wanted, 1e9))
+    width = round(min(_wanted_width(drawing, options), 1e9))
     height = round(width * drawing.frame.height / drawing.frame.width)
     if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
         raise ExchangeError(
             f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
         )
     return width, height
+
+
+def _wanted_width(drawing: Drawing, options: Options) -> float:
+    """Return the width in pixels that was asked for, by itself or by their number for each inch."""
+    if options.dpi is None or options.width is not None:
+        return (DEFAULT_WIDTH if options.width is None else options.width) * options.scale
+    if not options.is_to_scale:
+        raise ExchangeError("Dots per inch need a unit of length, and the document has none.")
+    return drawing.frame.width * MILLIMETRES[known_unit(options.unit)] / 25.4 * options.dpi * options.scale
 
 
 def _painted(drawing: Drawing, size: tuple[int, int], style: PictureStyle, options: Options) -> QImage:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .. import drawing, svg
 from ..cubics_in import Imported
-from ..options import PICTURE, SCALE, TOLERANCE, WIDTH
+from ..options import DPI, PICTURE, SCALE, TOLERANCE, TRUE_SIZE, WIDTH
 from ..svg.writer import svg_of
 from . import ContentKind, Format
 
@@ -22,7 +22,8 @@ FORMATS = (
         title="PNG picture",
         description="Pixels, for slides and pages.",
         place=10,
-        options=(WIDTH, SCALE, *PICTURE),
+        options=(*PICTURE[:1], WIDTH, SCALE, DPI, *PICTURE[1:]),
+        hidden=lambda values: (WIDTH, SCALE) if values[TRUE_SIZE.name] else (DPI,),
         write=lambda document, options: drawing.image.png_file(document, options),
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
     ),

@@ -8,6 +8,7 @@ from ...tasks.progress import Report, part, silent, told
 from .. import drawing
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, Outline, drawing_of
 from ..drawing.styles import PictureStyle
+from ..drawing.trim import trimmed
 from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
@@ -53,7 +54,7 @@ def picture_of(document: Document, options: Options, style: PictureStyle, report
     """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
     plain = drawing_of(document, options.tolerance, report)
     if not (options.handles or options.grid or options.basis is not None):
-        return plain
+        return trimmed(plain) if options.is_to_scale and not options.points else plain
     # Views of basis functions and handles are no business of a plain drawing.
     return drawing.annotations.annotated(plain, document, options, style.theme)
 

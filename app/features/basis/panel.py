@@ -139,9 +139,9 @@ class BasisPanel(ToolPlot):
         super().focusOutEvent(event)
 
     def _set_ripple(self, *, down: bool) -> None:
-        """Note whether E is down, and show at once what it changes of a drag in flight."""
+        """Note whether E is down, and show at once what it changes of a drag, or would of a press."""
         was_down, self._ripple_down = self._ripple_down, down
-        if down != was_down and self.is_dragging and self._pointer is not None:
+        if down != was_down and self._pointer is not None:
             self._pointer = replace(self._pointer, ripple=down)
             self._move_again()
             self.tell()

@@ -1,4 +1,6 @@
-"""Clipboard: points, derivatives and curves.
+"""What is highlighted, points or curves: cut, copied, pasted, doubled and deleted.
 
-- ``commands``: the actions.  ``curve_clipboard``: several whole curves.
+- ``commands``: cut and copy.  ``paste_commands``: paste.  ``highlight_commands``: duplicate and delete.
+  ``derivative_commands``: the derivatives of a point.
+- ``offer``: what other programs get.  ``content``: what the clipboard holds.  ``keys``: where they act.
 """

@@ -12,7 +12,6 @@ from ...actions.needs import Need
 from ...actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
-from ...appearance.colours import CURVE_COLOURS
 from ...document.curve_tree import Node, NodeKind
 from ...document.edits import EditError, rename_curve
 from ...document.model import Document
@@ -63,6 +62,7 @@ class CurveListCommands:
     def _connect(self, panel: CurveList) -> None:
         session = self._session
         panel.view.activated_row.connect(session.selected.activate)
+        panel.view.chosen_entry.connect(session.selected.choose)
         panel.view.rows_selected.connect(session.selected.set_curves)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._set_name)
@@ -86,8 +86,7 @@ class CurveListCommands:
         "duplicateCurve",
         "Duplicate Curve",
         CURVE_NUMBER,
-        "Ctrl+D",
-        "duplicate",
+        icon="duplicate",
         title=lambda now: f"Duplicate {_curves(now)}",
     )
     @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
@@ -95,15 +94,14 @@ class CurveListCommands:
         """Add a copy of the curve, or of all that are selected, in the same place."""
         session, order = self._session, sorted(self._session.selected.whole)
         document = session.document
-        colours = self._next_colours([document.curves[place].style.stroke for place in order])
-        added = add_copies(document, order, colours)
+        added = add_copies(document, order)
         if not session.change(
             f"Duplicate {named(document, order)}",
             lambda _: added.document,
             active=added.places[order.index(session.active_index)],
         ):
             return
-        if len(order) == 1:
+        if len(order) == 1 and session.selected.is_editing:
             copy = session.active_curve
             session.selected.set_points(range(len(copy.points)))
             session.say(
@@ -111,7 +109,12 @@ class CurveListCommands:
             )
             return
         session.selected.set_curves(added.places)
-        session.say(f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them.")
+        if len(order) == 1:
+            session.say(f"“{session.active_curve.name}” lies on the original and is chosen; a drag moves it.")
+        else:
+            session.say(
+                f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them."
+            )
 
     @action(
         "deleteCurve",
@@ -133,19 +136,6 @@ class CurveListCommands:
             lambda document: remove_curves(document, curves),
             active=active_after_removal(document, curves, session.active_index),
         )
-
-    def _next_colours(self, colours: list[str]) -> list[str]:
-        """Return for each the next colour of the palette that no curve has; what is in ink stays in ink."""
-        codes = [code for code in CURVE_COLOURS.values() if code]
-        used = {curve.style.stroke for curve in self._session.document.curves}
-        found = []
-        for colour in colours:
-            start = codes.index(colour) + 1 if colour in codes else 0
-            others = [*codes[start:], *codes[:start]]
-            free = next((code for code in others if code not in used), others[0])
-            found.append(free if colour else colour)
-            used.add(found[-1])
-        return found
 
     # How they are called and shown
 

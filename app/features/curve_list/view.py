@@ -53,6 +53,8 @@ class CurveListView(ClaimsKeys, QListView):
     -------
     activated_row
         The row of a curve was clicked or walked to.
+    chosen_entry
+        The row of a shape or group was clicked or walked to (a set of places).
     rows_selected
         These curves shall be worked on together (a set of places).
     spot_clicked
@@ -64,6 +66,7 @@ class CurveListView(ClaimsKeys, QListView):
     """
 
     activated_row = Signal(int)
+    chosen_entry = Signal(object)
     rows_selected = Signal(object)
     spot_clicked = Signal(object, object)
     moved = Signal(object, object)
@@ -209,7 +212,7 @@ class CurveListView(ClaimsKeys, QListView):
         self._current = max(0, min(row, self.curves.rowCount() - 1))
         entry = self.curves.entries[self._current]
         if entry.opens:
-            self.rows_selected.emit(entry.places)
+            self.chosen_entry.emit(entry.places)
         else:
             self.activated_row.emit(entry.node.places.start)
         self.scrollTo(self.curves.index(self._current))

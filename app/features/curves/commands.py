@@ -15,6 +15,7 @@ from ...document import curve_edits, edits
 from ...document.model import Curve, Document, Parametrization
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import place_above, stepped
+from ...document.shapes import shape_of
 from ...document.words import number
 from ...view_model.appending import with_closed
 from ...view_model.curve_view import view_of
@@ -283,9 +284,12 @@ class CurveCommands:
 
 def _has_curve_beside(now: Situation, step: int) -> bool:
     """Whether what is selected can move a step to the front (1) or back (−1); of several, some can."""
-    document = now.session.document
-    order = stepped(document, now.selected, step)
-    return any(place != before for place, before in enumerate(order))
+    curves, places = now.session.document.curves, shape_of(now.session.document, now.session.active_index)
+    if not now.selected <= set(places):
+        return len(now.selected) < len(curves)
+    beside = places.stop if step > 0 else places.start - 1
+    groups = curves[places.start].groups
+    return 0 <= beside < len(curves) and curves[beside].groups[: len(groups)] == groups
 
 
 def _with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:

@@ -1,21 +1,18 @@
-"""Import and export: what comes in from other files, what goes out to them and to the clipboard."""
+"""Import and export: what comes in from other files, and what goes out to them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QFileDialog
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.needs import Need
-from ...actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
+from ...actions.sections import FILE_EXCHANGE
 from ...document.model import Document
 from ...document.several_curves import add_imported, is_blank
 from ...document.words import count_of, listed, number
@@ -25,11 +22,11 @@ from ...exchange.options import Options
 from ...exchange.reading import import_file
 from ...exchange.writing import export
 from ...storage.files import StorageError, read
-from ...tasks.progress import Report, part
-from ...workbench.clipboard import put_on_clipboard
+from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from ...workbench.document_files import file_stem
 from .. import import_export
+from .copy_commands import CopyCommands
 from .import_series import ImportSeries
 
 if TYPE_CHECKING:
@@ -43,14 +40,6 @@ if TYPE_CHECKING:
     from .import_table_dialog import ImportTableDialog
 
 # Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
-
-_SVG_TYPE = "image/svg+xml"
-_COPY_WIDTH = 1600
-_MOST_REMARKS = 3
-
-_ANY_CURVE = Need(
-    "a curve through two points or more", lambda now: now.view.curve is not None or len(now.session.views) > 1
-)
 
 
 class ExchangeCommands:
@@ -68,6 +57,7 @@ class ExchangeCommands:
         context.session.opened.connect(self._count_document)
         context.session.document_changed.connect(self._show_in_dialog)
         context.session.active_changed.connect(self._show_in_dialog)
+        context.session.selected_curves_changed.connect(self._show_in_dialog)
 
     # In
 
@@ -189,12 +179,13 @@ class ExchangeCommands:
         document, first = add_imported(self._session.document, new)
         if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
             return
+        added = range(first, first + len(new.curves))
         if first > 0:
             # What came to others is put in its place as a whole.
-            self._session.selected.set_curves(range(first, first + len(new.curves)))
+            self._session.selected.set_curves(added)
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
-        if first == 0 or not self._context.central.canvas.framing.shows_curves_from(first):
+        if first == 0 or not self._context.central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
@@ -205,34 +196,45 @@ class ExchangeCommands:
 
     @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
     def _ask_and_export(self) -> None:
-        """Export a picture, splines, code or numbers."""
+        """Export a picture, splines, code or numbers, of all curves or of the chosen ones."""
         if self._dialog is None:
             self._dialog = import_export.export_dialog.ExportDialog(
-                exchange.choice.choice_from(self._preferences.export_choice), self._context.window
+                self._usual_choice(), self._context.window
             )
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._release_dialog)
         self._show_in_dialog()
         self._dialog.bring_up()
 
+    def _usual_choice(self) -> ExportChoice:
+        """Return the choice of the last time, of this document or of any; where some are chosen, of these."""
+        remembered, session = exchange.choice, self._session
+        usual = remembered.choice_of(session.files.last_export)
+        usual = usual or remembered.choice_from(self._preferences.export_choice)
+        return usual.of_chosen() if session.selected.chosen else usual
+
     def _release_dialog(self) -> None:
         self._dialog = None
 
     def _show_in_dialog(self) -> None:
         if self._dialog is not None:
-            preferences, session = self._preferences, self._session
+            session = self._session
             self._dialog.show_document(
                 session.document,
                 session.active_index,
-                preferences.unit_name,
-                with_estimates=preferences.with_estimates,
+                session.selected.chosen,
+                with_estimates=self._preferences.with_estimates,
             )
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
+        session, last = self._session, self._session.files.last_export
         self._preferences.export_choice = exchange.choice.text_of(choice)
-        start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
+        usual = (
+            last.name if last.ending == choice.ending and last.name else file_stem(session) + choice.ending
+        )
         kind = f"{choice.format.title} (*{choice.ending})"
-        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", str(start), kind)
+        start = str(self._preferences.last_folder / usual)
+        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", start, kind)
         if not name:
             return
         path = with_ending(Path(name), choice.ending)
@@ -241,17 +243,22 @@ class ExchangeCommands:
             there = StorageError("It is there already; choose it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
-        preferences = self._preferences
-        with_estimates = preferences.with_estimates
-        active, unit = self._session.active_index, preferences.unit_name
-        self.export(path, choice.options(active, unit, with_estimates=with_estimates))
+        session.files.note_export(exchange.choice.note_of(choice, path.name))
+        order = choice.order(
+            session.document,
+            session.active_index,
+            session.selected.chosen,
+            with_estimates=self._preferences.with_estimates,
+        )
+        self.export(path, order.options, order.document)
 
-    def export(self, path: Path, options: Options | None = None) -> None:
-        """Write the document in the format that the ending names, and say how exactly."""
-        document, unit = self._session.document, self._preferences.unit_name
+    def export(self, path: Path, options: Options | None = None, document: Document | None = None) -> None:
+        """Write the document, or a part of it, in the format that the ending names; say how exactly."""
+        document = document or self._session.document
+        options = options or Options(unit=document.unit)
 
         def work(report: Report) -> Written:
-            return export(document, path, (options or Options(unit=unit)).reporting(report))
+            return export(document, path, options.reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
@@ -265,51 +272,7 @@ class ExchangeCommands:
             # Pixels are not exact, whatever they were painted from.
             what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
         self._session.say(f"Wrote {path.name}, {what}.")
-        self._warn_of(written.remarks)
-
-    def _warn_of(self, remarks: Sequence[str]) -> None:
-        """Say what was left out of a file that was written."""
-        more = [f"And {len(remarks) - _MOST_REMARKS} more."] if len(remarks) > _MOST_REMARKS else []
-        if remarks:
-            self._context.central.message_bar.warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
-
-    # To the clipboard
-
-    @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
-    def _copy_image(self) -> None:
-        """Copy all curves as a picture without paper, PNG and SVG."""
-        document, unit = self._session.document, self._preferences.unit_name
-
-        def work(report: Report) -> tuple[bytes, bytes]:
-            options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
-            png = exchange.png_file(document, options).data
-            return png, exchange.svg_of(document, Options(unit=unit, report=part(report, 0.5, 1.0))).data
-
-        self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
-
-    def _put_image(self, pictures: tuple[bytes, bytes]) -> None:
-        png, svg = pictures
-        data = QMimeData()
-        data.setData("image/png", png)
-        data.setData(_SVG_TYPE, svg)
-        data.setImageData(QImage.fromData(png))
-        put_on_clipboard(data)
-        self._session.say("Copied the curves as an image: PNG without paper, and SVG.")
-
-    @action("copyPathData", "Copy as SVG Path", EDIT_COPY_AS, needs=_ANY_CURVE)
-    def _copy_path_data(self) -> None:
-        """Copy all curves as the path data of an SVG."""
-        document = self._session.document
-
-        def work(report: Report) -> Written:
-            return exchange.svg_path_data(document, Options(report=report))
-
-        def done(written: Written) -> None:
-            QGuiApplication.clipboard().setText(written.text)
-            self._session.say("Copied the curves as SVG path data.")
-            self._warn_of(written.remarks)
-
-        self._work.start("Writing path data", work, done, Path("The path data"), "copied")
+        self._work.warn_of(written.remarks)
 
 
 @dataclass(frozen=True)
@@ -327,4 +290,4 @@ def _filters() -> str:
     return ";;".join([everything, *kinds, "All files (*)"])
 
 
-COMMAND_SETS = (ExchangeCommands,)
+COMMAND_SETS = (ExchangeCommands, CopyCommands)

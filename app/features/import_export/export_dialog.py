@@ -39,7 +39,7 @@ class ExportDialog(WorkDialog):
     def __init__(self, choice: ExportChoice, parent: QWidget | None = None) -> None:
         super().__init__("exportDialog", "Export", "exportProblem", parent)
         self._document: Document | None = None
-        self._active, self._unit, self._with_estimates = 0, "", False
+        self._active, self._chosen, self._with_estimates = 0, frozenset[int](), False
         self.form = ExportForm()
         self.picture = Label(name="exportPreview", label="Preview")
         self.picture.setToolTip("What the picture will look like; squares stand for no paper")
@@ -66,15 +66,17 @@ class ExportDialog(WorkDialog):
         self.hold(self.problem, foot, wished=QSize(690, 400))
 
     def show_document(
-        self, document: Document, active: int, unit: str = "", *, with_estimates: bool = False
+        self,
+        document: Document,
+        active: int,
+        chosen: frozenset[int] = frozenset(),
+        *,
+        with_estimates: bool = False,
     ) -> None:
-        """Show what this document would look like.
-
-        For the others see `ExportChoice.options`.
-        """
-        self._document, self._active, self._unit = document, active, unit
+        """Show what this document would look like; for the others see `ExportChoice.order`."""
+        self._document, self._active, self._chosen = document, active, chosen
         self._with_estimates = with_estimates
-        self.form.show_unit(unit)
+        self.form.show_document(document)
         self._soon.start()
 
     def _render(self) -> None:
@@ -102,11 +104,11 @@ class ExportDialog(WorkDialog):
             return  # that has been said
         preview = choice.format.preview
         assert preview is not None
-        options = choice.options(active, self._unit, with_estimates=self._with_estimates)
+        order = choice.order(document, active, self._chosen, with_estimates=self._with_estimates)
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
 
         def draw(_report: Report) -> PicturePreview:
-            return preview(document, options, room)
+            return preview(*order, room)
 
         self.jobs.start("Drawing", draw, self._show_preview, self._refuse)
 

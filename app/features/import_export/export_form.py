@@ -6,12 +6,14 @@ from itertools import groupby
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QWidget
+from PySide6.QtGui import QStandardItemModel
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from ...document.expression import ExpressionError
+from ...document.model import Document
 from ...exchange.choice import ExportChoice, chosen, offered_options
 from ...exchange.formats import FORMATS
-from ...exchange.options import TRUE_SIZE, Option
+from ...exchange.options import EXTENT, TRUE_SIZE, Extent, Option
 from ...exchange.units import known_unit
 from ...qt.labels import Label
 from ...widgets.boxes import form_of
@@ -38,7 +40,7 @@ class ExportForm(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("exportForm")
-        self._shown = ExportChoice()
+        self._shown, self._unit, self._has_page = ExportChoice(), "", False
         self._formats = FORMATS.offered
         titles = [each.title for each in self._formats]
         self.format_box = choice_box("exportFormat", "Format", "What kind of file to write", titles)
@@ -67,22 +69,33 @@ class ExportForm(QWidget):
         self._shown = choice
         self._show_rows(choice)
 
-    def show_unit(self, name: str) -> None:
-        """Offer true size in this unit, if it is one of length."""
-        unit = known_unit(name)
+    def show_document(self, document: Document) -> None:
+        """Offer what can be had of a document: true size in its unit, and its page."""
+        self._unit = unit = known_unit(document.unit)
         check = self.fields[TRUE_SIZE.name].widget
         assert isinstance(check, QCheckBox)
         check.setEnabled(bool(unit))
         check.setText(f"True size, 1 is 1 {unit}" if unit else "True size")
-        why = f"“{name}” is no unit of length" if name else "No unit is set"
-        tip = (
-            f"A length of one in the document is 1 {unit} in the file" if unit else f"{why}; see Preferences"
-        )
+        why = f"“{document.unit}” is no unit of length" if document.unit else "The document has no unit"
+        tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
         check.setToolTip(tip)
+        self._show_extents(document)
+        self._show_rows(self._shown)
+
+    def _show_extents(self, document: Document) -> None:
+        """Offer the page where there is one; without one all curves are what it would be."""
+        field = self.fields[EXTENT.name]
+        assert isinstance(field.widget, QComboBox)
+        model = field.widget.model()
+        assert isinstance(model, QStandardItemModel)
+        self._has_page = document.page is not None
+        model.item(0).setEnabled(self._has_page)
+        if field.value() is not Extent.CHOSEN:
+            field.show(self._shown[EXTENT] if self._has_page else Extent.ALL)
 
     def _show_rows(self, choice: ExportChoice) -> None:
         self._description.setText(choice.format.description)
-        shown = choice.shown()
+        shown = (EXTENT, *choice.shown(self._unit))
         for row, options in self._rows:
             self._form.setRowVisible(row, any(each in shown for each in options))
             if len(options) > 1:
@@ -98,8 +111,10 @@ class ExportForm(QWidget):
             If no column is, or a number that concerns the format is out of its range.
         """
         values = {each: self.fields[each.name].value() for each in self._options}
+        if values[EXTENT] is Extent.ALL and not self._has_page:
+            values[EXTENT] = Extent.PAGE
         choice = chosen(self._formats[self.format_box.currentIndex()].ending, values)
-        problems = (self.fields[each.name].problem() for each in choice.shown())
+        problems = (self.fields[each.name].problem() for each in choice.shown(self._unit))
         if problem := next(filter(None, problems), ""):
             raise ExpressionError(problem)
         return choice

@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
+from ...actions.keymap import set_full_name
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
@@ -101,6 +102,8 @@ class PointTable(FollowsTheme, QWidget):
             "pasteCells", "Paste", "Paste numbers from the current cell on", self.paste
         )
         self._paste.setShortcut(QKeySequence.StandardKey.Paste)
+        for each in (self._copy, self._paste):
+            set_full_name(each, f"{each.text()} Cells")
         tip = self._reset_button.toolTip()
         self._reset = self._action(
             "resetCellsToEstimated", "Reset to Estimated", tip, self.reset_to_estimated

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from ...actions.declaration import action, also
-from ...actions.needs import SELECTED_POINTS, Need
+from ...actions.needs import Need
 from ...actions.sections import (
     CURVE_POINTS,
     CURVE_VELOCITIES,
-    EDIT_DELETE,
     EDIT_SELECT,
 )
 from ...actions.situation import Situation
-from ...actions.strips import CANVAS_MENU, POINT_MENU
+from ...actions.strips import CANVAS_MENU
 from ...document import edits
 from ...view_model.jets import is_explicit
 from ...workbench.context import WindowContext
@@ -28,10 +27,9 @@ def _has_explicit(now: Situation) -> bool:
 
 
 class PointCommands:
-    """Selection of all points, deletion, and a return to estimated derivatives."""
+    """Selection of all points, and a return to estimated derivatives."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._context = context
         self._session = context.session
 
     @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
@@ -60,29 +58,6 @@ class PointCommands:
             selected.choose((active,))
         else:
             selected.activate(active)
-
-    @action(
-        "deleteSelection",
-        "Delete",
-        EDIT_DELETE,
-        "Del, Backspace",
-        "delete",
-        full_name="Delete Points",
-        needs=SELECTED_POINTS,
-    )
-    @also(POINT_MENU(40))
-    def _delete_selection(self) -> None:
-        """Delete the selected points."""
-        session, selected = self._session, self._session.selection
-        if not selected:
-            if session.selected.chosen:
-                self._context.actions["deleteCurve"].trigger()
-            return
-        what = f"point {next(iter(selected))}" if len(selected) == 1 else f"{len(selected)} points"
-        if session.change(
-            f"Delete {what}", lambda document: edits.delete_points(document, session.active_index, selected)
-        ):
-            session.selected.set_points([])
 
     @action(
         "resetVelocities",

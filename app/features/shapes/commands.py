@@ -151,7 +151,7 @@ class ShapeCommands:
         return is_done
 
     def _choose(self, curves: Collection[int]) -> None:
-        self._session.selected.set_curves(curves)
+        self._session.selected.choose(curves)
 
 
 COMMAND_SETS = (ShapeCommands,)

@@ -61,16 +61,16 @@ _DISTRIBUTIONS = tuple(
 
 
 def _can_align(now: Situation) -> bool:
-    is_to_drawing = now.state.align_to is Reference.DRAWING and not now.selection
-    return len(now.selection) > 1 or len(now.selected) > 1 or is_to_drawing
+    is_one_enough = now.state.align_to.is_around and bool(now.chosen)
+    return len(now.selection or now.chosen) > 1 or is_one_enough
 
 
 TWO = Need("two selected points or chosen curves, or more", _can_align)
 THREE = Need(
     "three selected points or chosen curves, or more",
-    lambda now: len(now.selection) > 2 or len(now.selected) > 2,
+    lambda now: len(now.selection or now.chosen) > 2,
 )
-THREE_CURVES = Need("three chosen curves or more", lambda now: len(now.selected) > 2)
+THREE_CURVES = Need("three chosen curves or more", lambda now: not now.selection and len(now.chosen) > 2)
 
 
 class AlignCommands:
@@ -101,7 +101,7 @@ class AlignCommands:
                 lambda document: align_points(document, session.active_index, selected, edge),
             )
             return
-        curves, reference = session.selected.curves, self._store.state.align_to
+        curves, reference = session.selected.chosen, self._store.state.align_to
 
         def aligned(document: Document) -> Document:
             return align_curves(document, session.views, curves, edge, reference, session.active_index)
@@ -129,7 +129,7 @@ class AlignCommands:
                 lambda document: distribute_points(document, session.active_index, selected, each.axis),
             )
             return
-        curves = session.selected.curves
+        curves = session.selected.chosen
         session.change(
             f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
             f"{each.way}",

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
-from ...document.model import Document
+from ...document.model import Document, Vector
 from ...document.several_curves import mapped, moved, scaled_strokes
 from ...document.transforms import rotation, scaling
 from ...document.words import number
@@ -108,9 +108,8 @@ class TransformPanelCommands(QObject):
 
     def _situation(self) -> Situated:
         target, session = self._target, self._session
-        group = target.for_keys
-        if not any(indices for _, indices in group.parts):
-            return transform.panel.Situated("nothing yet", None, (0.0, 0.0), None, 0.0, "", "")
+        if target.is_nothing:
+            return transform.panel.Situated("nothing chosen", None, (0.0, 0.0), None, 0.0, "", "")
         bounds, pivot = target.bounds, target.centre
         places = [at for at in NINE if bounds.place(*at) == pivot]
         return transform.panel.Situated(
@@ -118,9 +117,12 @@ class TransformPanelCommands(QObject):
             self._angle(), session.document.unit, target.refusal_of_keys,
         )  # fmt: skip
 
-    def _angle(self) -> float:
+    def _now(self) -> Anchor:
         session = self._session
-        now = anchored(session.views, self._target.for_keys, live=session.is_previewing)
+        return anchored(session.views, self._target.for_keys, live=session.is_previewing)
+
+    def _angle(self) -> float:
+        now = self._now()
         turned = turned_since(self._anchor, now) if self._anchor is not None else None
         if turned is None:
             self._anchor, turned = now, 0.0
@@ -163,11 +165,20 @@ class TransformPanelCommands(QObject):
         self._change(f"Set {what} of {self._target.words} to {self._length(value)}", sized)
 
     def _turn_to(self, degrees: float) -> None:
-        self._turn(degrees - self._angle(), f"to {number(degrees, 6)}°")
+        centre = self._target.pivot or self._first_middle()
+        self._turn(degrees - self._angle(), centre, f"to {number(degrees, 6)}°")
+
+    def _first_middle(self) -> Vector:
+        """Return where the middle that it had at angle 0 is now: back at 0 nothing has moved."""
+        before, now = self._anchor, self._now()
+        by = before.since(now) if before is not None else None
+        if before is None or before.bounds is None or by is None:
+            return self._target.centre
+        return by.point(before.bounds.centre)
 
     def _turn_by(self, degrees: float) -> None:
-        self._turn(degrees, f"by {number(degrees, 6)}°")
+        self._turn(degrees, self._target.centre, f"by {number(degrees, 6)}°")
 
-    def _turn(self, degrees: float, how: str) -> None:
-        group, by = self._target.for_keys, rotation(degrees, self._target.centre)
+    def _turn(self, degrees: float, about: Vector, how: str) -> None:
+        group, by = self._target.for_keys, rotation(degrees, about)
         self._change(f"Rotate {self._target.words} {how}", lambda document: mapped(document, group, by))

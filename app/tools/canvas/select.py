@@ -7,20 +7,21 @@ from msgspec.structs import replace
 from ...document import words
 from ...document.model import Vector
 from ...document.several_curves import PointGroup
+from ...document.shape_edits import next_pressed
 from .. import hints
-from ..curve_picker import CurvePicker, chosen_curves, edit_curve
+from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
 from ..guides import GuidePicker
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
-from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
+from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
 from ..parts import GESTURES, press_on_part, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
 
-_BELOW_GRIPS = (Part.CURVE, Part.GUIDE)
+_BELOW_GRIPS = (Part.CURVE, Part.OTHER_CURVE, Part.GUIDE)
 """What a grip of the box comes before."""
 
 
@@ -37,26 +38,54 @@ class SelectTool(Tool):
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means."""
-        hit, grip = context.hit, self._grip_at(context)
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
-        elif hit is not None and hit.part is Part.OTHER_CURVE:
+            return
+        if self._picker.enter(context):
+            context = context.with_hit()
+        hit, grip = context.hit, self._grip_at(context)
+        if hit is not None and hit.part is Part.GUIDE and grip is None:
+            self._guides.press(context, hit)
+        elif hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
         elif hit is not None and hit.part not in _BELOW_GRIPS:
             press_on_part(context, hit)
         elif grip is not None:
             self._press_on_grip(context, grip)
-        elif hit is not None and hit.part is Part.GUIDE:
-            self._guides.press(context, hit)
+        elif hit is not None and hit.inside:
+            self._press_within(context, hit)
         elif hit is not None:
             self._press_on_curve(context, hit)
-        elif (group := self._inside(context)) is not None:
+        else:
+            self._press_beside(context)
+
+    def _press_within(self, context: ToolContext, area: Hit) -> None:
+        """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
+        if not self._is_pressed_within(context):
+            self._press_beside(context)
+        elif not context.host.selected.is_editing and not context.pointer.shift:
+            self._picker.press(context, area)
+        else:
+            self.gesture = self._band(context)(
+                context, lambda context: click_curve(context, area), is_on_curve=True
+            )
+
+    def _press_beside(self, context: ToolContext) -> None:
+        """Begin to move what the box is around, or a rubber band."""
+        if (group := self._inside(context)) is not None:
             moving = context.target.moving(group, context.pointer)
             context.drags.press(context.pointer, moving, lambda: self._deselect(context))
-        elif context.host.selected.is_editing:
-            self.gesture = Marquee(context, self._picker.unpick)
         else:
-            self.gesture = CurveMarquee(context, self._picker.unpick)
+            self.gesture = self._band(context)(context, self._picker.unpick)
+
+    def _is_pressed_within(self, context: ToolContext) -> bool:
+        """Whether a press in what another curve fills is about that, and not about the box around points."""
+        is_choosing = not context.host.selected.is_editing and not context.pointer.shift
+        return is_choosing or self._inside(context) is None
+
+    @staticmethod
+    def _band(context: ToolContext) -> type[Marquee]:
+        return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
         """Remove the guide under the pointer with Delete; edit the curve that is chosen with Enter."""
@@ -73,7 +102,7 @@ class SelectTool(Tool):
         host = context.host
         if host.selected.is_editing:
             return super().walk(context, step)
-        host.selected.choose(((host.active_index + step) % len(host.views),))
+        host.selected.choose(next_pressed(host.document, host.selected.choice, step))
         host.say(f"{chosen_curves(host)}.")
         return True
 
@@ -117,13 +146,15 @@ class SelectTool(Tool):
         self._guides.hover(context, hit if grip is None and not takes_pivot else None)
         if takes_pivot:
             return PIVOT_HINT
-        if hit is not None and hit.part is Part.OTHER_CURVE:
-            return self._picker.hint(context, hit)
-        if grip is not None and group is not None and (hit is None or hit.part in _BELOW_GRIPS):
+        is_other = hit is not None and hit.part is Part.OTHER_CURVE
+        is_below = hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
+        if grip is not None and group is not None and is_below:
             return hints.on_grip(grip, group, context.target.refusal_of(group))
         if (on_guide := self._guides.hint(context)) is not None:
             return on_guide
-        if hit is None and (idle := self._idle_hint(context)) is not None:
+        if hit is not None and is_other and (not hit.inside or self._is_pressed_within(context)):
+            return self._picker.hint(context, hit)
+        if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
         return hints.to_select(hit, context.view, context.host.selected.points, context.pointer, snaps=snaps)
 
@@ -170,8 +201,11 @@ class SelectTool(Tool):
 
     def _is_on_pivot(self, context: ToolContext) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
-        place, hit = self._pivot(context), context.hit
-        is_free = context.target.pivot is not None or hit is None or hit.part in _BELOW_GRIPS
+        place, hit, box = self._pivot(context), context.hit, self._box(context)
+        is_plain = hit is None or hit.part in (Part.CURVE, Part.GUIDE)
+        is_free = context.target.pivot is not None or (
+            is_plain and box is not None and is_roomy(box, context.pointer)
+        )
         return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
@@ -204,7 +238,9 @@ SELECT = ToolRecord(
             curves=True,
         ),
         GestureRow("Drag a guide", "move it; back to the ruler removes it"),
-        GestureRow("Drag the cross in the box", "move the pivot", selected=True, curves=True),
+        GestureRow(
+            "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
+        ),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
         GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
         GestureRow("Drag another curve", "move it whole; Shift keeps to one axis"),

@@ -1,0 +1,34 @@
+"""Drawings without a margin: at true size a picture is as large as what it shows."""
+
+from __future__ import annotations
+
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore.arrays import FloatArray
+
+from .drawing import USUAL_WIDTH, Drawing, Frame, Outline, extent_of
+
+_SLIMMEST = 0.02
+"""Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""
+
+
+def trimmed(drawing: Drawing) -> Drawing:
+    """Return a drawing whose frame is the box around its curves with their strokes."""
+    if drawing.has_page:
+        return drawing
+    boxes = np.array([_box(each) for each in drawing.outlines])
+    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+    if any(each.style.has_stroke and each.style.width is None for each in drawing.outlines):
+        # Of the longer side with these lines.
+        reach = float((high - low).max()) * USUAL_WIDTH / (1 - USUAL_WIDTH) / 2
+        low, high = low - reach, high + reach
+    middle, size = low + (high - low) / 2, high - low
+    width, height = np.maximum(size, _SLIMMEST * size.max()).tolist()
+    x, y = middle.tolist()
+    return replace(drawing, frame=Frame(x - width / 2, y - height / 2, width, height))
+
+
+def _box(outline: Outline) -> FloatArray:
+    low, high = extent_of(outline.control_points)
+    return np.array([low - outline.reach, high + outline.reach])

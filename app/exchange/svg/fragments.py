@@ -1,0 +1,91 @@
+"""SVG as people copy it: whole files, elements out of one, path data alone."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from ... import exchange
+from ...document.style import PLAIN_STYLE
+from ...tasks.progress import Report, silent
+from .. import svg
+
+if TYPE_CHECKING:
+    from ..cubics_in import Imported
+
+_ELEMENTS = "svg|g|path|rect|circle|ellipse|line|polyline|polygon|use|symbol|defs"
+_ROOT = re.compile(r"<(?:[\w-]+:)?svg[\s/>]")
+_ELEMENT = re.compile(rf"<(?:{_ELEMENTS})[\s/>]")
+_PROLOGUE = re.compile(r"\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*|<!DOCTYPE[^>]*>\s*)*<", re.DOTALL)
+_PATH = re.compile(r"[Mm]\s*[-+.\d][-+.,\d\sMmZzLlHhVvCcSsQqTtAaEe]*")
+_SVG, _XLINK = "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"
+
+SMALL = 2**16
+"""Bytes that are read in this process: to start another one takes longer."""
+
+
+@dataclass(frozen=True)
+class Fragment:
+    """Something to be read as SVG.
+
+    Attributes
+    ----------
+    data
+        A whole file.
+    is_bare
+        Whether it was path data alone, of which nobody says how they look.
+    """
+
+    data: bytes
+    is_bare: bool = False
+
+
+def fragment_in(text: str) -> Fragment | None:
+    """Return the SVG that a text is: a file, elements of one, or path data; None where it is none."""
+    data = text.strip().removeprefix("d=").strip("\"';")
+    if _PATH.fullmatch(data):
+        return Fragment(f'<svg xmlns="{_SVG}"><path d="{data}"/></svg>'.encode(), is_bare=True)
+    if not (match := _PROLOGUE.match(text)):
+        return None
+    elements, start = text[match.end() - 1 :], match.end() - 1
+    if _ROOT.match(elements):
+        return Fragment(_declared(text).encode())
+    if _ELEMENT.match(elements):
+        return Fragment(f'<svg xmlns="{_SVG}" xmlns:xlink="{_XLINK}">{text[start:]}</svg>'.encode())
+    return None
+
+
+def _declared(text: str) -> str:
+    """Return a file with the name spaces that it needs: inside of a page of HTML they go without saying."""
+    root = _ROOT.search(text)
+    assert root is not None
+    end = root.end() - 1
+    tag = text[end : text.find(">", end)]
+    missing = "" if "xmlns=" in tag or ":" in root[0] else f' xmlns="{_SVG}"'
+    if "xlink:" in text and "xmlns:xlink" not in text:
+        missing += f' xmlns:xlink="{_XLINK}"'
+    return text[:end] + missing + text[end:]
+
+
+def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
+    """Return the curves of a fragment; path data alone become lines in ink.
+
+    Raises
+    ------
+    ExchangeError
+        As `read_svg`; a large one is read in a process with limits.
+    """
+    report(0.0, "Reading")
+    reader = svg.reader.read_svg
+    if len(fragment.data) <= SMALL:
+        found = exchange.child.at_once(reader, fragment.data)
+    else:
+        found = exchange.child.limited(reader, fragment.data, None, report=report)
+    if not fragment.is_bare:
+        return found
+    curves = tuple(replace(curve, name="Path", style=PLAIN_STYLE) for curve in found.document.curves)
+    return with_fields(found, document=replace(found.document, curves=curves))

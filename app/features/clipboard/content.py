@@ -1,0 +1,116 @@
+"""What is on the clipboard: curves or points of ours, SVG from elsewhere, or numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import msgspec
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication
+
+from ... import exchange
+from ...document.edits import EditError
+from ...document.model import Curve, Document, Point
+from ...exchange.table.clipboard import Block, read_titled_block
+from ...storage.format import decode
+from ...storage.format_error import FormatError
+from ...view_model.pasting import points_of_rows
+from ...view_model.point_columns import known_titles
+from ...widgets.number_text import decimal_mark
+from ...workbench.clipboard import SVG_TYPES
+
+if TYPE_CHECKING:
+    from ...exchange.svg.fragments import Fragment
+
+CURVES = "application/x-curvebench-curves"
+"""MIME type of whole curves: a document of them."""
+
+POINTS = "application/x-curvebench-points"
+"""MIME type of points: a document of one curve that has these points only."""
+
+
+class PointsContent(msgspec.Struct, frozen=True):
+    """Points, and the row of the text that they begin in.
+
+    `like` is the curve that they were copied from; `note` goes on the sentence that tells what was pasted.
+    """
+
+    points: tuple[Point, ...]
+    like: Curve | None = None
+    first_row: int = 1
+    note: str = ""
+
+
+def clipboard_data() -> QMimeData:
+    """Return what the clipboard holds; nothing where nothing was ever copied."""
+    return QGuiApplication.clipboard().mimeData() or QMimeData()
+
+
+def curves_in(data: QMimeData) -> Document | None:
+    """Return the curves that were copied in this program, with the unit they are in.
+
+    Raises
+    ------
+    EditError
+        If they cannot be read.
+    """
+    return _document(data, CURVES, "curves")
+
+
+def drawing_in(data: QMimeData) -> Fragment | None:
+    """Return the SVG from another program, or in text; that of our own points is for others."""
+    if data.hasFormat(POINTS):
+        return None
+    for kind in SVG_TYPES:
+        if data.hasFormat(kind):
+            return exchange.svg.fragments.Fragment(bytes(data.data(kind).data()))
+    return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None
+
+
+def points_in(data: QMimeData) -> PointsContent:
+    """Return points, as they were copied here or read from text.
+
+    Raises
+    ------
+    EditError
+        If they cannot be read, or the columns are something else.
+    TableTextError
+        If the text holds no numbers, with the row and the column.
+    """
+    document = _document(data, POINTS, "points")
+    if document is not None and document.curves[0].points:
+        return PointsContent(document.curves[0].points, document.curves[0])
+    text = data.text() if data.hasText() else ""
+    block = read_titled_block(text, decimal_mark(), known_titles())
+    # A row of titles was skipped.
+    first_row = 1 + len(text.rstrip().splitlines()) - len(block.rows)
+    note = "; the row of titles was skipped" if block.titles else ""
+    return PointsContent(points_of_rows(_in_order(block)), first_row=first_row, note=note)
+
+
+def _document(data: QMimeData, kind: str, what: str) -> Document | None:
+    if not data.hasFormat(kind):
+        return None
+    try:
+        return decode(bytes(data.data(kind).data()))
+    except FormatError as reason:
+        raise EditError(f"The {what} on the clipboard cannot be read: {reason}.") from None
+
+
+def _in_order(block: Block) -> list[list[float]]:
+    """Return the rows of points with the columns that titles name in the order t x y.
+
+    Raises
+    ------
+    EditError
+        If the titles name something else.
+    """
+    names = [title for title in block.titles if title != "#"]
+    if not names:
+        return block.rows
+    if sorted(names) not in (["x", "y"], ["t", "x", "y"]):
+        raise EditError(
+            f"Points are x y, or t x y; the titles are {' '.join(names)}. The point table takes them all."
+        )
+    places = [block.titles.index(name) for name in sorted(names)]
+    return [[row[place] for place in places] for row in block.rows]

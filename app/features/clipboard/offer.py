@@ -1,0 +1,75 @@
+"""Offers on the clipboard: our own format, and what other programs take, made when one asks for it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QByteArray, QMetaType, QMimeData
+from PySide6.QtGui import QImage
+
+from ... import exchange
+from ...document.model import Document
+from ...document.shapes import tidy_shapes
+from ...exchange.errors import ExchangeError
+from ...exchange.options import Options
+from ...qt.overrides import Guarded
+from ...storage.format import encode
+from ...workbench.clipboard import SVG_TYPES
+
+TEXT = "text/plain"
+_PNG, _IMAGE = "image/png", "application/x-qt-image"
+_WIDTH = 1600
+
+
+class Offer(Guarded, QMimeData):
+    """Curves, or points of one, for this program and for others.
+
+    Pictures of them are drawn when a program asks: most of what is copied is pasted here.
+
+    Parameters
+    ----------
+    own
+        The MIME type of what this program takes: `document`, as it is saved.
+    document
+        The curves.
+    text
+        For programs that take text; where empty, the SVG.
+    """
+
+    def __init__(self, own: str, document: Document, text: str = "") -> None:
+        super().__init__()
+        # A part of a shape is none any more.
+        self._own, self._document, self._text = own, tidy_shapes(document), text
+        self._made: dict[str, Any] = {}
+        is_drawable = any(len(curve.points) > 1 for curve in document.curves)
+        drawn = (*SVG_TYPES, _PNG, _IMAGE) if is_drawable else ()
+        self._formats = [own, *drawn, *([TEXT] if text or drawn else [])]
+
+    def formats(self) -> list[str]:
+        """Return the MIME types; called by Qt."""
+        return self._formats
+
+    def retrieveData(self, mimetype: str, _type: QMetaType | QMetaType.Type) -> Any:  # noqa: ANN401, N802
+        """Return what is offered; called by Qt."""
+        if mimetype not in self._formats:
+            return None
+        if mimetype not in self._made:
+            made = self._make(mimetype)
+            self._made[mimetype] = QByteArray(made) if isinstance(made, bytes) else made
+        return self._made[mimetype]
+
+    def _make(self, mimetype: str) -> object:
+        if mimetype == self._own:
+            return encode(self._document)
+        if mimetype == TEXT and self._text:
+            return self._text
+        try:
+            if mimetype == _PNG:
+                return exchange.png_file(self._document, Options(width=_WIDTH, transparent=True)).data
+            if mimetype == _IMAGE:
+                return QImage.fromData(bytes(self.data(_PNG).data()))
+            svg = exchange.svg_of(self._document, Options(unit=self._document.unit))
+        except ExchangeError:
+            # No picture can hold it, or none of the curves can be drawn.
+            return None
+        return svg.text if mimetype == TEXT else svg.data

@@ -1,0 +1,174 @@
+"""Paste: points, curves and drawings, at the pointer or in place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QMimeData
+
+from ... import exchange
+from ...actions.declaration import action, also
+from ...actions.sections import EDIT_CLIPBOARD
+from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
+from ...document import curve_edits, edits
+from ...document.edits import EditError
+from ...document.model import Document, Vector
+from ...document.several_curves import named
+from ...document.shape_edits import place_above
+from ...document.words import count_of
+from ...exchange.table.clipboard import TableTextError
+from ...view_model.arrivals import centred_at, with_curves
+from ...view_model.pasting import (
+    appended,
+    appended_with_parameters,
+    as_new_curve,
+    copied_as_new_curve,
+    refuse_unordered,
+)
+from ...workbench.context import WindowContext
+from .content import CURVES, PointsContent, clipboard_data, curves_in, drawing_in, points_in
+from .keys import give_keys_to_drawing
+
+if TYPE_CHECKING:
+    from ...exchange.cubics_in import Imported
+    from ...exchange.svg.fragments import Fragment
+
+
+class PasteCommands:
+    """Pastes what is on the clipboard, and takes drawings that are dropped."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+        give_keys_to_drawing(context, PasteCommands)
+
+    @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V", "paste")
+    @also(CANVAS_MENU(20), CURVE_LIST_MENU(38))
+    def _paste_here(self) -> None:
+        """Add the curves or the SVG on the clipboard at the pointer; append points (x y, or t x y)."""
+        self._paste(self._context.central.canvas.pointed_place, self._append)
+
+    @action("pasteInPlace", "Paste in Place", EDIT_CLIPBOARD, "Ctrl+Alt+V")
+    @also(CANVAS_MENU(21))
+    def _paste_in_place(self) -> None:
+        """Add the curves or the SVG on the clipboard where they were copied from; append points."""
+        self._paste(None, self._append)
+
+    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Shift+V")
+    @also(CANVAS_MENU(22))
+    def _paste_as_curve(self) -> None:
+        """Make a curve of the points on the clipboard."""
+        self._paste(self._context.central.canvas.pointed_place, self._add_curve)
+
+    def _paste(self, place: Vector | None, put_points: Callable[[PointsContent], None]) -> None:
+        data = clipboard_data()
+        try:
+            if not self._take(data, place):
+                put_points(points_in(data))
+        except (EditError, TableTextError) as reason:
+            self._session.refuse(str(reason))
+
+    def holds_drawing(self, data: QMimeData) -> bool:
+        """Whether what is dragged is a drawing, or curves of ours."""
+        return data.hasFormat(CURVES) or drawing_in(data) is not None
+
+    def paste_dropped(self, data: QMimeData, place: Vector) -> None:
+        """Add a drawing that was dropped at a place."""
+        try:
+            self._take(data, place)
+        except EditError as reason:
+            self._session.refuse(str(reason))
+
+    def _take(self, data: QMimeData, place: Vector | None) -> bool:
+        """Add the curves or the drawing in `data`, at a place or where they are; return whether it has any.
+
+        Raises
+        ------
+        EditError
+            If curves cannot be read.
+        """
+        if curves := curves_in(data):
+            self._add(curves, place)
+            return True
+        if (fragment := drawing_in(data)) is None:
+            return False
+        self._read(fragment, place)
+        return True
+
+    # Curves
+
+    def _read(self, fragment: Fragment, place: Vector | None) -> None:
+        """Read a drawing beside the window, and add its curves to the document that is open now."""
+        beginning = self._session.files.beginning
+
+        def done(found: Imported) -> None:
+            if self._session.files.beginning is not beginning:
+                self._session.refuse("Not pasted, for another document was opened meanwhile.")
+                return
+            self._add(found.document, place, found.sentences)
+
+        read = partial(exchange.svg.fragments.read_fragment, fragment)
+        self._context.work.start("Reading the drawing", read, done, Path("The drawing"), "pasted")
+
+    def _add(self, new: Document, place: Vector | None, remarks: Sequence[str] = ()) -> None:
+        session, canvas = self._session, self._context.central.canvas
+        curves = exchange.rescaled.in_unit(new, session.committed.unit).curves
+        added = with_curves(session.committed, curves, session.active_index)
+        places, name = added.places, named(added.document, added.places)
+
+        def edit(_document: Document) -> Document:
+            if place is None:
+                return added.document
+            return centred_at(added.document, places, place, canvas.camera.pixel_size)
+
+        if not session.change(f"Paste {name}", edit, active=places.start):
+            return
+        session.selected.choose(places)
+        if not canvas.framing.shows_curves(places):
+            self._context.actions["fitView"].trigger()
+        is_one = name == added.document.curves[places.start].name
+        session.say(f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen.")
+        self._context.work.warn_of(remarks)
+
+    # Points
+
+    def _append(self, pasted: PointsContent) -> None:
+        session, view = self._session, self._session.active_view
+        if not session.selected.is_editing:
+            # No curve is there to go on with.
+            self._add_curve(pasted)
+            return
+        count = len(view.source.points)
+        if pasted.like is None and pasted.points[0].t is not None:
+            curve = appended_with_parameters(view, pasted.points, pasted.first_row)
+        else:
+            curve = appended(view, pasted.points)
+        if session.change(
+            f"Paste {count_of(len(pasted.points), 'point')}",
+            lambda document: curve_edits.replace_curve(document, session.active_index, curve),
+        ):
+            session.selected.set_points(range(count, count + len(pasted.points)))
+            self._show_points()
+            session.say(f"Pasted {count_of(len(pasted.points), 'point')}{pasted.note}.")
+
+    def _add_curve(self, pasted: PointsContent) -> None:
+        session = self._session
+        place = place_above(session.document, session.active_index)
+        name = curve_edits.free_name(session.document)
+        if pasted.like is not None:
+            curve = copied_as_new_curve(pasted.like, name)
+        else:
+            refuse_unordered(pasted.points, pasted.first_row) if pasted.points[0].t is not None else None
+            curve = as_new_curve(session.active_curve, pasted.points, name)
+        document = curve_edits.add_curve(session.document, place, curve)
+        edits.set_points(document, place, curve.points)
+        if session.change(f"Paste as {name}", lambda _: document, active=place):
+            self._show_points()
+            session.say(f"Pasted {count_of(len(curve.points), 'point')} as “{name}”{pasted.note}.")
+
+    def _show_points(self) -> None:
+        """Fit the view if points that were pasted lie outside it."""
+        if not self._context.central.canvas.framing.shows_all_points:
+            self._context.actions["fitView"].trigger()

@@ -1,0 +1,66 @@
+"""Curves that come from elsewhere: in front of what is edited, and where the pointer is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+
+import msgspec
+from msgspec.structs import replace
+
+from ..document.curve_tree import Container
+from ..document.model import Curve, Document, Vector
+from ..document.several_curves import add_curves, is_blank, moved, whole_curves
+from ..document.shape_edits import place_above
+from ..document.shapes import shape_of
+from .bounds import around
+from .curve_view import view_of
+
+
+class Arrival(msgspec.Struct, frozen=True):
+    """A document with curves that were added to it.
+
+    Attributes
+    ----------
+    document
+        The document.
+    places
+        Where they are in it.
+    """
+
+    document: Document
+    places: range
+
+
+def with_curves(document: Document, curves: Sequence[Curve], active: int) -> Arrival:
+    """Add curves in front of the active one, visible and free, under names of their own.
+
+    They come in front of the shape and the groups that it is in, and are in none of them. A lone curve
+    without points is what a new document begins with; it gives way.
+    """
+    blank = is_blank(document)
+    first = 0 if blank else place_above(document, active)
+    base = replace(document, curves=()) if blank else document
+    return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
+
+
+def with_part(document: Document, part: Curve, active: int) -> Arrival:
+    """Add a part of the active curve in front of it and its shape, in the same groups."""
+    first = shape_of(document, active).stop
+    added = add_curves(document, (part,), first, Container(part.groups))
+    return Arrival(added, range(first, first + 1))
+
+
+def centred_at(document: Document, curves: Collection[int], place: Vector, pixel: float) -> Document:
+    """Return the document with some of its curves moved so that their middle is at a place.
+
+    It is there to a `pixel`, by a clean number: the coordinates get no digits that nobody sees.
+    """
+    group = whole_curves(document, curves)
+    views = [view_of(document.curves[curve]) for curve in curves]
+    bounds = around([view.extent[1] for view in views if len(view.points)])
+    if bounds is None or not all(map(math.isfinite, (*place, *bounds.centre))):
+        return document
+    decimals = -math.floor(math.log10(pixel))
+    across, up = (round(to - at, decimals) for to, at in zip(place, bounds.centre, strict=True))
+    return moved(document, group, (across, up))

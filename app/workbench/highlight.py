@@ -1,0 +1,31 @@
+"""What Copy, Cut, Duplicate and Delete act on, and its removal."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QApplication
+
+from ..document.several_curves import active_after_removal
+from ..session import Change, Session
+from ..session.highlight import Highlight
+from .context import WindowContext
+
+
+def highlighted(context: WindowContext) -> Highlight:
+    """Return what is highlighted: with the focus in the list of curves, whole curves."""
+    focus = QApplication.focusWidget()
+    in_list = focus is not None and context.docks["curvesDock"].isAncestorOf(focus)
+    return context.session.selected.highlight(whole_curves=in_list)
+
+
+def remove(session: Session, what: Highlight, verb: str) -> Change:
+    """Remove what was highlighted as one step, such as "Delete 3 points"."""
+    document, active = session.document, session.active_index
+    gone = what.curves_of(document)
+    change = session.change(
+        f"{verb} {what.words(document)}",
+        what.removed_from,
+        active=active_after_removal(document, gone, active) if gone else None,
+    )
+    if change:
+        session.selected.set_points([])
+    return change

@@ -1,0 +1,69 @@
+"""Lengths as people type them."""
+
+from __future__ import annotations
+
+import pytest
+
+from app.document.expression import ExpressionError
+from app.exchange.lengths import typed_length
+from app.exchange.units import MILLIMETRES
+
+MEANT = {
+    "70": 70.0,
+    "70 mm": 70.0,
+    "70mm": 70.0,
+    "1in": 25.4,
+    '1"': 25.4,
+    "0.1 inch": 2.54,
+    "72pt": 25.4,
+    "96 px": 25.4,
+    "6pc": 25.4,
+    "1ft": 304.8,
+    "1,5 cm": 15.0,
+    "-3 mm": -3.0,
+    "−3 mm": -3.0,
+    "1e3 mm": 1000.0,
+    "1/3": 1 / 3,
+    "2in + 3mm": 53.8,
+    "(1+1) in": 50.8,
+    "sqrt(4) cm": 20.0,
+    "2*pi": 6.283185307179586,
+    "50%": 100.0,
+    "+10%": 220.0,
+    "-25 %": 150.0,
+}
+
+
+@pytest.mark.parametrize("text", MEANT)
+def test_what_is_typed_is_meant_in_the_unit_of_the_document(text):
+    # Of these numbers only "1/3" and pi are no decimal ones; all others are exact.
+    assert typed_length(text, "mm", 200.0) == MEANT[text]
+
+
+@pytest.mark.parametrize("unit", MILLIMETRES)
+@pytest.mark.parametrize("other", MILLIMETRES)
+def test_every_unit_becomes_every_other_one(unit, other):
+    # Two roundings.
+    assert typed_length(f"3 {unit}", other, 0.0) == pytest.approx(
+        3 * MILLIMETRES[unit] / MILLIMETRES[other], rel=4e-16
+    )
+
+
+def test_a_comma_is_read_where_the_locale_has_it():
+    assert typed_length("1,5 in + 0,5 in", "mm", 0.0, ",") == 50.8
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "reason"),
+    [
+        ("1in", "", "“in” cannot be converted: the document has no unit."),
+        ("1in", "furlong", "“in” cannot be converted: the unit “furlong” of the document has no length."),
+        ("3 foo", "mm", "“foo” is not a number, nor a function or constant known here."),
+        ("mm", "mm", "A number is missing."),
+        ("", "mm", "A number is missing."),
+    ],
+)
+def test_what_is_no_length_says_why(text, unit, reason):
+    with pytest.raises(ExpressionError) as refusal:
+        typed_length(text, unit, 1.0)
+    assert str(refusal.value) == reason

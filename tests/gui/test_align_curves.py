@@ -1,0 +1,203 @@
+"""Chosen curves aligned and spaced evenly, by their extents; whole shapes as one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from extents import CLOSE, sampled_bounds
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
+
+from app.document.model import Document, Page, make_curve
+from app.families import HERMITE
+
+WAVE = ((0.0, 0.0), (1.0, 1.5), (2.5, -0.5), (3.0, 1.0))
+
+
+@pytest.fixture
+def four(editor):
+    """Four waves of several sizes, the second is edited; all are chosen."""
+    placed = ((0, 0, 1), (4, 1, 1.5), (2.5, 5, 0.7), (9, -2, 2))
+    curves = tuple(
+        make_curve([(x0 + size * x, y0 + size * y) for x, y in WAVE], name=name, family=HERMITE)
+        for name, (x0, y0, size) in zip("ABCD", placed, strict=True)
+    )
+    editor.session.commit(Document(curves), "Begin", active=1)
+    editor.session.selected.set_curves(range(4))
+    editor.fit()
+    return editor
+
+
+def boxes(editor, count=4):
+    """Lower left and upper right corners of all curves, (n, 2, 2)."""
+    return np.array([sampled_bounds(editor, place) for place in range(count)])
+
+
+def edge_of(boxes, action):
+    axis = 0 if action in ("alignLeft", "alignCentre", "alignRight") else 1
+    low, high = boxes[..., 0, axis], boxes[..., 1, axis]
+    return {"alignLeft": low, "alignBottom": low, "alignRight": high, "alignTop": high}.get(
+        action, (low + high) / 2
+    )
+
+
+ACTIONS = ("alignLeft", "alignCentre", "alignRight", "alignTop", "alignMiddle", "alignBottom")
+
+
+def whole(boxes):
+    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+
+
+def undo_text(editor):
+    return editor.session.undo_stack.undoText()
+
+
+@pytest.mark.parametrize("action", ACTIONS)
+@pytest.mark.parametrize("to", ["EachOther", "First", "Largest", "Drawing"])
+def test_curves_are_aligned_by_their_extents(four, action, to):
+    four.session.selected.set_curves({0, 1, 2}, 1)
+    before = boxes(four)
+    four.trigger(f"alignTo{to}")
+    four.trigger(action)
+    after = boxes(four)
+    box = {
+        "EachOther": whole(before[:3]),
+        "First": before[1],
+        "Largest": before[1],
+        "Drawing": whole(before),
+    }
+    target = float(edge_of(box[to], action))
+    assert edge_of(after[:3], action) == pytest.approx(3 * [target], abs=2 * CLOSE)
+    # Nothing has changed its size or moved along the other axis, and nothing else has moved at all.
+    assert after[:, 1] - after[:, 0] == pytest.approx(before[:, 1] - before[:, 0], abs=CLOSE)
+    other = 1 if action in ACTIONS[:3] else 0
+    assert after[:, :, other] == pytest.approx(before[:, :, other], abs=CLOSE)
+    assert after[3] == pytest.approx(before[3], abs=CLOSE)
+    assert undo_text(four) == f"Align 3 curves {action.removeprefix('align').lower()}"
+    assert four.session.selected.curves == {0, 1, 2}
+    four.trigger("undo")
+    assert boxes(four) == pytest.approx(before)
+    four.trigger("alignToEachOther")
+
+
+def test_the_largest_is_another_one_than_that_edited(four):
+    before = boxes(four)
+    four.trigger("alignToLargest")
+    four.trigger("alignTop")
+    assert boxes(four)[:, 1, 1] == pytest.approx(4 * [before[3, 1, 1]], abs=CLOSE)
+    four.trigger("alignToEachOther")
+
+
+def test_the_page_is_aligned_to_where_there_is_one(four):
+    four.trigger("alignToPage")
+    document = four.session.document
+    four.trigger("alignRight")
+    assert four.session.document is document
+    assert four.window.status_line.text == "The document has no page to align to."
+    four.session.change("Page", lambda document: replace(document, page=Page(-20.0, -20.0, 60.0, 50.0)))
+    four.trigger("alignRight")
+    assert boxes(four)[:, 1, 0] == pytest.approx(4 * [40.0], abs=CLOSE)
+    four.trigger("alignToEachOther")
+
+
+def test_one_curve_is_aligned_to_the_drawing(four):
+    four.session.selected.choose({1})
+    assert not four.action("alignCentre").isEnabled()
+    four.trigger("alignToDrawing")
+    before = whole(boxes(four))
+    four.trigger("alignCentre")
+    assert boxes(four)[1, :, 0].mean() == pytest.approx(before[:, 0].mean(), abs=CLOSE)
+    four.trigger("alignToEachOther")
+
+
+@pytest.mark.parametrize(("action", "axis"), [("distributeHorizontally", 0), ("distributeVertically", 1)])
+def test_centres_are_spaced_evenly(four, action, axis):
+    before = boxes(four)
+    four.trigger(action)
+    middles = np.sort(boxes(four)[:, :, axis].mean(axis=1))
+    assert np.diff(middles) == pytest.approx(3 * [np.ptp(before[:, :, axis].mean(axis=1)) / 3], abs=2 * CLOSE)
+    assert undo_text(four) == f"Distribute 4 curves {action.removeprefix('distribute').lower()}"
+
+
+@pytest.mark.parametrize(
+    ("action", "axis"), [("distributeGapsHorizontally", 0), ("distributeGapsVertically", 1)]
+)
+def test_gaps_become_the_same(four, action, axis):
+    before = boxes(four)[:, :, axis]
+    four.trigger(action)
+    after = boxes(four)[:, :, axis]
+    order = np.argsort(after.mean(axis=1))
+    gaps = after[order][1:, 0] - after[order][:-1, 1]
+    assert gaps == pytest.approx(3 * [gaps[0]], abs=3 * CLOSE)
+    outer = np.argsort(before.mean(axis=1))[[0, -1]]
+    assert after[outer] == pytest.approx(before[outer], abs=CLOSE), "the outer two stay"
+    assert undo_text(four) == f"Distribute gaps of 4 curves {action.removeprefix('distributeGaps').lower()}"
+
+
+def test_a_shape_is_aligned_as_one(four):
+    four.session.change(
+        "Shape",
+        lambda document: replace(
+            document,
+            curves=tuple(
+                replace(curve, shape="Pair") if curve.name in "AB" else curve for curve in document.curves
+            ),
+        ),
+    )
+    four.session.selected.choose({0, 2})
+    before = boxes(four)
+    four.trigger("alignBottom")
+    after = boxes(four)
+    assert after[0] - before[0] == pytest.approx(after[1] - before[1], abs=2 * CLOSE)
+    low = whole(before[:3])[0][1]
+    assert [after[:2, 0, 1].min(), after[2, 0, 1]] == pytest.approx([low, low], abs=2 * CLOSE)
+
+
+def test_a_locked_curve_refuses(four):
+    four.session.selected.set_curves({0})
+    four.trigger("curveLocked")
+    four.session.selected.set_curves(range(4), 1)
+    document = four.session.document
+    four.trigger("alignRight")
+    assert four.session.document is document
+    assert "locked" in four.window.status_line.text
+
+
+def test_selected_points_come_first_as_ever(four):
+    four.session.selected.set_curves({1})
+    four.select([0, 1])
+    others = boxes(four)[[0, 2, 3]]
+    four.trigger("alignTop")
+    heights = [point.y for point in four.curve.points]
+    assert heights[0] == heights[1] == 1 + 1.5 * 1.5
+    assert boxes(four)[[0, 2, 3]] == pytest.approx(others)
+
+
+def test_what_needs_more_curves_says_so(four):
+    four.session.selected.set_curves({0, 1})
+    assert four.action("alignLeft").isEnabled()
+    assert not four.action("distributeHorizontally").isEnabled()
+    assert "three selected points or chosen curves" in four.action("distributeHorizontally").toolTip()
+    assert not four.action("distributeGapsVertically").isEnabled()
+
+
+def test_the_buttons_of_the_panel_align(four):
+    four.trigger("openTransform")
+    QTest.mouseClick(four.window.findChild(QToolButton, "alignBottomButton"), Qt.MouseButton.LeftButton)
+    low = boxes(four)[:, 0, 1]
+    assert low == pytest.approx(4 * [low[0]], abs=CLOSE)
+
+
+def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):
+    four.session.selected.choose({2})
+    four.click(
+        tuple(four.session.views[3].curve.evaluate(0.4).tolist()), keys=Qt.KeyboardModifier.ShiftModifier
+    )
+    assert four.session.selected.chosen == {2, 3}
+    before = boxes(four)
+    four.trigger("alignToFirst")
+    four.trigger("alignBottom")
+    assert boxes(four)[[2, 3], 0, 1] == pytest.approx(2 * [before[2, 0, 1]], abs=CLOSE)
+    four.trigger("alignToEachOther")

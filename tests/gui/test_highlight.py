@@ -1,0 +1,196 @@
+"""Copy, Cut, Duplicate and Delete act on what is highlighted: points, the curve, or all chosen ones."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+
+from app.document.model import Document, make_curve
+from app.families import HERMITE
+from app.features.clipboard.content import CURVES, POINTS
+from app.features.curve_list.commands import CurveListCommands
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+ALT = Qt.KeyboardModifier.AltModifier
+NONE = Qt.KeyboardModifier.NoModifier
+KEYS = {"copy": (Qt.Key.Key_C, CTRL), "cut": (Qt.Key.Key_X, CTRL), "delete": (Qt.Key.Key_Delete, NONE)}
+
+
+@pytest.fixture
+def three(waves):
+    editor = waves("ABC")
+    editor.session.undo_stack.clear()
+    editor.window.canvas.setFocus()
+    return editor
+
+
+def names(editor):
+    return "".join(curve.name for curve in editor.session.document.curves)
+
+
+def step(editor):
+    return editor.session.undo_stack.undoText()
+
+
+def held():
+    return QGuiApplication.clipboard().mimeData()
+
+
+def focus_list(editor):
+    editor.show_dock("curvesDock")
+    view = editor.window.commands[CurveListCommands].panel.view
+    view.setFocus()
+    return view
+
+
+def lock(editor, *places):
+    document = editor.session.document
+    curves = (replace(each, locked=at in places) for at, each in enumerate(document.curves))
+    editor.session.commit(replace(document, curves=tuple(curves)), "Lock")
+
+
+# Copy
+
+
+def test_with_nothing_selected_the_edited_curve_is_copied(three):
+    three.key(*KEYS["copy"])
+    assert three.status == "Copied “B”."
+    assert held().hasFormat(CURVES)
+
+
+def test_selected_points_are_copied_before_the_curve(three):
+    three.select([1, 2])
+    three.key(*KEYS["copy"])
+    assert three.status == "Copied 2 points."
+    assert held().hasFormat(POINTS)
+    assert held().text() == "1.0\t4.0\n2.0\t3.0"
+
+
+def test_with_the_focus_in_the_list_its_curves_are_copied_whatever_points_are_selected(three):
+    three.select([1, 2])
+    QTest.keyClick(focus_list(three), *KEYS["copy"])
+    assert three.status == "Copied “B”."
+    assert held().hasFormat(CURVES)
+
+
+def test_a_copy_is_pasted_from_the_list_too(three):
+    view = focus_list(three)
+    QTest.keyClick(view, *KEYS["copy"])
+    QTest.keyClick(view, Qt.Key.Key_V, CTRL | ALT)
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
+
+
+# Cut and delete
+
+
+@pytest.mark.parametrize("how", ["cut", "delete"])
+def test_with_nothing_selected_the_edited_curve_goes(three, how):
+    three.key(*KEYS[how])
+    assert names(three) == "AC"
+    assert step(three) == f"{how.capitalize()} B"
+    assert three.status == {"cut": "Cut “B”.", "delete": "Deleted “B”."}[how]
+    three.trigger("undo")
+    assert names(three) == "ABC"
+
+
+@pytest.mark.parametrize("how", ["cut", "delete"])
+def test_some_points_go_and_the_curve_stays(three, how):
+    three.select([0, 3])
+    three.key(*KEYS[how])
+    assert [point.position for point in three.curve.points] == [(1, 4), (2, 3)]
+    assert step(three) == f"{how.capitalize()} 2 points"
+
+
+@pytest.mark.parametrize("how", ["cut", "delete"])
+def test_the_last_points_of_a_curve_take_it_along(three, how):
+    three.trigger("selectAll")
+    three.key(*KEYS[how])
+    assert names(three) == "AC"
+    assert three.session.selection == frozenset()
+    three.trigger("undo")
+    assert names(three) == "ABC"
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Delete, Qt.Key.Key_Backspace])
+def test_chosen_curves_are_deleted_together(three, key):
+    three.session.selected.set_curves({0, 1})
+    three.key(key)
+    assert names(three) == "C"
+    assert three.status == "Deleted 2 curves."
+
+
+def test_deleting_the_only_curve_empties_the_document(editor):
+    editor.session.commit(Document((make_curve([(0, 0), (1, 1)]),), unit="mm"), "Begin")
+    editor.window.canvas.setFocus()
+    editor.key(*KEYS["delete"])
+    assert [curve.points for curve in editor.session.document.curves] == [()]
+    assert editor.session.document.unit == "mm"
+    editor.trigger("undo")
+    assert len(editor.curve.points) == 2
+
+
+def test_without_its_last_points_the_only_curve_stays_of_its_family(editor):
+    editor.session.commit(Document((make_curve([(0, 0), (1, 1)], family=HERMITE),)), "Begin")
+    editor.window.canvas.setFocus()
+    editor.trigger("selectAll")
+    editor.key(*KEYS["delete"])
+    assert (editor.curve.family, editor.curve.points) == (HERMITE, ())
+
+
+@pytest.mark.parametrize("how", ["cut", "delete"])
+def test_what_is_locked_stays_and_says_so(three, how):
+    lock(three, 1)
+    QGuiApplication.clipboard().setText("before")
+    three.key(*KEYS[how])
+    assert names(three) == "ABC"
+    assert three.status == "“B” is locked; unlock it in the list of curves to change it."
+    assert held().text() == "before"
+    three.session.selected.set_curves({0, 1})
+    three.key(*KEYS[how])
+    assert names(three) == "ABC"
+    assert "“B” is locked" in three.status
+
+
+def test_a_locked_curve_is_copied(three):
+    lock(three, 1)
+    three.key(*KEYS["copy"])
+    three.key(Qt.Key.Key_V, CTRL | ALT)
+    assert (three.curve.name, three.curve.locked) == ("B copy", False)
+
+
+# Duplicate
+
+
+def test_with_nothing_selected_the_edited_curve_is_doubled(three):
+    three.key(Qt.Key.Key_D, CTRL)
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
+    assert step(three) == "Duplicate B"
+
+
+def test_selected_points_are_doubled_as_a_curve_of_their_own(three):
+    three.select([1, 2, 3])
+    three.key(Qt.Key.Key_D, CTRL)
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
+    assert [point.position for point in three.curve.points] == [(1, 4), (2, 3), (3, 4)]
+    assert three.session.selection == {0, 1, 2}
+    assert step(three) == "Duplicate 3 points"
+    three.trigger("undo")
+    assert names(three) == "ABC"
+
+
+@pytest.mark.parametrize("selected", [[1], [0, 1, 2, 3]])
+def test_one_point_and_all_points_mean_the_curve(three, selected):
+    three.select(selected)
+    three.key(Qt.Key.Key_D, CTRL)
+    assert len(three.session.document.curves) == 4
+    assert len(three.curve.points) == 4
+
+
+def test_all_chosen_curves_are_doubled(three):
+    three.session.selected.set_curves({0, 2})
+    three.key(Qt.Key.Key_D, CTRL)
+    assert len(three.session.document.curves) == 5
+    assert step(three) == "Duplicate 2 curves"

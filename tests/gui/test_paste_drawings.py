@@ -1,0 +1,363 @@
+"""SVG on the clipboard, in both directions; curves at the pointer and in place."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtTest import QTest
+
+from app.document.model import Document, make_curve
+from app.exchange import child
+from app.exchange.svg.fragments import SMALL, fragment_in
+from app.exchange.svg.reader import read_svg
+from app.families import HERMITE
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+ALT = Qt.KeyboardModifier.AltModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+SVG = "http://www.w3.org/2000/svg"
+LEAF = f'<svg xmlns="{SVG}"><path id="leaf" d="M0 0C1 2 3 2 4 0C3 -2 1 -2 0 0Z" stroke="#d55e00"/></svg>'
+
+
+@pytest.fixture
+def three(waves):
+    editor = waves("ABC")
+    editor.window.canvas.setFocus()
+    return editor
+
+
+def offer(**kinds):
+    """Put data on the clipboard as another program would, by their MIME types."""
+    data = QMimeData()
+    for kind, content in kinds.items():
+        data.setData(kind.replace("__", "/").replace("_plus_", "+").replace("_", "-"), content.encode())
+    QGuiApplication.clipboard().setMimeData(data)
+
+
+def paste(editor, keys=CTRL):
+    editor.key(Qt.Key.Key_V, keys)
+    editor.wait_for_work()
+
+
+def chosen(editor):
+    curves = editor.session.document.curves
+    return [curves[place].name for place in sorted(editor.session.selected.curves)]
+
+
+def step(editor):
+    return editor.session.undo_stack.undoText()
+
+
+def middle(curves):
+    xs, ys = zip(*(point.position for curve in curves for point in curve.points), strict=True)
+    return ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+
+
+def pasted(editor):
+    curves = editor.session.document.curves
+    return [curves[place] for place in sorted(editor.session.selected.curves)]
+
+
+# In
+
+
+@pytest.mark.parametrize("kind", ["image__x_inkscape_svg", "image__svg_plus_xml", "text__plain"])
+def test_svg_of_another_program_becomes_a_chosen_curve(three, kind):
+    offer(**{kind: LEAF})
+    paste(three)
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "leaf", "C"]
+    assert chosen(three) == ["leaf"]
+    assert three.curve.style.stroke == "#d55e00"
+    assert three.status == "Pasted “leaf”; it is chosen."
+    assert step(three) == "Paste leaf"
+    three.trigger("undo")
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "C"]
+
+
+def test_what_inkscape_says_of_it_is_taken_before_what_others_say(three):
+    offer(image__svg_plus_xml="<svg/>", image__x_inkscape_svg=LEAF, text__plain="0 0\n1 1")
+    paste(three)
+    assert chosen(three) == ["leaf"]
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        ("M 10 10 C 10 12 12 14 14 14", [(10, -10), (14, -14)]),
+        ("m10,10 5-5", [(10, -10), (15, -5)]),
+        ('d="M 10 10\nL 30 30"', [(10, -10), (30, -30)]),
+    ],
+)
+def test_path_data_alone_become_a_line_in_ink(three, text, places):
+    three.paste_text(text)
+    paste(three, CTRL | ALT)
+    assert [point.position for point in three.curve.points] == places
+    assert three.curve.style == make_curve(()).style
+
+
+def test_elements_out_of_a_file_are_a_drawing(three):
+    three.paste_text('<path d="M0 0L4 4" stroke="red"/>\n<g><path d="M0 4L4 0"/></g>')
+    paste(three)
+    assert len(chosen(three)) == 2
+    assert step(three) == "Paste 2 curves"
+
+
+def test_svg_of_a_page_says_no_name_spaces(three):
+    three.paste_text('<svg viewBox="0 0 9 9"><use xlink:href="#a"/><path id="a" d="M0 0L4 4"/></svg>')
+    paste(three)
+    assert len(chosen(three)) == 2
+
+
+@pytest.mark.parametrize("text", ["M", "Mean 5", "<html><svg/></html>", "1 2\n3 4", "<svgs/>", ""])
+def test_other_text_is_no_drawing(text):
+    assert fragment_in(text) is None
+
+
+def test_many_blanks_are_read_at_once():
+    """Blanks that two parts of a pattern may take make it try every division between them."""
+    assert fragment_in("M 1 1" + " " * 500_000 + "!") is None
+
+
+def test_what_cannot_come_is_said(three):
+    three.paste_text(f'<svg xmlns="{SVG}"><text>Leaf</text><path d="M0 0L4 4"/></svg>')
+    paste(three)
+    assert "text" in three.message
+
+
+def test_a_faulty_drawing_leaves_the_document_and_says_why(three):
+    document = three.session.document
+    three.paste_text(f'<svg xmlns="{SVG}"><path d="M0 0L4"/></svg>')
+    paste(three)
+    assert three.session.document is document
+    assert "The drawing was not pasted." in three.message
+    assert "<path>" in three.message
+
+
+def test_a_large_drawing_is_read_in_a_process_of_its_own(three, monkeypatch):
+    asked = []
+    limited = child.limited
+    monkeypatch.setattr(child, "limited", lambda *given, **named: asked.append(1) or limited(*given, **named))
+    data = "M0 0" + "".join(f"L{place % 97} {place % 89}" for place in range(SMALL // 4))
+    three.paste_text(f'<svg xmlns="{SVG}"><path d="{data}"/></svg>')
+    three.key(Qt.Key.Key_V, CTRL)
+    assert three.window.context.work.jobs.is_busy
+    three.wait_for_work()
+    assert asked
+    assert len(three.curve.points) > 10_000
+
+
+def test_what_is_read_for_a_document_that_has_gone_is_not_pasted(three):
+    three.paste_text(LEAF)
+    three.key(Qt.Key.Key_V, CTRL)
+    three.new()
+    three.wait_for_work()
+    assert [each.points for each in three.session.document.curves] == [()]
+
+
+def test_into_an_empty_document_it_comes_alone(editor):
+    editor.new()
+    editor.window.canvas.setFocus()
+    editor.paste_text(LEAF)
+    paste(editor)
+    assert [each.name for each in editor.session.document.curves] == ["leaf"]
+
+
+# Where
+
+
+def test_it_comes_to_the_pointer(three):
+    three.paste_text(LEAF)
+    three.hover((2.5, 6.0))
+    paste(three)
+    assert middle(pasted(three)) == pytest.approx((2.5, 6.0), abs=three.pixel)
+
+
+def test_coordinates_get_no_digits_that_nobody_sees(three):
+    three.paste_text("M 0 0 L 4 4")
+    three.hover((2.5, 6.0))
+    paste(three)
+    assert all(len(repr(value)) <= 6 for point in three.curve.points for value in point.position)
+
+
+def test_without_a_pointer_it_comes_to_the_middle_of_the_view(three):
+    three.paste_text(LEAF)
+    three.leave()
+    paste(three)
+    left, bottom, right, top = three.window.canvas.pixel_map.box
+    assert middle(pasted(three)) == pytest.approx(((left + right) / 2, (bottom + top) / 2), abs=three.pixel)
+
+
+def test_from_the_menu_it_comes_to_where_that_was_asked_for(three):
+    three.paste_text(LEAF)
+    three.open_menu((0.5, 7.0)).close()
+    three.leave()
+    three.trigger("pastePoints")
+    three.wait_for_work()
+    assert middle(pasted(three)) == pytest.approx((0.5, 7.0), abs=three.pixel)
+
+
+def test_in_place_it_comes_to_where_it_was(three):
+    three.session.selected.set_curves({0, 2})
+    before = [three.session.document.curves[place].points for place in (0, 2)]
+    three.key(Qt.Key.Key_C, CTRL)
+    three.hover((2.5, 6.0))
+    paste(three, CTRL | ALT)
+    assert [each.points for each in pasted(three)] == before
+
+
+def test_own_curves_come_to_the_pointer_too_and_keep_their_look(three):
+    document = three.session.document
+    look = replace(document.curves[1].style, stroke="#0072b2", width=0.2, fill="#ffcc00")
+    three.session.commit(document.with_curve(1, replace(document.curves[1], style=look)), "Paint")
+    three.key(Qt.Key.Key_C, CTRL)
+    three.hover((1.0, 1.0))
+    paste(three)
+    assert middle(pasted(three)) == pytest.approx((1.0, 1.0), abs=three.pixel)
+    assert three.curve.style == look
+
+
+def test_it_keeps_its_size_where_the_unit_is_another(editor):
+    editor.session.commit(Document((make_curve([(0, 0), (10, 0)], name="A"),), unit="mm"), "Begin")
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_C, CTRL)
+    editor.session.commit(Document((make_curve([(0, 0), (1, 1)], name="B"),), unit="cm"), "Other")
+    paste(editor, CTRL | ALT)
+    assert [point.position for point in editor.curve.points] == [(0, 0), (1, 0)]
+
+
+def test_out_of_sight_it_is_brought_into_view(three):
+    three.paste_text("M 400 400 L 900 900")
+    paste(three, CTRL | ALT)
+    assert three.window.canvas.framing.shows_curves([three.session.active_index])
+
+
+# Out
+
+
+def test_copied_curves_are_svg_for_other_programs(three):
+    three.session.selected.set_curves({0, 2})
+    three.key(Qt.Key.Key_C, CTRL)
+    data = QGuiApplication.clipboard().mimeData()
+    for kind in ("image/svg+xml", "image/x-inkscape-svg"):
+        root = ElementTree.fromstring(bytes(data.data(kind).data()))
+        assert len(list(root.iter(f"{{{SVG}}}path"))) == 2
+    assert data.text() == bytes(data.data("image/svg+xml").data()).decode()
+    image = QImage.fromData(data.data("image/png"))
+    assert (image.width(), image.pixelColor(0, 0).alpha()) == (1600, 0)
+    assert data.imageData() == image
+
+
+def test_copied_points_are_svg_too_but_numbers_as_text(three):
+    three.trigger("selectAll")
+    three.key(Qt.Key.Key_C, CTRL)
+    data = QGuiApplication.clipboard().mimeData()
+    assert data.text().splitlines()[0] == "0.0\t3.0"
+    (curve,) = read_svg(bytes(data.data("image/svg+xml").data())).document.curves
+    assert len(curve.points) == 4
+
+
+def test_the_svg_is_made_when_it_is_asked_for(three, monkeypatch):
+    made = []
+    monkeypatch.setattr("app.exchange.svg_of", lambda *_: made.append(1))
+    three.key(Qt.Key.Key_C, CTRL)
+    assert not made
+
+
+def test_curves_that_no_picture_can_hold_are_copied_all_the_same(editor):
+    editor.session.commit(Document((make_curve([(0, 0), (0, 0)], family=HERMITE),)), "Begin")
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_C, CTRL)
+    data = QGuiApplication.clipboard().mimeData()
+    assert not data.data("image/svg+xml")
+    paste(editor, CTRL | ALT)
+    assert len(editor.session.document.curves) == 2
+
+
+def test_svg_comes_back_as_it_went(three):
+    before = three.curve
+    three.key(Qt.Key.Key_C, CTRL)
+    text = QGuiApplication.clipboard().text()
+    three.paste_text(text)
+    paste(three, CTRL | ALT)
+    positions = [point.position for point in three.curve.points]
+    assert positions == [point.position for point in before.points]
+
+
+def test_the_point_table_still_pastes_numbers(three):
+    three.paste_text("7 8")
+    three.key(Qt.Key.Key_V, CTRL)
+    assert three.curve.points[-1].position == (7, 8)
+    QTest.keyClick(three.window.canvas, Qt.Key.Key_V, CTRL | SHIFT)
+    assert len(three.session.document.curves) == 4
+
+
+# Shapes and groups
+
+
+RING = f"""<svg xmlns="{SVG}"><g id="logo">
+<path id="ring" fill="#009e73" fill-rule="evenodd" d="M0 0h6v6h-6zM2 2h2v2h-2z"/>
+<path id="stem" d="M3 6v4" stroke="#000"/></g></svg>"""
+
+
+def looks(curves):
+    return [(curve.name, curve.shape, curve.groups) for curve in curves]
+
+
+def test_shapes_and_groups_come_along_under_names_of_their_own(three):
+    three.paste_text(RING)
+    paste(three)
+    first = pasted(three)
+    assert len(first) == 3
+    assert len({curve.groups for curve in first}) == 1
+    assert first[0].shape == first[1].shape != ""
+    paste(three)
+    second = pasted(three)
+    assert {curve.groups for curve in second}.isdisjoint({curve.groups for curve in first})
+    assert second[0].shape != first[0].shape
+    assert [curve.style for curve in second] == [curve.style for curve in first]
+
+
+@pytest.mark.parametrize("keys", [Qt.Key.Key_C, Qt.Key.Key_X])
+def test_a_shape_goes_as_a_whole(three, keys):
+    three.paste_text(RING)
+    paste(three)
+    ring = pasted(three)[1]
+    place = three.session.document.curves.index(ring)
+    three.session.selected.activate(place)
+    before = looks(three.session.document.curves)
+    three.key(keys, CTRL)
+    assert len(three.session.document.curves) == (6 if keys == Qt.Key.Key_C else 4)
+    three.session.selected.activate(0)
+    paste(three, CTRL | ALT)
+    shape = pasted(three)
+    assert len(shape) == 2
+    assert shape[0].shape == shape[1].shape != ""
+    assert (shape[0].shape == ring.shape) is (keys == Qt.Key.Key_X)
+    three.trigger("undo")
+    assert looks(three.session.document.curves) == (
+        before if keys == Qt.Key.Key_C else [each for each in before if each[1] != ring.shape]
+    )
+
+
+def test_without_its_last_points_a_hole_goes_and_the_shape_stays(three):
+    three.paste_text(RING)
+    paste(three)
+    three.session.selected.activate(three.session.document.curves.index(pasted(three)[1]))
+    three.trigger("selectAll")
+    three.key(Qt.Key.Key_Delete)
+    assert len(three.session.document.curves) == 5
+
+
+def test_points_of_a_shape_are_copied_as_a_curve(three):
+    three.paste_text(RING)
+    paste(three)
+    three.session.selected.activate(three.session.document.curves.index(pasted(three)[0]))
+    three.select([0, 1, 2])
+    three.key(Qt.Key.Key_C, CTRL)
+    paste(three, CTRL | SHIFT)
+    assert three.curve.shape == ""
+    assert len(three.curve.points) == 3

@@ -1,0 +1,362 @@
+"""The Transform panel: exact position, size and angle, typed with units; real keys and clicks."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from extents import CLOSE, sampled_bounds
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QToolButton
+
+from app.document.model import Document, make_curve
+from app.document.style import Style
+from app.families import HERMITE
+
+Key, LEFT = Qt.Key, Qt.MouseButton.LeftButton
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+POINTS = ((0.0, 0.0), (10.0, 20.0), (30.0, 22.0), (40.0, 5.0))
+EXACT = 1e-11
+"""Rounding of lengths of some tens."""
+
+
+@pytest.fixture
+def leaf(editor, point_locale):
+    """A curve in millimetres with a stroke of 2 mm, another one below, and the panel."""
+    one = replace(make_curve(POINTS, name="Leaf", family=HERMITE), style=Style(width=2.0))
+    two = make_curve([(0, -20), (20, -10), (40, -20)], name="Base", family=HERMITE)
+    editor.session.commit(replace(Document((one, two)), unit="mm"), "Begin")
+    editor.fit()
+    editor.window.canvas.setFocus()
+    editor.key(Key.Key_M, CTRL | SHIFT)
+    return editor
+
+
+def field(editor, name):
+    found = editor.window.findChild(QLineEdit, f"transform{name}")
+    assert found is not None
+    return found
+
+
+def enter(editor, name, text, key=Key.Key_Return):
+    edit = field(editor, name)
+    edit.setFocus()
+    edit.selectAll()
+    editor.type_text(edit, text)
+    QTest.keyClick(edit, key)
+    editor.settle()
+
+
+def click(editor, name):
+    button = editor.window.findChild(QToolButton, name)
+    assert button is not None
+    QTest.mouseClick(button, LEFT)
+    editor.settle()
+
+
+def label(editor, name):
+    return editor.window.findChild(QLabel, name).text()
+
+
+def undo_text(editor):
+    return editor.session.undo_stack.undoText()
+
+
+def size(editor, *places):
+    return np.ptp(sampled_bounds(editor, *places), axis=0)
+
+
+def points(editor):
+    return np.array([point.position for point in editor.curve.points])
+
+
+# What is shown
+
+
+def test_the_key_leads_to_the_width(leaf):
+    assert QApplication.focusWidget() is field(leaf, "Width")
+    assert field(leaf, "Width").selectedText() == field(leaf, "Width").text()
+
+
+def test_it_shows_the_curve_and_not_its_points(leaf):
+    bounds = sampled_bounds(leaf)
+    assert bounds[1][1] > 22.1
+    shown = [float(field(leaf, name).text()) for name in ("X", "Y", "Width", "Height")]
+    # Seven digits.
+    assert shown == pytest.approx([*bounds.mean(axis=0), *np.ptp(bounds, axis=0)], rel=1e-6)
+    assert label(leaf, "transformWhat") == "All 4 points"
+
+
+def test_it_follows_the_selection_and_drags(leaf):
+    leaf.select([1, 2])
+    assert label(leaf, "transformWhat") == "2 points"
+    assert [field(leaf, name).text() for name in ("X", "Y", "Height")] == ["20", "21", "2"]
+    leaf.session.selected.set_curves({0, 1})
+    leaf.settle()
+    assert label(leaf, "transformWhat") == "2 curves"
+    leaf.select([3])
+    leaf.press((40, 5))
+    leaf.move((45, 5))
+    leaf.settle()
+    leaf.release((45, 5))
+    leaf.settle()
+    assert float(field(leaf, "X").text()) == pytest.approx(45, abs=2 * leaf.pixel)
+    assert not field(leaf, "Width").isEnabled(), "one point has no width"
+
+
+def test_without_points_there_is_nothing_to_set(leaf):
+    leaf.session.new()
+    leaf.settle()
+    assert label(leaf, "transformWhat") == "Nothing chosen"
+    assert not any(field(leaf, name).isEnabled() for name in ("X", "Width", "Angle", "Turn"))
+
+
+def test_a_locked_curve_cannot_be_changed_and_the_panel_says_why(leaf):
+    leaf.trigger("curveLocked")
+    leaf.settle()
+    assert "locked" in label(leaf, "transformProblem")
+    assert not field(leaf, "Width").isEnabled()
+
+
+# Size
+
+
+@pytest.mark.parametrize(
+    ("text", "width"), [("70 mm", 70.0), ("7cm", 70.0), ("2in", 50.8), ("100/3", 100 / 3), ("1in+1mm", 26.4)]
+)
+def test_a_typed_width_is_that_of_the_curve_exactly(leaf, text, width):
+    before = sampled_bounds(leaf)
+    enter(leaf, "Width", text)
+    after = sampled_bounds(leaf)
+    assert np.ptp(after, axis=0) == pytest.approx((width, np.ptp(before, axis=0)[1]), abs=CLOSE)
+    assert after.mean(axis=0) == pytest.approx(before.mean(axis=0), abs=CLOSE), "about the pivot"
+    bounds = leaf.window.canvas.tools.target.bounds
+    assert bounds.size[0] == pytest.approx(width, abs=EXACT)
+    assert undo_text(leaf) == f"Set width of all 4 points to {width:.6g} mm"
+    assert leaf.session.undo_stack.count() == 2
+    leaf.trigger("undo")
+    assert points(leaf).tolist() == [list(point) for point in POINTS]
+
+
+def test_a_share_changes_the_present_height(leaf):
+    height = size(leaf)[1]
+    enter(leaf, "Height", "+10%")
+    assert size(leaf)[1] == pytest.approx(1.1 * height, abs=CLOSE)
+    enter(leaf, "Height", "50%")
+    assert size(leaf)[1] == pytest.approx(0.55 * height, abs=CLOSE)
+
+
+def test_the_lock_keeps_proportions(leaf):
+    width, height = size(leaf)
+    click(leaf, "panelProportionsButton")
+    enter(leaf, "Width", "70")
+    assert size(leaf) == pytest.approx((70.0, 70.0 * height / width), abs=CLOSE)
+    enter(leaf, "Height", "10")
+    assert size(leaf) == pytest.approx((10.0 * width / height, 10.0), abs=CLOSE)
+    assert leaf.window.preferences.keep_proportions
+    click(leaf, "panelProportionsButton")
+
+
+def test_chosen_curves_have_one_size_together(leaf):
+    leaf.session.selected.set_curves({0, 1})
+    leaf.settle()
+    enter(leaf, "Width", "70")
+    assert size(leaf, 0, 1)[0] == pytest.approx(70.0, abs=CLOSE)
+    assert undo_text(leaf) == "Set width of 2 curves to 70 mm"
+
+
+def test_strokes_scale_with_the_curve_unless_switched_off(leaf):
+    width = size(leaf)[0]
+    click(leaf, "panelProportionsButton")
+    enter(leaf, "Width", f"{2 * width}")
+    assert leaf.curve.style.width == pytest.approx(4.0, abs=1e-6)
+    click(leaf, "panelProportionsButton")
+    enter(leaf, "Width", "50%")
+    assert leaf.curve.style.width == pytest.approx(math.sqrt(8.0), abs=1e-6)
+    before = leaf.curve.style.width
+    box = leaf.window.findChild(QCheckBox, "panelStrokes")
+    QTest.mouseClick(box, LEFT, pos=_mark(box))
+    assert not leaf.window.store.state.scale_strokes
+    enter(leaf, "Width", "30")
+    assert leaf.curve.style.width == before
+    leaf.trigger("scaleStrokes")
+    assert box.isChecked()
+
+
+def _mark(box):
+    """The middle of the mark of a check box."""
+    middle = box.rect().center()
+    middle.setX(8)
+    return middle
+
+
+@pytest.mark.parametrize("how", ["key", "grip"])
+def test_strokes_scale_with_typed_factors_and_grips(leaf, how):
+    if how == "key":
+        leaf.key(Key.Key_S)
+        leaf.type_amount("3")
+        leaf.key(Key.Key_Return)
+        assert leaf.curve.style.width == pytest.approx(6.0)
+    else:
+        leaf.trigger("selectAll")
+        start = leaf.grip(1, 0)
+        before = size(leaf)[0]
+        leaf.drag(start, (start[0] + 10, start[1]))
+        assert leaf.curve.style.width == pytest.approx(2 * math.sqrt(size(leaf)[0] / before), rel=1e-3)
+    leaf.trigger("undo")
+    assert leaf.curve.style.width == 2.0
+
+
+def test_points_alone_leave_the_stroke(leaf):
+    leaf.select([1, 2])
+    enter(leaf, "Width", "30")
+    assert points(leaf)[1:3, 0].tolist() == [5.0, 35.0]
+    assert leaf.curve.style.width == 2.0
+    assert undo_text(leaf) == "Set width of 2 points to 30 mm"
+
+
+# Position and pivot
+
+
+def test_a_place_of_the_box_is_put_at_the_numbers(leaf):
+    click(leaf, "pivotBottomLeft")
+    low = sampled_bounds(leaf)[0]
+    assert float(field(leaf, "X").text()) == pytest.approx(low[0], abs=1e-5)
+    enter(leaf, "X", "1in")
+    enter(leaf, "Y", "-2")
+    assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE)
+    assert undo_text(leaf) == "Move all 4 points to y −2 mm"
+    assert [leaf.curve.style.width, leaf.session.undo_stack.count()] == [2.0, 3]
+    assert leaf.window.findChild(QToolButton, "pivotBottomLeft").isChecked()
+    enter(leaf, "Width", "70")
+    assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE), "it grows away from the pivot"
+
+
+def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
+    names = [f"pivot{name}" for name in ("Middle", "TopRight")]
+    down = lambda: [leaf.window.findChild(QToolButton, name).isChecked() for name in names]  # noqa: E731
+    assert down() == [True, False]
+    click(leaf, "pivotTopRight")
+    assert down() == [False, True]
+    assert leaf.window.canvas.marks.pivot == pytest.approx(sampled_bounds(leaf)[1], abs=CLOSE)
+    leaf.trigger("selectAll")
+    leaf.drag(leaf.window.canvas.marks.pivot, (20.0, 10.0))
+    assert down() == [False, False]
+    assert float(field(leaf, "X").text()) == pytest.approx(20.0, abs=2 * leaf.pixel)
+    click(leaf, "pivotMiddle")
+    assert down() == [True, False]
+    assert leaf.session.selected.pivot is None
+
+
+def test_flips_in_the_panel_are_about_the_pivot(leaf):
+    click(leaf, "pivotRight")
+    right = sampled_bounds(leaf)[1][0]
+    click(leaf, "flipHorizontallyButton")
+    assert points(leaf)[:, 0] == pytest.approx([2 * right - x for x, _ in POINTS], abs=CLOSE)
+    assert leaf.window.findChild(QToolButton, "pivotLeft").isChecked(), "the same place is at the left now"
+
+
+# Angle
+
+
+def test_rotate_by_turns_with_every_enter(leaf):
+    click(leaf, "pivotBottom")
+    x, y = leaf.window.canvas.tools.target.centre
+    enter(leaf, "Turn", "30")
+    assert undo_text(leaf) == "Rotate all 4 points by 30°"
+    QTest.keyClick(field(leaf, "Turn"), Key.Key_Return)
+    click(leaf, "transformTurnButton")
+    assert leaf.session.undo_stack.count() == 4
+    assert points(leaf) == pytest.approx(np.array([(x - (b - y), y + (a - x)) for a, b in POINTS]), abs=EXACT)
+    assert field(leaf, "Angle").text() == "90"
+
+
+def test_the_angle_is_that_since_the_selection_and_goes_back_to_zero(leaf):
+    leaf.trigger("selectAll")
+    enter(leaf, "Angle", "30°")
+    assert undo_text(leaf) == "Rotate 4 points to 30°"
+    enter(leaf, "Angle", "-75")
+    enter(leaf, "Angle", "0")
+    assert points(leaf) == pytest.approx(np.array(POINTS), abs=EXACT)
+    enter(leaf, "Angle", "30")
+    leaf.window.canvas.setFocus()
+    leaf.key(Key.Key_R)
+    leaf.type_amount("15")
+    leaf.key(Key.Key_Return)
+    leaf.settle()
+    assert float(field(leaf, "Angle").text()) == pytest.approx(45.0)
+    enter(leaf, "Angle", "0")
+    # The quarter of it that was about the middle of the turned box has moved the curve a little.
+    assert points(leaf) - points(leaf)[0] == pytest.approx(np.array(POINTS), abs=EXACT)
+    enter(leaf, "Angle", "20")
+    leaf.select([1, 2])
+    leaf.settle()
+    assert field(leaf, "Angle").text() == "0", "another selection"
+
+
+def test_quarter_turns_have_buttons_and_keys(leaf):
+    x, y = sampled_bounds(leaf).mean(axis=0)
+    click(leaf, "rotateRightButton")
+    assert points(leaf) == pytest.approx(np.array([(x + (b - y), y - (a - x)) for a, b in POINTS]), abs=CLOSE)
+    assert undo_text(leaf) == "Rotate all 4 points by −90°"
+    leaf.window.canvas.setFocus()
+    leaf.key(Key.Key_BracketLeft, CTRL)
+    assert points(leaf) == pytest.approx(np.array(POINTS), abs=CLOSE)
+
+
+# What is not taken
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "reason"),
+    [
+        ("Width", "7 foo", "is not a number"),
+        ("Width", "1e13", "between"),
+        ("X", "3 apples", "is not a number"),
+        ("Turn", "much", "is not a number"),
+    ],
+)
+def test_what_is_no_length_stays_to_be_mended_and_changes_nothing(leaf, name, text, reason):
+    document = leaf.session.document
+    enter(leaf, name, text)
+    assert leaf.session.document is document
+    assert reason in label(leaf, "transformProblem")
+    assert field(leaf, name).text() == text
+    shown = field(leaf, name)
+    QTest.keyClick(shown, Key.Key_Escape)
+    assert shown.text() != text
+    assert not leaf.window.findChild(QLabel, "transformProblem").isVisible()
+
+
+def test_a_unit_needs_a_unit_of_the_document(leaf):
+    leaf.session.change("No unit", lambda document: replace(document, unit=""))
+    document = leaf.session.document
+    enter(leaf, "Width", "70 mm")
+    assert leaf.session.document is document
+    assert "the document has no unit" in label(leaf, "transformProblem")
+
+
+def test_what_was_typed_and_left_changes_nothing(leaf):
+    document = leaf.session.document
+    for name in ("X", "Width", "Angle", "Turn"):
+        edit = field(leaf, name)
+        QTest.mouseClick(edit, LEFT)
+        edit.selectAll()
+        leaf.type_text(edit, "12")
+        leaf.window.canvas.setFocus(Qt.FocusReason.MouseFocusReason)
+    assert leaf.session.document is document
+    for name in ("X", "Y", "Width", "Height", "Angle", "Turn"):
+        enter(leaf, name, field(leaf, name).text(), Key.Key_Tab)
+    assert leaf.session.document is document, "numbers that are only shown round nothing"
+
+
+def test_the_reference_of_alignment_is_chosen_here_and_in_the_menu(leaf):
+    box = leaf.window.findChild(QComboBox, "alignReference")
+    assert box.currentText() == "Each other"
+    QTest.keyClick(box, Key.Key_Down)
+    assert leaf.action("alignToFirst").isChecked()
+    leaf.trigger("alignToEachOther")
+    assert box.currentText() == "Each other"
