@@ -221,6 +221,48 @@ def test_a_folder_is_refused_as_one(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
+@pytest.mark.usefixtures("drawings_read_here")
+def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
+    path = tmp_path / "a.svg"
+    path.write_text('<svg><text id="t">Hi</text><path d="M0 0L1 1"/></svg>', encoding="utf-8")
+    assert main(["convert", "--json", str(path), str(tmp_path / "a.curve.json")]) == 0
+    output = capsys.readouterr()
+    assert output.err == ""
+    assert json.loads(output.out) == {
+        "output": str(tmp_path / "a.curve.json"),
+        "deviation": 0.0,
+        "missed": [
+            {
+                "element": "<text>",
+                "name": "t",
+                "number": 2,
+                "why": "text is no curve",
+                "instead": "left out, but as paths it would come in",
+            }
+        ],
+        "remarks": [],
+    }
+
+
+@pytest.mark.usefixtures("drawings_read_here")
+def test_convert_keeps_unit_page_and_styles_of_a_drawing(tmp_path, capsys):
+    path = tmp_path / "a.svg"
+    path.write_text(
+        '<svg width="70mm" height="50mm" viewBox="0 0 140 100"><g id="G"><path id="p" d="M0 0H90V90Z" '
+        'fill="#ff0000" stroke="#0000ff" stroke-width="3"/></g></svg>',
+        encoding="utf-8",
+    )
+    document, back = tmp_path / "a.curve.json", tmp_path / "b.svg"
+    assert main(["convert", str(path), str(document)]) == 0
+    assert main(["render", str(document), "-o", str(back)]) == 0
+    text = back.read_text(encoding="utf-8")
+    assert 'width="70mm" height="50mm" viewBox="0 0 70 50"' in text
+    assert '<g id="G">' in text
+    assert 'fill="#ff0000" stroke="#0000ff" stroke-width="1.5"' in text
+    assert "rect" not in text
+    assert capsys.readouterr().err == ""
+
+
 def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
     """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
     line = '<g id="line2d_{0}"><path d="M0 {0}H9"/></g>'

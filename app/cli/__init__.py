@@ -3,7 +3,7 @@
 - ``command_line``: what was typed, and which command it is.  ``refusals``: what cannot be done, in one line.
   ``documents``: those that it names.
 - ``families``: those of files that were named.  ``commands``: render, convert, info and lesson; ``options``:
-  what they take.
+  what they take.  ``printed_facts``: what info prints.
 - ``start``: the editor's start.  ``windows``: its first windows.  ``application``: Qt's application.
   ``lifecycle``: what surrounds them until the end.  ``display``: whether there is a screen for them.
 """

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from decimal import ROUND_UP, Context
 from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from msgspec.structs import replace
+from msgspec.structs import asdict, replace
 
 from .. import cli, exchange
 from ..document.limits import EditError
@@ -28,7 +26,6 @@ from ..exchange.writing import export
 from ..families import FAMILIES, HERMITE
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from ..tasks.progress import Report, part
-from ..view_model.basis_findings import digits_in_words
 from ..view_model.curve_view import view_of
 from ..view_model.least_squares import Fitted, fitted_to_curve
 from ..view_model.motion_settings import Pace, Repeat
@@ -44,15 +41,12 @@ from .options import (
     picture_options,
     positive_number,
 )
+from .printed_facts import facts_as_json, facts_as_text
 from .refusals import RefusalError, one_line, say
 
 if TYPE_CHECKING:
     from ..document.model import Document
     from ..exchange.cubics_in import Imported
-    from ..exchange.facts import CurveFacts, Growth
-
-# A bound that was rounded to the nearest would not be one.
-_ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 _CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
 
@@ -206,12 +200,28 @@ def _convert(options: argparse.Namespace) -> int:
             picture_options(options, document), own=own_options(options), report=part(report, 0.7, 1.0)
         )
         written = export(document, options.output, wanted)
-    said = (f"“{fit.curve.name}”: {fit.words}" for fit in fits)
-    _tell((*source.sentences, *_on_groups(source, options.only), *said, *written.remarks))
+    fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
+    said = [*_on_groups(source, options.only), *fitted, *written.remarks]
     off = max((fit.deviation for fit in fits), default=0.0)
     total = exchange.parts.rounded_up(source.deviation + off + written.deviation)
-    say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
+    if options.json:
+        missed = [asdict(each) for each in source.missed]
+        _say_json(
+            {
+                "output": options.output,
+                "deviation": total,
+                "missed": missed,
+                "remarks": [*source.remarks, *said],
+            }
+        )
+    else:
+        _tell([*source.sentences, *said])
+        say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
+
+
+def _say_json(content: dict[str, Any]) -> None:
+    say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
 
 
 def _wants_fit(options: argparse.Namespace) -> bool:
@@ -260,16 +270,13 @@ def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
 
 
 def _info(options: argparse.Namespace) -> int:
-    # Takes modules along that the editor does without.
-
     document = _document_of(options)
     with _told_on_terminals() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
-        content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
-        say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+        _say_json({"file": options.file, "curves": [facts_as_json(each) for each in facts]})
     else:
-        say("\n\n".join(_as_text(each) for each in facts))
+        say("\n\n".join(facts_as_text(each) for each in facts))
     return 0
 
 
@@ -304,99 +311,3 @@ def _lesson(options: argparse.Namespace) -> int:
 
 
 _COMMAND_OF = {"render": _render, "convert": _convert, "info": _info, "lesson": _lesson}
-
-
-def _as_json(facts: CurveFacts) -> dict[str, Any]:
-    """Return the facts as plain values; what is not known is null."""
-    rule = facts.parametrization
-    box = dict(zip(("left", "bottom", "right", "top"), facts.box, strict=True)) if facts.box else None
-    length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
-    return {
-        "name": facts.name,
-        "family": facts.family.name,
-        "settings": {setting.name: value for setting, value in facts.settings.items()},
-        "degree": facts.degree,
-        "kind": facts.kind or None,
-        "difference_digits": facts.difference_digits or None,
-        "points": facts.points,
-        "closed": facts.closed,
-        "corners": facts.corners,
-        "smooth": facts.smooth,
-        "visible": facts.visible,
-        "shape": facts.shape or None,
-        "groups": facts.groups,
-        "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
-        "domain": facts.domain,
-        "lebesgue_constant": _finite_only(facts.lebesgue_constant),
-        "length": length,
-        "box": box,
-        "warnings": facts.warnings,
-    }
-
-
-def _as_text(facts: CurveFacts) -> str:
-    rows = [("shape", one_line(facts.shape))] if facts.shape else []
-    rows += [("group", " > ".join(map(one_line, facts.groups)))] if facts.groups else []
-    rows.append(("family", facts.family.full_title))
-    rows += [(setting.title, setting.text_of(value)) for setting, value in facts.settings.items()]
-    if facts.degree is not None:
-        where = "" if facts.pieces == 1 else " on every segment"
-        rows.append(("degree", f"{facts.degree}{where}"))
-    if facts.kind:
-        rows.append(("kind", facts.kind))
-    if facts.difference_digits:
-        rows.append(("derivatives", f"differences, {digits_in_words(facts.difference_digits)}"))
-    rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
-    if facts.domain is not None:
-        rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
-    if facts.length is not None:
-        rows.append(("length", _length_text(*facts.length)))
-    if facts.lebesgue_constant is not None:
-        rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
-    if facts.box is not None:
-        left, bottom, right, top = facts.box
-        rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
-    if not facts.visible:
-        rows.append(("hidden", "not drawn in pictures"))
-    rows += [("warning", warning) for warning in facts.warnings]
-    return "\n".join([one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
-
-
-def _edges_text(low: float, high: float) -> str:
-    """Return two edges of a box; what is no more than rounding beside the larger of them is 0."""
-    noise = sys.float_info.epsilon * max(abs(low), abs(high))
-    low, high = (0.0 if abs(edge) <= noise else edge for edge in (low, high))
-    return f"{low:.6g} to {high:.6g}"
-
-
-def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:
-    """Return the constants by name; null stands for one beyond all floats."""
-    if growth is None:
-        return None
-    return {name: value if math.isfinite(value) else None for name, value in growth._asdict().items()}
-
-
-def _growth_text(growth: Growth) -> str:
-    if growth.data == growth.points:
-        return f"{growth.points:.3g}"
-    return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"
-
-
-def _length_text(value: float, bound: float) -> str:
-    """Return a length with as many digits as its bound is worth, and a bound that covers their rounding."""
-    texts = (f"{value:.{digits}g}" for digits in range(9, 18))
-    text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
-    error = bound + abs(float(text) - value)
-    return f"about {text} (error at most {_ONE_DIGIT_UP.create_decimal_from_float(error):g})"
-
-
-def _points_text(facts: CurveFacts) -> str:
-    corners = f"{facts.corners} of them " + ("a corner" if facts.corners == 1 else "corners")
-    parts = [str(facts.points), "closed" * facts.closed, corners * bool(facts.corners)]
-    parts.append(f"{facts.smooth} of them smooth, with two speeds" * bool(facts.smooth))
-    return ", ".join(filter(None, parts))
-
-
-def _rule_text(facts: CurveFacts) -> str:
-    kind = facts.parametrization.kind.replace("_", " ")
-    return f"{kind}, α = {facts.parametrization.alpha:g}" if kind == "power" else kind

@@ -137,6 +137,11 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         metavar="X",
         help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
     )
+    add(
+        "--json",
+        action="store_true",
+        help="print what was done as JSON, with every element that comes in otherwise than it is drawn",
+    )
     _add_table_options(convert)
     _add_fit_options(convert)
     add_picture_options(convert)

@@ -15,6 +15,6 @@
 - ``style_edits``: how curves look, and what several have in common.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
-- ``image_edits``: of the picture to trace.  ``guide_edits``: of the guides.
+- ``image_edits``, ``plane_edits``, ``guide_edits``: of the picture to trace; of unit and grid; of the guides.
 - ``expression``: numbers as people type them.
 """

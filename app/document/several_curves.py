@@ -150,11 +150,12 @@ def with_appearance(
     """Show or hide curves, lock or free them, draw them in a colour; None leaves each as it is."""
     given = {"visible": visible, "locked": locked}
     looks = {name: value for name, value in given.items() if value is not None}
-    style = {} if colour is None else {"stroke": colour}
     return with_each(
         document,
         whole_shapes(document, curves),
-        lambda curve: replace(curve, **looks, style=replace(curve.style, **style)),
+        lambda curve: replace(
+            curve, **looks, style=curve.style if colour is None else curve.style.in_colour(colour)
+        ),
     )
 
 

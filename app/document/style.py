@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from msgspec.structs import replace
+
 from .value import Value
 from .words import NamedEnum
 
@@ -81,6 +83,11 @@ class Style(Value, frozen=True):
     def has_fill(self) -> bool:
         """Whether the inside is painted."""
         return self.fill != NO_PAINT
+
+    def in_colour(self, paint: str) -> Style:
+        """Return the style with another colour: of its line, or of its inside where it has no line."""
+        is_inside = self.has_fill and not self.has_stroke
+        return replace(self, **{"fill" if is_inside else "stroke": paint})
 
     @property
     def colour(self) -> str:

@@ -4,6 +4,7 @@
 - ``writing``, ``reading``: the name of a file decides which.  ``options``, ``choice``: what a person chose.
 - ``drawing``: a document as a picture: SVG's source, PNG, PDF, films.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
+- ``tikz_style``: strokes and fills for TeX.
 - ``code_runtime``: what exported Python brings along.
 - ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
   ``arcs``, ``cubics_in``, ``joints_in``: their pieces as Hermite curves.

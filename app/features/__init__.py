@@ -41,6 +41,7 @@ FEATURES = (
     "lessons",
     "help",
     "reference_image",
+    "document_settings",
     "recovery",
     "file_on_disk",
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -38,6 +38,8 @@ class Files:
         The file at `path`, open with its lock; None without one.
     beginning
         Where the document began; the same for all states of it.
+    blank
+        Returns what a new document is.
     """
 
     def __init__(self, session: Session) -> None:
@@ -48,6 +50,7 @@ class Files:
         # By the beginnings of the documents that undo and redo go to.
         self._exports: dict[Beginning, Export] = {}
         self._is_noted = False
+        self.blank: Callable[[], Document] = empty_document
 
     @property
     def is_read_only(self) -> bool:
@@ -95,7 +98,7 @@ class Files:
 
     def new(self) -> None:
         """Start an empty document."""
-        self.replace(plain(empty_document()), None)
+        self.replace(plain(self.blank()), None)
 
     def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
         """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.

@@ -23,9 +23,13 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, Final, Generic, Protocol, TypeVar, overload
 
+import msgspec
 from PySide6.QtCore import QByteArray
 
+from ..document.style import PLAIN_STYLE, Style
 from ..document.words import enumerated
+from ..storage.format_error import FormatError
+from ..storage.style_check import validate_style
 from .file import SettingsFile
 
 Value = TypeVar("Value")
@@ -197,6 +201,24 @@ class SavedText(TextSetting[str]):
         return text
 
 
+class SavedStyle(TextSetting[Style]):
+    """A style, as JSON; a plain line where nothing is remembered."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(key, PLAIN_STYLE)
+
+    def _parse(self, text: str) -> Style:
+        try:
+            style = msgspec.json.decode(text, type=Style)
+            validate_style(style, "style")
+        except (msgspec.DecodeError, FormatError):
+            raise _UnusableError("it is no style") from None
+        return style
+
+    def _stored(self, value: Style) -> object:
+        return msgspec.json.encode(value).decode()
+
+
 class Text(TextSetting[str]):
     """A short text; of one that was made longer in the file, the beginning.
 
@@ -215,6 +237,8 @@ class Text(TextSetting[str]):
         self.longest, self.usual = longest, usual
 
     def _parse(self, text: str) -> str:
+        if not text.isprintable():
+            raise _UnusableError("it has characters that cannot be shown")
         return text[: self.longest]
 
 

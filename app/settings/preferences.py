@@ -19,6 +19,7 @@ from .kinds import (
     Height,
     Keys,
     SavedLayout,
+    SavedStyle,
     SavedText,
     Several,
     SwitchOfAction,
@@ -27,6 +28,10 @@ from .kinds import (
 
 _MAX_RECENT: Final = 10
 _RECENT: Final = "files/recent"
+
+
+NO_UNIT: Final = "none"
+USUAL_UNITS: Final = (NO_UNIT, "mm", "cm", "m", "in", "px", "s")
 
 
 class Preferences:
@@ -52,23 +57,23 @@ class Preferences:
 
     unit_name = Text(
         "grid/unit",
-        "Unit",
-        "What a length of one is called; type any name",
+        "Unit when new",
+        "What a length of one is called in new documents; type any name (File > Document… for this one)",
         longest=12,
-        usual=("none", "mm", "cm", "m", "in", "px", "s"),
+        usual=USUAL_UNITS,
         widget="unitBox",
     )
-    """The name of the unit of the plane, such as "mm"; empty for none."""
+    """The name of the unit that a new document has, such as "mm"; empty for none."""
 
     grid_spacing = Distance(
         "grid/spacing",
-        "Grid spacing",
-        "“adaptive”, or a distance in the plane (Enter to set)",
+        "Grid when new",
+        "Spacing of the grid in new documents: “adaptive”, or a distance in the plane (Enter to set)",
         none="adaptive",
         refusal="The grid needs a distance greater than 0, or “adaptive”.",
         widget="gridSpacing",
     )
-    """Distance of the grid's lines; 0 where it adapts to the zoom."""
+    """Distance of the lines of a new document's grid; 0 where it adapts to the zoom."""
 
     snap_kinds = Several(
         "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"
@@ -110,6 +115,9 @@ class Preferences:
 
     recent_colours = SavedText("style/recent_colours")
     """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
+
+    new_style = SavedStyle("document/new_style")
+    """The style of the curve that a new document begins with."""
 
     keep_proportions = SwitchOfAction("transform/keep_proportions", default=False)
     """Whether the height follows where a width is typed, and the width a height."""

@@ -58,7 +58,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, grid_spacing, unit_name, with_estimates, theme_mode, pencil
+    snap_on, snap_kinds, with_estimates, theme_mode, pencil
         As the preferences remember them.
     transform_box, keep_proportions, scale_strokes
         As the preferences remember them.
@@ -93,8 +93,6 @@ class WindowState(msgspec.Struct, frozen=True):
     scale: float = 1.0
     snap_on: bool = False
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
-    grid_spacing: float = 0.0
-    unit_name: str = ""
     transform_box: bool = True
     keep_proportions: bool = False
     scale_strokes: bool = True

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
 
 from ..cli.display import has_display
 from ..document.model import Curve, ParametrizationKind, Vector
+from ..document.plane_edits import set_grid_spacing, set_unit
 from ..families import FAMILIES, Family
 from ..features.curve_list.commands import CurveListCommands
 from ..features.curve_list.rows import Spot, spot_rect
@@ -296,6 +297,16 @@ class Editor(InputDriver):
     def paste_text(self, text: str) -> None:
         """Put text on the clipboard."""
         QGuiApplication.clipboard().setText(text)
+
+    def set_grid(self, spacing: float) -> None:
+        """Give the document a grid of this spacing; 0 adapts it to the zoom."""
+        self.session.change("Set the grid spacing", lambda document: set_grid_spacing(document, spacing))
+        self.settle()
+
+    def set_unit(self, unit: str) -> None:
+        """Give the document a unit."""
+        self.session.change("Set the unit", lambda document: set_unit(document, unit))
+        self.settle()
 
     def select(self, indices: Sequence[int]) -> None:
         """Select points."""

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from ..document import words
 from ..document.edits import LEAST_TO_CLOSE
 from ..document.several_curves import PointGroup
 from ..view_model.curve_view import CurveView
+from ..view_model.point_kinds import toggled
+from ..view_model.smoothness import inner_points
 from .drags import bend_keys, handle_keys, what_bends, what_handle_sets
 from .pen_drags import PenAct
 from .pointer import Cursor, Hint, Hit, Part, Pointer
@@ -28,7 +32,11 @@ def to_select(
         return Hint(LOCKED.format(view.source.name))
     if hit.part is Part.CURVE:
         return to_bend(view, pointer)
-    return on_part(hit, view, selection, pointer, snaps=snaps)
+    hint = on_part(hit, view, selection, pointer, snaps=snaps)
+    has_kind = view.source.family.derivatives and hit.part is Part.POINT
+    if not has_kind or pointer.alt or not inner_points(view.source, [hit.index]):
+        return hint
+    return replace(hint, text=f"{hint.text} · Double click: {toggled(view, hit.index).title.lower()}")
 
 
 def on_part(hit: Hit, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool) -> Hint:
@@ -96,7 +104,7 @@ def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
     if act is PenAct.BEGIN:
         return Hint(f"Click to begin another curve · Shift: add point {index} to this one · {keys}")
     if view.source.family.derivatives:
-        drag = "Drag to set its velocity, Shift: steps of 15°"
+        drag = "Drag to set its velocity, Shift: steps of 15°, Alt: one handle alone"
     else:
         drag = "On the curve: insert between neighbours"
     parts = (f"Click to add point {index}", _ENTER if can_finish(view) else "", drag, keys)

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
+from ..document.curve_edits import replace_curve
+from ..document.model import Document
 from ..document.several_curves import points_of
+from ..view_model.point_kinds import toggled
 from . import hints
 from .drag import Drag
 from .drags import DragHandle, MovePoints, PullVelocity, Refuse
@@ -35,6 +39,27 @@ def press_on_part(context: ToolContext, hit: Hit, click: Callable[[], None] | No
         context.host.selected.set_points([hit.index])
     drag = unless_locked(context, _point_drag(context, hit))
     context.drags.press(context.pointer, drag, on_click=click or selecting)
+
+
+def toggling(context: ToolContext, hit: Hit) -> Callable[[], None] | None:
+    """Return what the second click of a double click on a point does; None where it is a click like any."""
+    pointer = context.pointer
+    is_meant = pointer.is_double and not (pointer.shift or pointer.ctrl or pointer.alt)
+    if hit.part is not Part.POINT or not is_meant or not context.view.source.family.derivatives:
+        return None
+    return partial(_toggle, context, hit.index)
+
+
+def _toggle(context: ToolContext, index: int) -> None:
+    """Make a smooth point of a corner, and a corner of any other."""
+    host, view = context.host, context.view
+    kind, active = toggled(view, index), host.active_index
+
+    def edit(document: Document) -> Document:
+        return replace_curve(document, active, kind.made(view, [index]))
+
+    if host.change(f"{kind.step} point {index}", edit):
+        host.say(f"{kind.title} at point {index}; a double click toggles corner and smooth.")
 
 
 def click_on(context: ToolContext, index: int) -> Callable[[], None]:

@@ -7,6 +7,7 @@
 - ``field_edit``, ``ranged_spin``: numbers and words to type.  ``number_text``: numbers as they are written.
 - ``length_text``: lengths with their units.  ``percent_field``: shares.  ``choice_row``: one of a few.
 - ``paint_field``, ``colour_popup``: colours: clicked, typed, or looked at and chosen.
+- ``preference_fields``: one for each kind of setting.
 - ``field_form``: fields that ask for changes of the document.
 - ``live_slider``, ``setting_slider``: sliders.  ``elided_label``: words that change while a hand moves.
 - ``fitting``: room on small screens.

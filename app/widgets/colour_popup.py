@@ -64,8 +64,12 @@ class ColourPopup(Guarded, QFrame):
 
     def open_below(self, widget: QWidget) -> None:
         """Open it below a widget, or wherever it fits on the screen."""
+        self.open_at(widget.mapToGlobal(QPoint(0, widget.height())))
+
+    def open_at(self, place: QPoint) -> None:
+        """Open it at a place of the screen, or where it fits beside that."""
         self.adjustSize()
-        place, room = widget.mapToGlobal(QPoint(0, widget.height())), widget.screen().availableGeometry()
+        room = self.screen().availableGeometry()
         x = max(room.left(), min(place.x(), room.right() - self.width()))
         y = max(room.top(), min(place.y(), room.bottom() - self.height()))
         self.move(x, y)

@@ -7,7 +7,7 @@
 - ``drops``: files that are dragged over the window.  ``given``: files by what is done with them.
 - ``program_commands``: command palette, preferences and shortcuts.  ``focus_commands``: from panel to panel.
   ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_editor``: the keys.
-  ``preferences_dialog``, ``preference_fields``: the settings, read from their descriptors.
+  ``preferences_dialog``: the settings, read from their descriptors.
 """
 
 import lazy_loader as lazy

@@ -15,7 +15,7 @@ from ..settings.preferences import Preferences
 from ..widgets.boxes import column_of, form_of
 from ..widgets.controls import named
 from ..widgets.fitting import FittedDialog
-from .preference_fields import field_of
+from ..widgets.preference_fields import field_of
 from .shortcut_editor import ShortcutEditor
 
 

@@ -8,13 +8,16 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from ..document.model import empty_document
+from ..document.model import Document, empty_document
+from ..document.plain import plain
 from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
+from ..storage.examples import first_sketch
 from ..storage.files import StorageError, load
 from ..storage.format_error import FormatError
 from ..storage.open_file import Reading, is_large
@@ -62,6 +65,24 @@ class DocumentFiles:
         self.beside: StartWork | None = None
         """Does work beside the window; without it every document is opened at once."""
         self._after_opening: list[Callable[[str], object]] | None = None
+        session.files.blank = self._blank
+        self._prepare_sketch()
+
+    def _blank(self) -> Document:
+        """Return what a new document is."""
+        document = self._as_usual(empty_document())
+        return document.with_curve(0, replace(document.curves[0], style=self._preferences.new_style))
+
+    def _prepare_sketch(self) -> None:
+        """Give the sketch that a session begins with the unit and the grid of new documents."""
+        session, sketch = self._session, plain(first_sketch())
+        is_begun = session.files.path is not None or session.undo_stack.count()
+        if not is_begun and session.document == sketch != self._as_usual(sketch):
+            session.files.replace(self._as_usual(sketch), None)
+
+    def _as_usual(self, document: Document) -> Document:
+        preferences = self._preferences
+        return replace(document, unit=preferences.unit_name, grid_spacing=preferences.grid_spacing)
 
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""

@@ -535,8 +535,7 @@ def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
 
 def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
     choose(five, "BC")
-    five.window.preferences.grid_spacing = 0.3
-    five.window.store.read_preferences()
+    five.set_grid(0.3)
     five.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.GRID})))
     x, y = five.grip(1, 0)
     five.drag((x, y), (x + 0.62, y))

@@ -81,7 +81,7 @@ def test_a_closed_panel_comes_back_from_the_menu_view(editor):
     assert dock.isHidden()
     menu = panels_menu(editor)
     assert [plain(action.text()) for action in menu.actions() if not action.isChecked()] == [
-        "Curves", "Transform", "Lab", "Wiggle", "Hodograph", "Fewer Points", "Image", "Lessons",
+        "Curves", "Transform", "Lab", "Wiggle", "Hodograph", "Fewer Points", "Image", "Document", "Lessons",
     ]  # fmt: skip
     choose(menu, "Curves")
     assert dock.isVisible()

@@ -447,7 +447,7 @@ def test_what_needs_more_points_is_not_offered(arch):
 
 
 def test_arrows_nudge_by_the_grid_while_snapping_in_decimal_numbers(arch):
-    arch.window.preferences.grid_spacing = 0.1
+    arch.set_grid(0.1)
     arch.trigger("toggleSnap")
     arch.select([0])
     for _ in range(3):

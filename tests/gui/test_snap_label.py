@@ -21,9 +21,8 @@ SIZE = QSizeF(40, 16)
 @pytest.fixture
 def snapping(editor):
     """A Hermite curve over a grid of 0.5, to which points snap."""
-    editor.session.commit(Document((make_curve(POINTS, family=HERMITE),)), "Begin")
+    editor.session.commit(Document((make_curve(POINTS, family=HERMITE),), grid_spacing=0.5), "Begin")
     editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
-    editor.window.preferences.grid_spacing = 0.5
     editor.trigger("toggleSnap")
     return editor
 

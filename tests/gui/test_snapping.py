@@ -30,10 +30,11 @@ def pair(editor):
     """Two curves, the first one edited; snapping is on and the grid has a spacing of 0.5."""
     one = make_curve(POINTS)
     two = make_curve(OTHER, name="Base", family=HERMITE)
-    document = edits.set_parametrization(Document((one, two)), 0, ParametrizationKind.UNIFORM, [])
+    document = edits.set_parametrization(
+        Document((one, two), grid_spacing=0.5), 0, ParametrizationKind.UNIFORM, []
+    )
     editor.session.commit(document, "Begin")
     editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
-    editor.window.preferences.grid_spacing = 0.5
     editor.trigger("toggleSnap")
     return editor
 
@@ -279,7 +280,7 @@ def test_the_end_of_a_handle_meets_another_curve(quintic):
     quintic.release(place)
 
 
-@pytest.mark.parametrize("keys", [CTRL, SHIFT, Qt.KeyboardModifier.AltModifier])
+@pytest.mark.parametrize("keys", [CTRL, SHIFT, SHIFT | Qt.KeyboardModifier.AltModifier])
 def test_a_handle_is_free_with_ctrl_and_at_a_held_angle_or_direction(quintic, keys):
     document = quintic.session.document
     quintic.press(handle_end(quintic, 1))
@@ -364,8 +365,7 @@ def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, 
 
 
 def test_measuring_changes_nothing_and_snaps(pair):
-    pair.window.preferences.unit_name = "mm"
-    pair.window.store.read_preferences()
+    pair.set_unit("mm")
     document = pair.session.document
     pair.trigger("measureTool")
     pair.press(near(pair, POINTS[0]))

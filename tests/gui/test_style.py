@@ -14,6 +14,7 @@ from app.appearance.theme import LIGHT, ThemeMode
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.families import HERMITE
+from app.features.curve_list.view import Spot
 from app.widgets.colour_popup import ColourPopup
 
 BLUE, RED, GREEN = "#0072b2", "#d55e00", "#009e73"
@@ -429,3 +430,53 @@ def test_pictures_of_the_others_are_kept_while_one_is_dragged(editor):
     assert None not in pictures
     editor.drag_point(0, to=(4.5, -1.0))
     assert (layers.others._picture, layers.above._picture) == pictures
+
+
+# In the list of curves
+
+
+def test_the_list_shows_stroke_and_fill(editor, panel):
+    leaf = square(0, 0, 3, "Leaf", style=Style(stroke=RED, width=0.2, fill=BLUE))
+    begin(editor, leaf, square(4, 0, 3, "Stem", style=Style(fill=GREEN, stroke="none")))
+    editor.show_dock("curvesDock")
+    view = editor.window.findChild(QWidget, "curveList")
+    image = view.viewport().grab().toImage()
+    counts: dict[str, int] = {}
+    for x in range(20):
+        for y in range(image.height()):
+            code = QColor(image.pixel(x, y)).name()
+            counts[code] = counts.get(code, 0) + 1
+    assert all(counts.get(code, 0) > 8 for code in (RED, BLUE, GREEN))
+
+
+def test_the_list_changes_the_colour_that_is_seen(editor, panel):
+    begin(editor, square(0, 0, 3, "Leaf"), square(4, 0, 3, "Stem", style=Style(fill=GREEN, stroke="none")))
+    for row, name, wanted in (
+        (0, "colour_Vermillion", Style(stroke=RED)),
+        (1, "colour_Vermillion", Style(stroke="none", fill=RED)),
+    ):
+        editor.click_in_list(row, Spot.SWATCH)
+        editor.choose(name)
+        assert styles(editor)[row] == wanted
+    editor.click_in_list(0, Spot.SWATCH)
+    editor.choose("colour_Other")
+    choice = QApplication.activePopupWidget()
+    assert isinstance(choice, ColourPopup)
+    pick(choice, "#123456")
+    assert styles(editor)[0].stroke == "#123456"
+    assert editor.session.is_previewing
+    QTest.keyClick(choice, Qt.Key.Key_Return)
+    editor.settle()
+    assert not editor.session.is_previewing
+    assert styles(editor)[0] == Style(stroke="#123456")
+
+
+def test_the_list_fills_too(editor, panel):
+    editor.click_in_list(2, Spot.SWATCH)
+    menu = editor.menu()
+    (inside,) = [each.menu() for each in menu.actions() if each.menu() is not None]
+    (entry,) = [each for each in inside.actions() if each.objectName() == "fill_Blue"]
+    entry.trigger()
+    menu.close()
+    assert styles(editor)[2].fill == BLUE
+    assert editor.session.undo_stack.undoText() == "Fill Root"

@@ -54,8 +54,6 @@ def test_who_hears_later_hears_of_changes_in_their_order(qapp, tmp_path):
 REMEMBERED = {
     "snap_on",
     "snap_kinds",
-    "grid_spacing",
-    "unit_name",
     "pencil",
     "transform_box",
     "rulers",
@@ -73,20 +71,20 @@ def test_fields_that_preferences_of_the_same_name_remember_are_remembered(qapp, 
         name for name, each in vars(Preferences).items() if isinstance(each, Setting)
     } & fields == REMEMBERED
     store = store_of(tmp_path)
-    store.change(snap_on=True, unit_name="mm", theme_mode=ThemeMode.DARK, grid=False)
+    store.change(snap_on=True, as_printed=True, theme_mode=ThemeMode.DARK, grid=False)
     again = store_of(tmp_path).state
-    assert (again.snap_on, again.unit_name, again.theme_mode) == (True, "mm", ThemeMode.DARK)
+    assert (again.snap_on, again.as_printed, again.theme_mode) == (True, True, ThemeMode.DARK)
     assert again.grid
 
 
 def test_what_another_one_has_remembered_is_taken_over_when_asked(qapp, tmp_path):
     store = store_of(tmp_path)
     other = store_of(tmp_path)
-    other.change(grid_spacing=0.5)
-    assert store.state.grid_spacing == 0.0
+    other.change(as_printed=True)
+    assert not store.state.as_printed
     store._preferences.file._settings.sync()
     store.read_preferences()
-    assert store.state.grid_spacing == 0.5
+    assert store.state.as_printed
 
 
 @pytest.mark.parametrize(

@@ -97,13 +97,13 @@ def test_true_size_is_that_of_the_unit_on_this_screen():
 
 
 def test_ctrl_0_shows_a_millimetre_as_long_as_it_is(drawing):
-    drawing.window.store.change(unit_name="mm")
+    drawing.set_unit("mm")
     drawing.key(Qt.Key.Key_0, CTRL)
     canvas = drawing.window.canvas
     assert zoom_of(drawing) == pytest.approx(canvas.logicalDpiX() / 25.4)
     assert field(drawing).text() == "100 %"
     assert "1 mm is 3.78 pixels" in field(drawing).toolTip()
-    drawing.window.store.change(unit_name="")
+    drawing.set_unit("")
     assert field(drawing).text() == "3.78 %"
     assert "a length of 1 as 100 pixels" in field(drawing).toolTip()
 

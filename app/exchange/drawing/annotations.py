@@ -46,7 +46,8 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
     handles = _handles(document) if options.handles else []
     if handles:
         ends = np.array([handle.position for _, each in handles for handle in each])
-        frame = frame_with(drawing.outlines, ends)
+        around = frame_with(drawing.outlines, ends)
+        frame = frame if drawing.has_page else around
     found = _grid(frame) if options.grid else []
     for colour, each in handles:
         found += _drawn_handles(colour, each, frame.side)
@@ -59,7 +60,8 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
         panel = Frame(frame.left, frame.bottom - height, frame.width, height)
         found += _basis(view, panel, frame.side, theme)
         frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
-    return replace(drawing, frame=frame, annotations=tuple(found))
+    has_page = drawing.has_page and frame == drawing.frame
+    return replace(drawing, frame=frame, annotations=tuple(found), has_page=has_page)
 
 
 def _functions(curve: Curve, with_estimates: bool) -> BasisView | None:

@@ -18,6 +18,7 @@ from ..drawing.drawing import Frame, Outline, drawing_of
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
 from ..parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
+from ..tikz_style import tikz_command
 from ..units import MILLIMETRES, known_unit, size_in_words
 from . import Format, Written
 
@@ -84,9 +85,9 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
     deviation = drawing.deviation + math.sqrt(0.5) * 10.0**-_PICTURE_DIGITS / scale
     lines = [f"  % One centimetre is {1 / scale:.6g} {known or 'of the document'}."]
-    for outline in told(fitted.outlines, part(options.report, 0.7, 1.0), "Writing"):
-        lines.append(f"  % {one_line(outline.name)}")
-        lines.append(_path(outline, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))
+    for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
+        lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
+        lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
     return _picture(lines, deviation, drawing.remarks, "tikz")
 
 
@@ -102,10 +103,11 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
     """
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
-    for outline in told(drawing.outlines, part(options.report, 0.7, 1.0), "Writing"):
-        lines.append(f"    % {one_line(outline.name)}")
-        lines.append(_path(outline, _plain, "axis cs:", margin="    "))
-        marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.points.tolist())
+    for shape in told(drawing.shapes, part(options.report, 0.7, 1.0), "Writing"):
+        lines.append(f"    % {one_line(shape[0].shape or shape[0].name)}")
+        lines.append(_path(shape, _plain, "axis cs:", margin="    "))
+        points = [point for outline in shape for point in outline.points.tolist()]
+        marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in points)
         lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
     lines.append("  \\end{axis}")
     return _picture(lines, drawing.deviation, drawing.remarks, "pgfplots")
@@ -227,25 +229,23 @@ def _file(lines: list[str], deviation: float, remarks: tuple[str, ...], package:
     return Written("\n".join([*(f"% {line}" for line in head), *lines]) + "\n", deviation, remarks)
 
 
-def _path(outline: Outline, number: Callable[[float], str], system: str, margin: str = "  ") -> str:
-    """Return an outline as one path, a piece a line."""
-    pieces = outline.control_points
+def _path(
+    shape: tuple[Outline, ...], number: Callable[[float], str], system: str = "", margin: str = "  "
+) -> str:
+    """Return the outlines of a shape as one path, a piece a line; in centimetres, or in another system."""
 
     def at(point: list[float]) -> str:
         return f"({system}{number(point[0])},{number(point[1])})"
 
-    first, *_ = pieces[0].tolist()
-    steps = [f"{margin}  .. controls {at(b)} and {at(c)} .. {at(d)}" for _, b, c, d in pieces.tolist()]
-    # Closed, the stroke has a join at the seam like everywhere else.
-    end = " -- cycle;" if outline.closed else ";"
-    return "\n".join([f"{margin}\\draw[line join=round{_colour(outline)}] {at(first)}", *steps]) + end
-
-
-def _colour(outline: Outline) -> str:
-    if not outline.colour:
-        return ""
-    red, green, blue = bytes.fromhex(outline.colour[1:])
-    return f", color={{rgb,255:red,{red};green,{green};blue,{blue}}}"
+    lines = []
+    for outline in shape:
+        pieces = outline.control_points.tolist()
+        steps = [f"{margin}  .. controls {at(b)} and {at(c)} .. {at(d)}" for _, b, c, d in pieces]
+        # Closed, the stroke has a join at the seam like everywhere else.
+        steps[-1] += " -- cycle" if outline.closed else ""
+        lines += [f"{margin}  {at(pieces[0][0])}", *steps]
+    command = tikz_command(shape[0].style, has_lengths=not system)
+    return "\n".join([f"{margin}{command} {lines[0].strip()}", *lines[1:]]) + ";"
 
 
 def _limits(frame: Frame) -> str:

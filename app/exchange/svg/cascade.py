@@ -14,6 +14,7 @@ from typing import Any
 import cssselect2
 import tinycss2
 
+from ..errors import ExchangeError
 from ..missed import Missed
 from .xml_tree import tag_of
 
@@ -54,6 +55,9 @@ OWN = {
 }
 """Properties that do not, likewise."""
 
+MAX_MATCHES = 5_000_000
+"""Elements times selectors: each may have to be held against each."""
+
 _KNOWN = frozenset((*INHERITED, *OWN))
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _HARMLESS = ("font-face", "charset", "namespace", "keyframes")
@@ -74,13 +78,15 @@ class Cascade:
     def __init__(self, root: ET.Element) -> None:
         self.missed: list[Missed] = []
         self._matcher = cssselect2.Matcher()
-        self._has_rules = False
+        self._selectors = 0
         for number, element in enumerate(root.iter(), start=1):
             if tag_of(element) == "style" and element.text:
                 self._add_sheet(element.text, number)
         # Only selectors need to know where an element stands.
         self._wrapped: dict[ET.Element, Any] = {}
-        if self._has_rules:
+        if self._selectors:
+            if self._selectors * sum(1 for _ in root.iter()) > MAX_MATCHES:
+                raise ExchangeError("The rules in its <style> are too many for its elements.")
             wrapped = cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
             self._wrapped = {each.etree_element: each for each in wrapped}
 
@@ -122,7 +128,7 @@ class Cascade:
             return
         for selector in selectors:
             self._matcher.add_selector(selector, declared)
-        self._has_rules = True
+            self._selectors += 1
 
     def _miss(self, name: str, number: int, why: str) -> None:
         self.missed.append(Missed("<style>", name, number, why, "left out"))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TypeVar
 
+from ...document.model import MAX_MAGNITUDE
 from ...document.style import FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
@@ -100,7 +101,7 @@ class StyleReader:
         current = values["color"]
         stroke, fill = (self._paints.paint(values[name], current) for name in ("stroke", "fill"))
         width = _length(values, "stroke-width", viewport) * scale
-        if not 0 < width < 1e12:
+        if not 0 < width <= MAX_MAGNITUDE:
             stroke = Paint("none")
         flaws = [Flaw(each.why, each.instead) for each in (fill, stroke) if each.why]
         flaws += _flaws(values)
@@ -119,16 +120,18 @@ class StyleReader:
 def _with_stroke(
     style: Style, values: Mapping[str, str], stroke: Paint, width: float, scale: float, viewport: Viewport
 ) -> Style:
-    dash = _dashes(values["stroke-dasharray"], viewport)
-    offset = _length(values, "stroke-dashoffset", viewport) if dash else 0.0
+    dash = tuple(each * scale / width for each in _dashes(values["stroke-dasharray"], viewport))
+    offset = _length(values, "stroke-dashoffset", viewport) * scale / width if dash else 0.0
+    if max((abs(each) for each in (*dash, offset)), default=0.0) > MAX_MAGNITUDE:
+        dash, offset = (), 0.0
     return Style(
         stroke=stroke.colour,
         width=width,
         cap=_one_of(LineCap, values["stroke-linecap"], LineCap.BUTT),
         join=_one_of(LineJoin, values["stroke-linejoin"], LineJoin.MITER),
         miter_limit=_miter_limit(values["stroke-miterlimit"]),
-        dash=tuple(each * scale / width for each in dash),
-        dash_offset=offset * scale / width,
+        dash=dash,
+        dash_offset=offset,
         stroke_opacity=_rounded(stroke.opacity * share_of(values["stroke-opacity"])),
         fill=style.fill,
         fill_rule=style.fill_rule,
@@ -165,7 +168,8 @@ def _dashes(text: str, viewport: Viewport) -> tuple[float, ...]:
         lengths = [length(word, viewport.side("")) or 0.0 for word in words]
     except ExchangeError:
         return ()
-    if not lengths or min(lengths) < 0 or not 0 < sum(lengths) < 1e12 or len(lengths) > _MOST_DASHES:
+    is_sound = bool(lengths) and min(lengths) >= 0 and 0 < sum(lengths) <= MAX_MAGNITUDE
+    if not is_sound or len(lengths) > _MOST_DASHES:
         return ()
     return tuple(lengths if len(lengths) % 2 == 0 else lengths * 2)
 
@@ -175,7 +179,10 @@ def _miter_limit(text: str) -> float:
         value = float(text)
     except ValueError:
         value = 4.0
-    return value if 1 <= value < 1e6 else 4.0
+    if not 0 <= value <= MAX_MAGNITUDE:
+        return 4.0
+    # Below 1 it is no limit, but programs write 0 for none at all: every corner is a bevel.
+    return max(value, 1.0)
 
 
 def _one_of(kind: type[_Kind], text: str, default: _Kind) -> _Kind:

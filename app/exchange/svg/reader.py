@@ -136,7 +136,8 @@ class _Reader:
         drawn = list(self._drawn(self._root, state, depth=0))
         seen = [each for each in drawn if _is_seen(each)]
         instead = "left out" if seen else "it comes in as a line"
-        for number in dict.fromkeys(each.element for each in drawn if not _is_seen(each)):
+        unseen = [each for each in drawn if not _is_seen(each) and each.path.look.visible]
+        for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
         return settled(seen or [_with_line(each) for each in drawn])
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import Page
+from ...document.model import MAX_MAGNITUDE, Page
 from ..units import MILLIMETRES
 from .lengths import Viewport, with_unit
 from .matrices import Box, box_of, fitted_box
@@ -88,6 +88,9 @@ def _scaling(across: float, down: float) -> FloatArray:
     return np.array([[across, 0.0, 0.0], [0.0, -down, 0.0]])
 
 
-def _page(box: Box) -> Page:
+def _page(box: Box) -> Page | None:
+    """Return what a file shows as a page; None where a document cannot hold it."""
     x, y, width, height = (float(each) + 0.0 for each in box)
-    return Page(x, -(y + height) + 0.0, width, height)
+    bottom = -(y + height) + 0.0
+    is_sound = max(abs(each) for each in (x, bottom, width, height)) <= MAX_MAGNITUDE
+    return Page(x, bottom, width, height) if is_sound and min(width, height) > 0 else None

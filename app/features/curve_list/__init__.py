@@ -1,6 +1,6 @@
 """The list of curves: which one is edited, what each is called and how it is shown.
 
 - ``commands``: what is done to all chosen curves, by actions and in the list.
-- ``panel``: the list with its buttons.  ``view``, ``rows``, ``model``: the list for Qt.  ``dropping``: where
-  dragged rows go.
+- ``panel``: the list with its buttons.  ``colour_menu``: behind a swatch.
+- ``view``, ``rows``, ``model``: the list for Qt.  ``dropping``: where dragged rows go.
 """

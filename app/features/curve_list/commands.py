@@ -24,6 +24,8 @@ from ...document.several_curves import (
 )
 from ...document.shape_edits import moved_into, named_anew
 from ...document.shapes import whole_shapes
+from ...document.style_edits import with_style
+from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
@@ -69,6 +71,10 @@ class CurveListCommands:
         panel.visible_switched.connect(self._switch_visible_of)
         panel.locked_switched.connect(self._switch_locked_of)
         panel.colour_chosen.connect(self._paint)
+        panel.fill_chosen.connect(self._fill)
+        panel.colour_looked_at.connect(self._look_at)
+        panel.colour_given_up.connect(self._give_up)
+        session.interrupted.connect(panel.abandon)
         panel.row_meant.connect(self._choose_meant)
         session.selected_curves_changed.connect(self._render)
 
@@ -231,6 +237,18 @@ class CurveListCommands:
 
     def _paint(self, places: frozenset[int], code: str) -> None:
         self._change_looks("Colour", places, partial(with_appearance, colour=code))
+
+    def _fill(self, places: frozenset[int], paint: str) -> None:
+        self._change_looks("Fill", places, partial(with_style, fill=paint))
+
+    def _look_at(self, places: frozenset[int], code: str) -> None:
+        session = self._session
+        session.preview(with_appearance(session.committed, self._meant(places), colour=code))
+
+    def _give_up(self) -> None:
+        if self._session.is_previewing:
+            self._session.cancel()
+            self._session.say(CANCELLED)
 
     def _change_looks(
         self, verb: str, places: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]

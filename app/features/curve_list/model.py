@@ -14,6 +14,7 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 
 from ...document.curve_tree import Container, Node, NodeKind, tree_of
 from ...document.model import Curve, Document
+from ...document.style import Style
 from ...document.words import count_of
 from ...qt.overrides import Guarded
 
@@ -26,7 +27,7 @@ class Row(NamedTuple):
     """Values of an entry that the list shows."""
 
     name: str
-    colour: str
+    style: Style
     visible: bool
     locked: bool
     facts: str
@@ -153,7 +154,7 @@ class CurveListModel(Guarded, QAbstractListModel):
             return _row_of_curve(parts[0])
         what = f"{node.kind.name.lower()} of {count_of(len(parts), 'curve')}"
         visible, locked = any(part.visible for part in parts), all(part.locked for part in parts)
-        return Row(node.name, parts[0].style.colour, visible, locked, what)
+        return Row(node.name, parts[0].style, visible, locked, what)
 
     # Rows and places
 
@@ -258,7 +259,7 @@ def _row_of_curve(curve: Curve) -> Row:
     facts = f"{family}, {count_of(len(curve.points), 'point')}"
     if curve.is_closed:
         facts += ", closed"
-    return Row(curve.name, curve.style.colour, curve.visible, curve.locked, facts)
+    return Row(curve.name, curve.style, curve.visible, curve.locked, facts)
 
 
 def _state(row: Row, entry: Entry) -> str:

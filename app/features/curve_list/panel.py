@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QContextMenuEvent, QIcon
+from PySide6.QtCore import QPoint, Signal
+from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
-from ...appearance.colours import CURVE_COLOURS, curve_colour
-from ...appearance.swatches import swatch
+from ...appearance.colours import fill_colour
 from ...appearance.theme import theme_of
 from ...document.model import Document
+from ...document.style import Style
 from ...qt.overrides import Guarded
-from ...view_model.palette import adjustment_of
 from ...widgets.boxes import column_of, row_of
+from ...widgets.colour_popup import ColourPopup
 from ...widgets.tool_buttons import action_button
+from .colour_menu import colour_menu
 from .model import CurveListModel
 from .rows import Spot
 from .view import CurveListView
@@ -28,8 +29,10 @@ class CurveList(Guarded, QWidget):
     -------
     visible_switched, locked_switched
         The eye or the lock of the row about these curves was clicked (a set of places).
-    colour_chosen
-        Another colour was selected for these curves.
+    colour_chosen, fill_chosen
+        Another colour, or another fill, was selected for these curves.
+    colour_looked_at, colour_given_up
+        A colour for these curves is looked at; it was not chosen.
     row_meant
         A menu about these curves is wanted.
     menu_requested
@@ -44,12 +47,16 @@ class CurveList(Guarded, QWidget):
     visible_switched = Signal(object)
     locked_switched = Signal(object)
     colour_chosen = Signal(object, str)
+    fill_chosen = Signal(object, str)
+    colour_looked_at = Signal(object, str)
+    colour_given_up = Signal()
     row_meant = Signal(object)
     menu_requested = Signal(QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("curveListPanel")
+        self._choice: ColourPopup | None = None
         self.model = CurveListModel(self)
         self.view = CurveListView(self.model, self)
         self._buttons = row_of(1, margins=(6, 4, 6, 4), spacing=2)
@@ -82,24 +89,37 @@ class CurveList(Guarded, QWidget):
     def choose_colour(self, places: frozenset[int]) -> QMenu:
         """Open the palette for curves, and all selected with them, beside their swatch if that is seen."""
         row = self.model.row_about(places, max(places))
-        menu = QMenu(self)
-        menu.setObjectName("colourMenu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.setToolTipsVisible(True)
-        theme = theme_of(self.palette())
-        for name, code in CURVE_COLOURS.items():
-            action = menu.addAction(QIcon(swatch(curve_colour(code, theme).name(), 12)), name)
-            action.setObjectName(f"colour_{name.replace(' ', '_')}")
-            action.setToolTip(f"{name} {adjustment_of(theme.paper.name(), code)}".strip())
-            action.setCheckable(True)
-            action.setChecked(code == self.model.row(row).colour)
-            action.triggered.connect(lambda _checked=False, code=code: self.colour_chosen.emit(places, code))
-        rect = self.view.entry_rect(row)
-        place = self.view.viewport().mapToGlobal(rect.bottomLeft())
-        menu.popup(
-            place if self.view.isVisible() else self.window().mapToGlobal(self.window().rect().center())
+        style = self.model.row(row).style
+        place = self.view.viewport().mapToGlobal(self.view.entry_rect(row).bottomLeft())
+        if not self.view.isVisible():
+            place = self.window().mapToGlobal(self.window().rect().center())
+        menu = colour_menu(
+            style,
+            lambda paint: self.colour_chosen.emit(places, paint),
+            lambda paint: self.fill_chosen.emit(places, paint),
+            lambda: self._open_choice(places, style, place),
+            self,
         )
+        menu.popup(place)
         return menu
+
+    def _open_choice(self, places: frozenset[int], style: Style, place: QPoint) -> None:
+        """Open the choice of any colour at a place of the screen."""
+        colour = fill_colour(style.colour, theme_of(self.palette())).name()
+        popup = self._choice = ColourPopup("otherColour", colour, self)
+        popup.colour_changed.connect(lambda paint: self.colour_looked_at.emit(places, paint))
+        popup.chosen.connect(lambda paint: self.colour_chosen.emit(places, paint))
+        popup.cancelled.connect(self.colour_given_up)
+        popup.destroyed.connect(self._forget_choice)
+        popup.open_at(place)
+
+    def abandon(self) -> None:
+        """Close the choice of colours; what was looked at there means nothing any more."""
+        if self._choice is not None:
+            self._choice.cancel()
+
+    def _forget_choice(self) -> None:
+        self._choice = None
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the curve under the pointer, or of the active one."""

@@ -9,8 +9,8 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QS
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QLineEdit, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
-from ...appearance.colours import curve_colour
 from ...appearance.icons import icon
+from ...appearance.swatches import draw_style
 from ...appearance.theme import mix, theme_of
 from ...qt.overrides import Guarded
 from ...widgets.controls import named
@@ -78,7 +78,7 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         swatch = spot_rect(rect, Spot.SWATCH)
         if is_one_of_many:
             self._paint_ring(painter, swatch, theme.accent)
-        self._paint_swatch(painter, swatch, curve_colour(row.colour, theme))
+        draw_style(painter, QRectF(swatch).center(), _SWATCH, row.style, theme)
         font = painter.font()
         font.setBold(is_active)
         painter.setFont(font)
@@ -90,14 +90,6 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         self._paint_switch(painter, spot_rect(rect, Spot.LOCK), lock, row.locked)
         self._paint_switch(painter, spot_rect(rect, Spot.EYE), eye, row.visible)
         painter.restore()
-
-    @staticmethod
-    def _paint_swatch(painter: QPainter, rect: QRect, colour: QColor) -> None:
-        disc = QRectF(0, 0, _SWATCH, _SWATCH)
-        disc.moveCenter(QRectF(rect).center())
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour)
-        painter.drawEllipse(disc)
 
     @staticmethod
     def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:

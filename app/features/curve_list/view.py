@@ -348,7 +348,7 @@ class CurveListView(ClaimsKeys, QListView):
         row, entry = self.curves.row(number), self.curves.entries[number]
         if self._is_on_opener(place):
             return f"{'Fold' if entry.is_open else 'Open'} “{row.name}” (Left, Right)"
-        moved = adjustment_of(theme_of(self.palette()).paper.name(), row.colour)
+        moved = adjustment_of(theme_of(self.palette()).paper.name(), row.style.colour)
         tips = {
             Spot.SWATCH: f"Choose the colour of “{row.name}”" + (f"; it is {moved}" if moved else ""),
             Spot.NAME: f"“{row.name}”: {row.facts}. Double-click to rename, drag to reorder.",

@@ -21,7 +21,7 @@ from ...document.words import number, with_minus
 from ...qt.overrides import Guarded
 from ...view_model.curve_view import CurveView
 from ...view_model.point_columns import Column, columns_of
-from ...view_model.point_kinds import CORNER, POINT_KINDS, kinds_of
+from ...view_model.point_kinds import CORNER, POINT_KINDS, PointKind, kinds_of
 from ...widgets.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
 
 Index = QModelIndex | QPersistentModelIndex
@@ -126,8 +126,9 @@ class PointTableModel(Guarded, QAbstractTableModel):
             self.columns, self._shown = columns, new
             self.endResetModel()
             return
+        other_kinds = self._rows_of_other_kinds(view)
         self._announce_rows(new)
-        changed = self._rows_of_other_kinds(view) | self._changed_rows(new)
+        changed = other_kinds | self._changed_rows(new)
         changed = np.flatnonzero(changed)
         self._shown = new
         if len(changed):
@@ -217,7 +218,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _RIGHT
             case Qt.ItemDataRole.ToolTipRole:
-                kind = POINT_KINDS[self._kinds[section]].one
+                kind = self._kind(section).one
                 return f"Point {section}{f', {kind}' if kind else ''}; click to select it"
         return None
 
@@ -278,7 +279,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         if view is None or after is None or view.sides is None or row not in self._two_sided:
             return ""
         ahead = with_minus(exact_text(after(view, row), decimal_mark()))
-        what = "corner" if POINT_KINDS[self._kinds[row]] is CORNER else "point"
+        what = "corner" if self._kind(row) is CORNER else "point"
         return f", before the {what}; {ahead} after it"
 
     def _estimate(self, column: int) -> str:
@@ -289,7 +290,12 @@ class PointTableModel(Guarded, QAbstractTableModel):
         if row >= len(self.values):
             return None
         colour = point_colours(len(self.values), self._theme)[row]
-        return mark_picture(colour.name(), self._theme.paper.name(), _SWATCH, int(self._kinds[row]))
+        place = POINT_KINDS.index(self._kind(row))
+        return mark_picture(colour.name(), self._theme.paper.name(), _SWATCH, place)
+
+    def _kind(self, row: int) -> PointKind:
+        # Of rows that are being taken away there are no kinds any more.
+        return POINT_KINDS[self._kinds[row]] if row < len(self._kinds) else POINT_KINDS[-1]
 
 
 def _number(given: object) -> float:

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
+from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from ...appearance.theme import Theme
 from ...document.model import Curve, Document
+from ...document.style import Style
 from ...exchange.drawing.drawing import Drawing, drawing_of
+from ...exchange.drawing.painting import Painting
+from ...exchange.drawing.styles import PictureStyle
 from ...exchange.errors import ExchangeError
+from ...tasks.progress import silent
 
 _LINE, _POINT = 1.5, 2.0
 _MARGIN = 3.0
@@ -41,20 +46,19 @@ def thumbnail(document: Document, width: int, height: int, theme: Theme, ratio: 
 
 
 def _paint_curves(painter: QPainter, drawing: Drawing, theme: Theme) -> None:
-    height = drawing.frame.height
+    usual = (replace(each, style=_with_line(each.style)) for each in drawing.outlines)
+    ink = PictureStyle(theme.curve.name(), theme.paper.name(), theme.name)
+    Painting(replace(drawing, outlines=tuple(usual)), painter, ink).paint(points=False, report=silent)
+    painter.setPen(Qt.PenStyle.NoPen)
     for outline in drawing.outlines:
-        colour = QColor(outline.colour) if outline.colour else theme.curve
-        pieces = [[QPointF(x, height - y) for x, y in piece] for piece in outline.control_points.tolist()]
-        path = QPainterPath(pieces[0][0])
-        for _, *controls in pieces:
-            path.cubicTo(*controls)
-        painter.setPen(QPen(colour, _LINE))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawPath(path)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour)
+        painter.setBrush(QColor(ink.seen(outline.colour)))
         for x, y in outline.points.tolist():
-            painter.drawEllipse(QPointF(x, height - y), _POINT, _POINT)
+            painter.drawEllipse(QPointF(x, drawing.frame.height - y), _POINT, _POINT)
+
+
+def _with_line(style: Style) -> Style:
+    """Return a style whose line can be seen as small as this."""
+    return replace(style, width=max(style.width or _LINE, _LINE / 2))
 
 
 def _paint_points(painter: QPainter, document: Document, frame: QRectF, theme: Theme) -> None:

@@ -1,4 +1,4 @@
-"""Snapping, the grid's spacing and the unit, as the window's state has them."""
+"""Snapping, as the window's state has it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...workbench.context import WindowContext
 
 
 class SnapCommands:
-    """Keeps the canvas in step with what was chosen about grid and snapping."""
+    """Keeps the canvas in step with what was chosen about snapping."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -19,14 +19,10 @@ class SnapCommands:
         context.store.changed.connect(self._show_state)
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
-        canvas = self._context.central.canvas
         # Nobody would understand a snap to what is not seen.
         hidden = frozenset() if state.guides_shown else {SnapKind.GUIDES}
         snapping = Snapping(state.snap_on, state.snap_kinds - hidden)
-        canvas.change_tool_settings(snapping=snapping, unit=state.unit_name)
-        canvas.drawing.grid.set_spacing(state.grid_spacing)
-        canvas.drawing.units.render(state.unit_name)
-        self._context.status_line.readouts.unit = state.unit_name
+        self._context.central.canvas.change_tool_settings(snapping=snapping)
 
     @action("toggleSnap", "Snap", VIEW_DRAWING, "%", "magnet", checked=lambda now: now.state.snap_on)
     @also(TOOLBAR(62), CANVAS_MENU(32))

@@ -9,6 +9,7 @@ from ...actions.needs import Need
 from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_TO
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...plotting.scrolling import ZOOM_STEP
+from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .past_views import PastViews
 from .zoom import per_cent_text, pixels_at_full_size, words_about_full_size
@@ -36,21 +37,27 @@ class ZoomCommands:
         self.field.offer([*context.actions.in_strip(ZOOM_MENU).values()])
         context.status_line.addPermanentWidget(self.field)
         self._canvas.camera.changed.connect(self._show_zoom)
-        context.store.changed.connect(self._show_zoom)
+        self._unit_shown = self._unit
         self._show_zoom()
 
     # The zoom in per cent
 
     @property
     def _unit(self) -> str:
-        return self._context.store.state.unit_name
+        return self._context.session.document.unit
 
     @property
     def _full_size(self) -> float:
         """Pixels of a length of 1 at 100 %."""
         return pixels_at_full_size(self._unit, self._canvas.logicalDpiX())
 
+    def render(self, view: CurveView) -> None:
+        """Show the zoom again where the document has another unit."""
+        if self._unit != self._unit_shown:
+            self._show_zoom()
+
     def _show_zoom(self) -> None:
+        self._unit_shown = self._unit
         share = self._canvas.pixel_map.sx / self._full_size
         self.field.show_zoom(share, words_about_full_size(self._unit, self._canvas.logicalDpiX()))
 

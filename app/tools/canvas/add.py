@@ -216,7 +216,9 @@ ADD = ToolRecord(
     gestures=(
         GestureRow("Click", "add a point"),
         GestureRow(
-            "Press and drag", "add a point and set its velocity; Shift: 15° steps", needs_derivatives=True
+            "Press and drag",
+            "add a point and set its velocity; Shift: 15° steps, Alt: ahead alone",
+            needs_derivatives=True,
         ),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),

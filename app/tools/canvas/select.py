@@ -15,14 +15,11 @@ from ..guides import GuidePicker
 from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
-from ..parts import GESTURES, press_on_part, unless_locked
+from ..parts import GESTURES, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
-
-_BELOW_GRIPS = (Part.CURVE, Part.OTHER_CURVE, Part.GUIDE)
-"""What a grip of the box comes before."""
 
 
 class SelectTool(Tool):
@@ -44,14 +41,14 @@ class SelectTool(Tool):
         if self._picker.enter(context):
             context = context.with_hit()
         hit, grip = context.hit, self._grip_at(context)
-        if hit is not None and hit.part is Part.GUIDE and grip is None:
-            self._guides.press(context, hit)
-        elif hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
+        if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
-        elif hit is not None and hit.part not in _BELOW_GRIPS:
-            press_on_part(context, hit)
+        elif hit is not None and not _is_below_grips(hit):
+            press_on_part(context, hit, toggling(context, hit))
         elif grip is not None:
             self._press_on_grip(context, grip)
+        elif hit is not None and hit.part is Part.GUIDE:
+            self._guides.press(context, hit)
         elif hit is not None and hit.inside:
             self._press_within(context, hit)
         elif hit is not None:
@@ -146,14 +143,13 @@ class SelectTool(Tool):
         self._guides.hover(context, hit if grip is None and not takes_pivot else None)
         if takes_pivot:
             return PIVOT_HINT
-        is_other = hit is not None and hit.part is Part.OTHER_CURVE
-        is_below = hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
-        if grip is not None and group is not None and is_below:
+        if grip is not None and group is not None and _is_below_grips(hit):
             return hints.on_grip(grip, group, context.target.refusal_of(group))
-        if (on_guide := self._guides.hint(context)) is not None:
-            return on_guide
+        is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if hit is not None and is_other and (not hit.inside or self._is_pressed_within(context)):
             return self._picker.hint(context, hit)
+        if (on_guide := self._guides.hint(context)) is not None:
+            return on_guide
         if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
         return hints.to_select(hit, context.view, context.host.selected.points, context.pointer, snaps=snaps)
@@ -213,6 +209,11 @@ class SelectTool(Tool):
         return box.grip_at(context.pointer) if box is not None else None
 
 
+def _is_below_grips(hit: Hit | None) -> bool:
+    """Whether a grip of the box comes before what is hit."""
+    return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
+
+
 SELECT = ToolRecord(
     name="select",
     make=SelectTool,
@@ -224,6 +225,7 @@ SELECT = ToolRecord(
         GestureRow("Escape, a click beside them", "choose only the one edited", curves=True),
         *GESTURES,
         GestureRow("Click a point", "select it alone"),
+        GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),

@@ -14,9 +14,9 @@ from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
 from ..qt.labels import Label
 from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
-from ..widgets.controls import check_box, choice_box
-from ..widgets.field_edit import NumberEdit, read_number
-from ..widgets.number_text import typed_text
+from .controls import check_box, choice_box
+from .field_edit import NumberEdit, read_number
+from .number_text import typed_text
 
 Change = Callable[[Any], object]
 """Is given what the person chose."""

@@ -1,0 +1,9 @@
+"""What belongs to a document as a whole: its unit and its grid, and what a new one begins with.
+
+- ``commands``: the panel in the window, and what is drawn in the unit and on the grid of the document.
+- ``panel``: the form.
+"""
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,83 @@
+"""The unit and the grid of the document, on the canvas and in a form; what new documents begin with."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QWidget
+
+from ...actions.declaration import action
+from ...actions.sections import FILE_SAVE
+from ...features import document_settings
+from ...view_model.curve_view import CurveView
+from ...workbench.context import WindowContext
+from ...workbench.docks import LatePanel
+from ...workbench.form_edits import FormEdits
+
+if TYPE_CHECKING:
+    from .panel import DocumentPanel
+
+
+class DocumentSettingsCommands:
+    """Keeps canvas, status line and form in step with the document's unit and grid."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+        self._preferences = context.preferences
+        self._dock = context.docks["documentDock"]
+        self._panel: DocumentPanel | None = None
+        self._shown: tuple[str, float] | None = None
+        self.render(context.session.active_view)
+
+    @LatePanel("documentDock", "Document", on_demand=True)
+    def build_panel(self, parent: QWidget) -> QWidget:
+        """Return the form."""
+        self._panel = document_settings.panel.DocumentPanel(parent)
+        self._edits = FormEdits(self._session, self._panel)
+        self._panel.made_usual.connect(self._make_usual)
+        self._render_panel()
+        return self._panel
+
+    def render(self, view: CurveView) -> None:
+        """Draw in the unit and on the grid of the document."""
+        document = self._session.document
+        now = (document.unit, document.grid_spacing)
+        if now != self._shown:
+            before, self._shown = self._shown, now
+            canvas = self._context.central.canvas
+            canvas.change_tool_settings(unit=document.unit)
+            canvas.drawing.grid.set_spacing(document.grid_spacing)
+            canvas.drawing.units.render(document.unit)
+            self._context.status_line.readouts.unit = document.unit
+            if before is not None and before[0] != document.unit and self._panel is not None:
+                name = f"are in {document.unit}" if document.unit else "have no unit"
+                self._session.say(f"Lengths {name} now; the numbers stay as they are.")
+        self._render_panel()
+
+    def _render_panel(self) -> None:
+        if self._panel is not None:
+            preferences = self._preferences
+            usual = (preferences.unit_name, preferences.grid_spacing, preferences.new_style)
+            self._panel.render_document(self._session.document, *usual)
+
+    def _make_usual(self) -> None:
+        document, preferences = self._session.document, self._preferences
+        preferences.unit_name, preferences.grid_spacing = document.unit, document.grid_spacing
+        preferences.new_style = self._session.active_curve.style
+        self._session.say("New documents begin with this unit and grid, and with the style of this curve.")
+        self._render_panel()
+
+    @action(
+        "documentSettings",
+        "Document…",
+        FILE_SAVE,
+        "Ctrl+Shift+D",
+        full_name="Document: Unit and Grid…",
+        keywords="properties unit millimetres inches grid spacing new page setup",
+    )
+    def _show(self) -> None:
+        """Show the unit and the grid of this document, and what new ones begin with."""
+        self._dock.bring_up()
+
+
+COMMAND_SETS = (DocumentSettingsCommands,)

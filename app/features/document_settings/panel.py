@@ -1,0 +1,89 @@
+"""The form of a document's unit and grid."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFormLayout, QWidget
+
+from ...appearance.theme import Theme
+from ...document.model import Document
+from ...document.plane_edits import set_grid_spacing, set_unit
+from ...document.style import Style
+from ...qt.labels import Label
+from ...settings.kinds import Distance, Text
+from ...settings.preferences import NO_UNIT, USUAL_UNITS
+from ...storage.validation import LONGEST_UNIT
+from ...widgets.boxes import column_of, form_of
+from ...widgets.controls import push_button
+from ...widgets.field_form import FieldForm
+from ...widgets.length_text import length_text
+from ...widgets.preference_fields import PreferenceField, field_of
+
+_UNIT = Text(
+    "",
+    "Unit",
+    "What a length of one is called in this document; type any name. Numbers stay as they are",
+    longest=LONGEST_UNIT,
+    usual=USUAL_UNITS,
+    widget="documentUnit",
+)
+_GRID = Distance(
+    "",
+    "Grid spacing",
+    "“adaptive”, or a distance in the plane (Enter to set)",
+    none="adaptive",
+    refusal="The grid needs a distance greater than 0, or “adaptive”.",
+    widget="documentGrid",
+)
+
+
+class DocumentPanel(FieldForm):
+    """A form that shows what belongs to a document as a whole, and asks for changes of it.
+
+    Signals
+    -------
+    made_usual
+        New documents shall begin as this one is.
+    """
+
+    made_usual = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("documentPanel", "documentProblem", parent)
+        self._unit: PreferenceField[Any] = field_of(_UNIT, partial(self._ask, "unit", set_unit))
+        self._grid: PreferenceField[Any] = field_of(
+            _GRID, partial(self._ask, "grid spacing", set_grid_spacing)
+        )
+        self._usual = Label(name="newDocuments", wordWrap=True)
+        tip = (
+            "Let new documents begin with this unit and this grid, and their curve with the style of this one"
+        )
+        self._take = push_button("useForNew", "Use for New Documents", tip)
+        self._take.clicked.connect(self.made_usual)
+        form = form_of(*self._unit.rows, *self._grid.rows)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        left = Qt.AlignmentFlag.AlignLeft
+        column_of(form, self.problem, self._usual, (self._take, left), 1, margins=12, spacing=10, parent=self)
+        self.show_problem("")
+        self.follow_theme()
+
+    def _ask(self, what: str, edit: Any, value: object) -> None:  # noqa: ANN401 - of the value's kind
+        self.edited.emit(f"Set the {what}", lambda document, _curve: edit(document, value))
+
+    def render_document(self, document: Document, unit: str, spacing: float, style: Style) -> None:
+        """Show `document`, and the unit, the grid and the style that new ones begin with."""
+        self._unit.show(document.unit)
+        self._grid.show(document.grid_spacing)
+        grid = f"a grid of {length_text(spacing, unit)}" if spacing else "an adaptive grid"
+        line = "usual lines" if style == Style() else "lines and fills of their own style"
+        named = f"“{unit}”" if unit else NO_UNIT
+        self._usual.setText(f"New documents begin with unit {named}, {grid} and {line}.")
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        super().set_theme(theme)
+        self._usual.setStyleSheet(f"color: {theme.muted.name()}")

@@ -1,0 +1,404 @@
+"""Styles of SVG files: what comes in, what goes out, and what is said of the rest."""
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document.model import Document, Page, make_curve
+from app.document.style import FillRule, LineCap, LineJoin, Style
+from app.exchange.options import Options
+from app.exchange.rescaled import in_unit
+from app.exchange.svg.matrices import fitted_box
+from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
+from app.storage.validation import validate
+
+SVG = "{http://www.w3.org/2000/svg}"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+LINE = "M0 0L4 0L4 4"
+
+
+def svg(body, attributes=""):
+    head = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+    spaces = 'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
+    spaces += 'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"'
+    return f"{head} {spaces} {attributes}>{body}</svg>".encode()
+
+
+def read(body, attributes=""):
+    found = read_svg(svg(body, attributes))
+    validate(found.document)
+    return found
+
+
+def curves(body, attributes=""):
+    return read(body, attributes).document.curves
+
+
+def style(attributes, around=""):
+    (curve,) = curves(f'{around}<path d="{LINE}" {attributes}/>{"</g>" if around else ""}')
+    return curve.style
+
+
+def test_without_a_word_an_area_is_black_and_has_no_line():
+    assert style("") == Style(stroke="none", fill="#000000")
+
+
+def test_all_of_a_stroke_comes_in():
+    assert style(
+        'fill="none" stroke="#0af" stroke-width="2" stroke-linecap="square" stroke-linejoin="bevel" '
+        'stroke-miterlimit="7" stroke-dasharray="4 1,2" stroke-dashoffset="3" stroke-opacity="50%" '
+        'opacity=".25"'
+    ) == Style(
+        stroke="#00aaff",
+        width=2.0,
+        cap=LineCap.SQUARE,
+        join=LineJoin.BEVEL,
+        miter_limit=7.0,
+        dash=(2.0, 0.5, 1.0, 2.0, 0.5, 1.0),
+        dash_offset=1.5,
+        stroke_opacity=0.5,
+        opacity=0.25,
+    )
+
+
+def test_fills_have_their_rule_and_opacity():
+    seen = style('fill="rgba(255, 0, 0, .5)" fill-rule="evenodd" fill-opacity=".5"')
+    assert (seen.fill, seen.fill_rule, seen.fill_opacity) == ("#ff0000", FillRule.EVENODD, 0.25)
+
+
+@pytest.mark.parametrize(
+    ("paint", "code"),
+    [
+        ("rebeccapurple", "#663399"),
+        ("RED", "#ff0000"),
+        ("#abc", "#aabbcc"),
+        ("rgb(100%, 50.2%, 0%)", "#ff8000"),
+        ("rgb(1 2 3 / 20%)", "#010203"),
+        ("hsl(120, 100%, 25%)", "#008000"),
+        ("hsl(38 92% 50%)", "#f59f0a"),
+        ("currentColor", "#00ff00"),
+        ("inherit", "#112233"),
+        ("no colour at all", "#112233"),
+        ("none", "none"),
+    ],
+)
+def test_every_colour_of_css(paint, code):
+    assert style(f'fill="{paint}"', '<g fill="#112233" color="lime">').fill == code
+
+
+def test_rules_outweigh_attributes_and_style_outweighs_rules():
+    sheet = (
+        "<style>/* c */ .a{fill:red;stroke:red} g > .a{stroke:blue} #x{fill:lime} .b{fill:teal!important}"
+        "path:hover{fill:pink} .a, .c{stroke-width:3px} .d{nonsense}</style>"
+    )
+    body = (
+        f'{sheet}<g><path class="a" fill="gray" d="{LINE}"/>'
+        f'<path class="a q" style="stroke:#123456" d="{LINE}"/>'
+        f'<path id="x" class="a" d="{LINE}"/><path class="b" style="fill:red" d="{LINE}"/></g>'
+    )
+    seen = [curve.style for curve in curves(body)]
+    assert [each.fill for each in seen] == ["#ff0000", "#ff0000", "#00ff00", "#008080"]
+    assert [each.stroke for each in seen] == ["#0000ff", "#123456", "#0000ff", "none"]
+    assert [each.width for each in seen] == [3.0, 3.0, 3.0, None]
+
+
+def test_transforms_scale_strokes_and_dashes_stay_in_proportion():
+    body = (
+        f'<g transform="scale(3)"><path d="{LINE}" stroke="red" stroke-width="2" stroke-dasharray="2 6"/></g>'
+    )
+    (curve,) = curves(body)
+    assert (curve.style.width, curve.style.dash) == (pytest.approx(6.0), pytest.approx((1.0, 3.0)))
+    (kept,) = curves(body.replace("stroke-w", 'vector-effect="non-scaling-stroke" stroke-w'))
+    assert kept.style.width == 2.0
+
+
+def test_an_uneven_transform_is_told():
+    found = read(f'<path id="a" d="{LINE}" stroke="red" transform="scale(1 4)"/>')
+    assert found.document.curves[0].style.width == pytest.approx(2.0)
+    assert found.sentences == (
+        "<path> “a”: its transform makes the stroke uneven; it has the mean width all along.",
+    )
+
+
+@pytest.mark.parametrize(
+    ("attributes", "unit", "end", "page"),
+    [
+        ('width="70mm" height="50mm" viewBox="0 0 140 100"', "mm", 2.0, Page(0.0, -50.0, 70.0, 50.0)),
+        ('width="1in" height="1in"', "in", 4 / 96, Page(0.0, -1.0, 1.0, 1.0)),
+        ('width="24" height="24" viewBox="0 0 24 24"', "px", 4.0, Page(0.0, -24.0, 24.0, 24.0)),
+        ('width="48px" viewBox="0 0 24 12"', "px", 8.0, Page(0.0, -24.0, 48.0, 24.0)),
+        ('viewBox="-2 -3 24 12"', "", 4.0, Page(-2.0, -9.0, 24.0, 12.0)),
+        ('width="100%" height="100%" viewBox="0 0 8 8"', "", 4.0, Page(0.0, -8.0, 8.0, 8.0)),
+        ('width="2cm" height="1cm" viewBox="0 0 10 10"', "cm", 0.4, Page(-0.5, -1.0, 2.0, 1.0)),
+        ('width="2cm" height="1cm" viewBox="0 0 10 10" preserveAspectRatio="none"', "cm", 0.8, None),
+        ("", "", 4.0, None),
+    ],
+)
+def test_units_and_pages(attributes, unit, end, page):
+    document = read(f'<path d="{LINE}"/>', attributes).document
+    assert document.unit == unit
+    assert document.curves[0].points[1].x == pytest.approx(end, rel=1e-12)
+    if page:
+        assert document.page == page
+
+
+@pytest.mark.parametrize(
+    ("ratio", "matrix"),
+    [
+        ("", [[2, 0, 10], [0, 2, 5]]),
+        ("xMinYMax meet", [[2, 0, 0], [0, 2, 5]]),
+        ("xMaxYMid slice", [[4, 0, 0], [0, 4, -5]]),
+        ("none", [[4, 0, 0], [0, 2, 5]]),
+    ],
+)
+def test_the_view_box_fills_its_place(ratio, matrix):
+    assert (
+        fitted_box((0, 0, 10, 10), (0, 5, 40, 20), ratio)[:, :2].tolist() == np.array(matrix)[:, :2].tolist()
+    )
+    assert fitted_box((0, 0, 10, 10), (0, 5, 40, 20), "xMidYMid")[:, 2].tolist() == [10, 5]
+
+
+def test_compound_paths_are_one_shape():
+    ring = "M0 0H9V9H0ZM3 3V6H6V3Z"
+    found = curves(f'<path id="a" d="{ring}" fill-rule="evenodd"/><path id="a" d="{ring}"/>')
+    assert [curve.shape for curve in found] == ["a", "a", "a 2", "a 2"]
+    assert [curve.style.fill_rule.value for curve in found] == ["evenodd", "evenodd", "nonzero", "nonzero"]
+
+
+def test_groups_and_names_in_the_dialects_of_their_programs():
+    body = (
+        '<g inkscape:label="Layer &lt;1>" inkscape:groupmode="layer" id="g1">'
+        f'<g id="Badge_x0020_2"><path id="p" inkscape:label="Leaf" d="{LINE}"/></g>'
+        f'<g><path data-name="Inner mark" id="q" d="{LINE}"/><rect width="2" height="2"/></g>'
+        f'<g><path id="alone" d="{LINE}"/></g></g><g id="g1"><path id="r" d="{LINE}"/></g>'
+    )
+    found = curves(body)
+    assert [curve.name for curve in found] == ["Leaf", "Inner mark", "Rect 7", "alone", "r"]
+    layer = "Layer <1>"
+    assert [curve.groups for curve in found] == [
+        (layer, "Badge 2"), (layer, "Group"), (layer, "Group"), (layer,), ("g1",),
+    ]  # fmt: skip
+    # The only layer of a file is no group.
+    only = f'<g inkscape:groupmode="layer" id="layer1"><path d="{LINE}"/><path d="{LINE}"/></g>'
+    assert {curve.groups for curve in curves(only)} == {()}
+
+
+def test_hidden_and_locked_layers():
+    body = (
+        f'<g style="display:none"><path d="{LINE}"/></g><g sodipodi:insensitive="true"><path d="{LINE}"/></g>'
+    )
+    assert [(curve.visible, curve.locked) for curve in curves(body)] == [(False, False), (True, True)]
+
+
+def test_use_of_symbols_with_view_boxes():
+    body = (
+        '<symbol id="s" viewBox="0 0 10 10"><path d="M0 0L10 10" stroke="currentColor"/></symbol>'
+        '<use href="#s" x="100" y="20" width="40" height="20" color="red"/>'
+    )
+    (curve,) = curves(body)
+    assert [point.position for point in curve.points] == [(110, -20), (130, -40)]
+    assert (curve.style.stroke, curve.style.width) == ("#ff0000", pytest.approx(2.0))
+
+
+CLIP = '<clipPath id="c"><{}/></clipPath><g clip-path="url(#c)"><path id="a" d="M0 0H9V9Z"/></g>'
+MISSED = [
+    ('<text id="t">Hi</text>', "<text> “t”: text is no curve; left out, but as paths it would come in."),
+    ("<text>Hi you</text>", "<text> “Hi you”: text is no curve; left out, but as paths it would come in."),
+    ('<image href="file:///etc/passwd"/>', "<image> (element 2): a picture is no curve; left out."),
+    ('<use href="other.svg#a"/>', "<use> (element 2): what it uses is not in the file; left out."),
+    ('<path d="M0 0h9" fill="none"/>', "<path> (element 2): it has neither a stroke nor a fill; left out."),
+    (
+        '<path d="M2 2h0" stroke="red" stroke-linecap="round"/>',
+        "<path> (element 2): it is a single point; left out.",
+    ),
+    (
+        '<linearGradient id="g"><stop stop-color="red"/><stop stop-color="blue"/></linearGradient>'
+        '<rect id="r" width="2" height="2" fill="url(#g)"/>',
+        "<rect> “r”: a gradient paints it; #800080 does.",
+    ),
+    (
+        '<pattern id="p"/><rect width="2" height="2" fill="url(#p) lime"/>',
+        "<rect> (element 3): a pattern paints it; #00ff00 does.",
+    ),
+    (
+        '<rect width="2" height="2" fill="url(#q)" stroke="red"/>',
+        "<rect> (element 2): “q”, which is not in the file, paints it; nothing does.",
+    ),
+    (CLIP.format('circle r="3"'), "<g> (element 4): a clip path cuts some of it off; it comes in whole."),
+    (
+        CLIP.format('rect width="5" height="20"'),
+        "<path> “a”: a clip path cuts some of it off; it comes in whole.",
+    ),
+    (
+        '<svg width="4" height="4"><path d="M0 0H9V9Z"/></svg>',
+        "<path> (element 3): the view box around it cuts some of it off; it comes in whole.",
+    ),
+    (
+        '<path d="M0 0H9V9Z" style="mask:url(#m)"/>',
+        "<path> (element 2): a mask covers some of it; it comes in whole.",
+    ),
+    (
+        '<path d="M0 0H9V9Z" filter="url(#m)"/>',
+        "<path> (element 2): a filter changes it; it comes in without.",
+    ),
+    (
+        '<path d="M0 0H9V9Z" marker-end="url(#m)"/>',
+        "<path> (element 2): it has markers; it comes in without them.",
+    ),
+    (
+        '<path d="M0 0H9V9Z" stroke="red" paint-order="stroke"/>',
+        "<path> (element 2): its fill lies over its stroke; the stroke lies over the fill.",
+    ),
+    (
+        '<path d="M0 0H9V9Z" style="mix-blend-mode:multiply"/>',
+        "<path> (element 2): it is blended with what lies below; it covers that.",
+    ),
+    (
+        '<g opacity=".5"><path d="M0 0H9V9Z"/><path d="M0 0H9V9Z"/></g>',
+        "<g> (element 2): it is transparent as a whole; each of its shapes is.",
+    ),
+    (
+        "<style>@import url(http://localhost/a.css);</style>",
+        "<style> “@import”: such rules are not followed; left out.",
+    ),
+    ("<style>a:::b{fill:red}</style>", "<style> “a:::b”: this selector is not known; left out."),
+    (
+        '<rect width="2em" height="2"/>',
+        "<rect> (element 2): its lengths hang on a font or on a size that nobody says; left out.",
+    ),
+    ("<script>alert(1)</script>", "<script> “alert(1)”: programs are not run; left out."),
+]
+
+
+@pytest.mark.parametrize(("body", "sentence"), MISSED, ids=[sentence[:40] for _, sentence in MISSED])
+def test_what_does_not_come_in_is_told_element_by_element(body, sentence):
+    found = read(f'{body}<path id="there" d="{LINE}"/>')
+    assert found.sentences == (sentence,)
+    assert found.document.curves[-1].name == "there"
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        CLIP.format('rect width="20" height="20"'),
+        CLIP.format('path d="M-1-1h20v20h-20z"'),
+        f'<path d="{LINE}"/><g display="none"><text>hidden</text></g>',
+        f'<switch><foreignObject requiredExtensions="x"/><path d="{LINE}"/></switch>',
+        f'<path d="{LINE}ZM5 5Z" marker-end="none" filter="none" clip-path="none" mask="none"/>',
+        f'<linearGradient id="g"><stop stop-color="red"/></linearGradient><path fill="url(#g)" d="{LINE}"/>',
+    ],
+)
+def test_what_changes_nothing_is_not_told(body):
+    assert read(body).sentences == ()
+
+
+def test_a_drawing_of_lines_that_nobody_painted_comes_in_as_lines():
+    found = read(f'<path d="{LINE}" fill="none"/>')
+    assert found.document.curves[0].style == Style()
+    assert found.sentences == (
+        "<path> (element 2): it has neither a stroke nor a fill; it comes in as a line.",
+    )
+
+
+# Out
+
+
+def drawn(*parts, unit="", page=None):
+    return Document(parts, unit=unit, page=page)
+
+
+def square(side, name="Square", **fields):
+    points = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)]
+    return replace(make_curve(points, name=name), closed=True, **fields)
+
+
+def root_of(document, **options):
+    return ET.fromstring(svg_of(document, Options(**options)).data)
+
+
+def test_a_style_is_written_without_what_svg_takes_for_granted():
+    plain = Style(stroke="none", fill="#ff0000", join=LineJoin.MITER, cap=LineCap.BUTT)
+    (path,) = root_of(drawn(square(2.0, style=plain))).iter(f"{SVG}path")
+    assert set(path.attrib) == {"id", "d", "fill"}
+    rich = Style(
+        stroke="#0000ff", width=0.5, cap=LineCap.SQUARE, join=LineJoin.MITER, miter_limit=8.0,
+        dash=(2.0, 1.0), dash_offset=0.5, stroke_opacity=0.5, fill="#00ff00", fill_rule=FillRule.EVENODD,
+        fill_opacity=0.25, opacity=0.75,
+    )  # fmt: skip
+    (path,) = root_of(drawn(square(2.0, style=rich))).iter(f"{SVG}path")
+    assert {name: value for name, value in path.attrib.items() if name not in ("id", "d")} == {
+        "fill": "#00ff00", "fill-rule": "evenodd", "fill-opacity": "0.25", "stroke": "#0000ff",
+        "stroke-width": "0.5", "stroke-linecap": "square", "stroke-miterlimit": "8",
+        "stroke-dasharray": "1 0.5", "stroke-dashoffset": "0.25", "stroke-opacity": "0.5", "opacity": "0.75",
+    }  # fmt: skip
+
+
+def test_a_shape_is_one_path_and_groups_are_groups():
+    look = {"shape": "Ring", "groups": ("A", "B")}
+    document = drawn(
+        square(9.0, "out", **look),
+        square(3.0, "in", **look),
+        square(1.0, "dot", groups=("A",)),
+        square(2.0, "free"),
+    )
+    root = root_of(document)
+    ring, dot, free = root.iter(f"{SVG}path")
+    assert (ring.get("id"), ring.get("d").count("M")) == ("Ring", 2)
+    (outer,) = [each for each in root if each.get("id") == "A"]
+    inner, second = outer
+    assert second is dot
+    assert list(inner) == [ring]
+    assert free in list(root)
+
+
+def test_ids_are_their_own_and_names_are_labels():
+    document = drawn(
+        square(1.0, "1st leaf"), square(2.0, "paper"), square(3.0, "Ünïcode"), square(4.0, "paper")
+    )
+    paths = list(root_of(document).iter(f"{SVG}path"))
+    assert [path.get("id") for path in paths] == ["curve_1st_leaf", "paper_2", "n_code", "paper_3"]
+    assert [path.get(LABEL) for path in paths] == ["1st leaf", "paper", "Ünïcode", "paper"]
+
+
+def test_a_page_and_a_unit_give_the_true_size():
+    document = drawn(square(2.0), unit="mm", page=Page(-1.0, -2.0, 70.0, 50.0))
+    root = root_of(document, unit=document.unit)
+    assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("70mm", "50mm", "-1 -48 70 50")
+    assert root.get("style") is None
+    assert not list(root.iter(f"{SVG}rect"))
+    back = read_svg(svg_of(document, Options(unit="mm")).data).document
+    assert (back.unit, back.page) == (document.unit, document.page)
+    assert read_svg(svg_of(replace(document, page=None), Options(unit="mm")).data).document.page is None
+
+
+def test_what_reaches_beyond_the_page_is_told():
+    document = drawn(square(2.0, "in"), square(9.0, "out"), page=Page(-1.0, -1.0, 4.0, 4.0))
+    assert svg_of(document).remarks == ("out reaches beyond the page; pictures end there.",)
+
+
+def test_a_wide_line_has_room_in_the_picture():
+    thin, wide = (root_of(drawn(square(2.0, style=Style(width=width)))) for width in (0.01, 1.0))
+    widths = [float(root.get("viewBox").split()[2]) for root in (thin, wide)]
+    assert widths[1] > widths[0] + 0.9
+
+
+def test_ink_and_the_usual_width_come_back_as_such():
+    document = drawn(square(2.0), square(3.0, "area", style=Style(stroke="none", fill="")))
+    back = read_svg(svg_of(document).data).document
+    assert [curve.style for curve in back.curves] == [Style(), Style(stroke="none", fill="")]
+
+
+def test_lengths_are_the_same_in_another_unit():
+    found = read(f'<path d="{LINE}" stroke="red"/>', 'width="1in" height="1in" viewBox="0 0 4 4"').document
+    there = in_unit(found, "mm")
+    assert there.unit == "mm"
+    assert there.curves[0].points[1].x == pytest.approx(25.4)
+    assert there.curves[0].style.width == pytest.approx(25.4 / 4)
+    old, new = found.curves[0].points[1].velocity_after, there.curves[0].points[1].velocity_after
+    assert new == pytest.approx(tuple(25.4 * each for each in old))
+    assert there.page == Page(0.0, -25.4, 25.4, 25.4)
+    assert in_unit(found, "s") is found
+    assert in_unit(replace(found, unit=""), "mm").curves is found.curves

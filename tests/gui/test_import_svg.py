@@ -1,0 +1,145 @@
+"""Drawings of other programs come into the window, and go out again, with all that makes their look."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog
+
+from app.document.model import Document, Page, make_curve
+from app.document.style import Style
+from app.features.import_export.commands import ExchangeCommands
+from app.testing import spin
+
+SVG = Path(__file__).parents[1] / "data" / "svg"
+INCH = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="1in" height="1in" viewBox="0 0 4 4">'
+    '<path id="a" d="M0 0L4 0L4 4Z" fill="#00ff00" stroke="#ff0000" stroke-width="1"/></svg>'
+)
+
+pytestmark = pytest.mark.usefixtures("drawings_read_here")
+
+
+def opened(editor, path):
+    editor.window.commands[ExchangeCommands].import_files([path])
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    assert dialog is not None, editor.message
+    drawn(editor, dialog)
+    return dialog
+
+
+def drawn(editor, dialog):
+    """Wait until the picture of a dialog is there."""
+    while dialog.jobs.is_busy:
+        spin(5)
+    editor.settle()
+
+
+def imported(editor, path):
+    dialog = opened(editor, path)
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    return editor.session.document
+
+
+def colours_in(dialog):
+    image = dialog.picture.picture.pixmap().toImage()
+    places = [(x, y) for x in range(0, image.width(), 2) for y in range(0, image.height(), 2)]
+    return {image.pixelColor(x, y).name() for x, y in places}
+
+
+def blank(editor):
+    editor.session.new()
+    editor.settle()
+
+
+def test_the_dialog_shows_the_drawing_with_its_colours_and_its_size(editor):
+    dialog = opened(editor, SVG / "inkscape_logo.svg")
+    assert {"#2e7d32", "#c62828", "#0277bd"} <= colours_in(dialog)
+    assert dialog.picture.size_label.text() == "70 × 50 mm"
+    assert dialog.missed is None
+    tree = dialog.groups
+    names = [tree.topLevelItem(row).text(0) for row in range(tree.topLevelItemCount())]
+    assert names == ["Leaves", "Ring", "Sketch"]
+    # A group that is not taken is not shown.
+    place = tree.visualItemRect(tree.topLevelItem(0))
+    QTest.mouseClick(
+        tree.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(place.left() + 10, place.center().y())
+    )
+    drawn(editor, dialog)
+    assert "#2e7d32" not in colours_in(dialog)
+    assert "#c62828" in colours_in(dialog)
+    dialog.close()
+
+
+def test_a_drawing_for_dark_paper_is_shown_on_dark_paper(editor):
+    dialog = opened(editor, SVG / "material_favorite.svg")
+    assert {"#15181c", "#e8eaed"} <= colours_in(dialog)
+    dialog.close()
+
+
+def test_what_comes_in_otherwise_is_listed_before(editor):
+    dialog = opened(editor, SVG / "tabler_home.svg")
+    assert dialog.missed.topLevelItemCount() == 1
+    row = dialog.missed.topLevelItem(0)
+    assert [row.text(column) for column in range(3)] == [
+        "<path> (element 2)", "it has neither a stroke nor a fill", "left out",
+    ]  # fmt: skip
+    assert dialog.missed.isVisible()
+    assert dialog.missed.height() >= dialog.missed.sizeHint().height()
+    dialog.close()
+
+
+def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
+    blank(editor)
+    document = imported(editor, SVG / "inkscape_logo.svg")
+    assert (document.unit, document.page) == ("mm", Page(0.0, -50.0, 70.0, 50.0))
+    shown = {curve.name: curve for curve in document.curves}
+    assert [curve.groups for curve in document.curves if curve.name == "Leaf"] == [
+        ("Leaves", "Left pair"),
+        ("Leaves", "Left pair 2"),
+    ]
+    assert shown["Leaf"].style.fill == "#2e7d32"
+    assert {curve.shape for curve in document.curves if curve.style.fill == "#c62828"} == {"path400"}
+    assert (shown["path600"].visible, shown["path600"].locked) == (False, True)
+    editor.trigger("undo")
+    assert (editor.session.document.unit, editor.session.document.page) == ("", None)
+
+
+def test_an_inch_is_an_inch_in_a_document_of_millimetres(editor, tmp_path):
+    blank(editor)
+    begun = Document((make_curve([(0.0, 0.0), (9.0, 9.0)]),), unit="mm")
+    editor.session.change("Begin", lambda _: begun)
+    path = tmp_path / "inch.svg"
+    path.write_text(INCH, encoding="utf-8")
+    document = imported(editor, path)
+    assert (document.unit, document.page, len(document.curves)) == ("mm", None, 2)
+    assert document.curves[1].points[1].x == pytest.approx(25.4)
+    assert document.curves[1].style.width == pytest.approx(6.35)
+
+
+def test_an_icon_goes_out_as_large_as_it_came_in(editor, tmp_path):
+    """Recoloured, it is the same icon."""
+    blank(editor)
+    imported(editor, SVG / "lucide_leaf.svg")
+    red = Style(stroke="#ff0000")
+    editor.session.change(
+        "Recolour",
+        lambda document: replace(
+            document,
+            curves=tuple(
+                replace(curve, style=replace(curve.style, stroke=red.stroke)) for curve in document.curves
+            ),
+        ),
+    )
+    editor.window.commands[ExchangeCommands].export(tmp_path / "out.svg")
+    editor.wait_for_work()
+    text = (tmp_path / "out.svg").read_text(encoding="utf-8")
+    assert 'viewBox="0 0 24 24"' in text
+    assert text.count('stroke="#ff0000" stroke-width="2" stroke-linecap="round"') == 4
+    assert "rect" not in text
