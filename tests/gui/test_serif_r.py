@@ -31,7 +31,7 @@ OUTER = (
     ((35, 2), (33, 2), LINE), ((31, 4), (29, 7), CURVE), ((23, 18), (27, 20), LINE),
     ((31, 29), (31, 34), CURVE),
     ((19, 40), (14, 40), CURVE), ((0, 40), None, LINE), ((0, 38), (2, 38), LINE), ((4, 35), (4, 33), CURVE),
-    ((4, 5), (4, 3), LINE),
+    ((4, 5), (4, 3), LINE), ((0, 2), None, CURVE),
 )  # fmt: skip
 INNER = (
     ((10, 20), None, LINE), ((17, 20), (20, 20), LINE), ((24, 28), (24, 33), CURVE),
@@ -63,7 +63,7 @@ def trace(hands, contour):
             hands.click(place, held)
         else:
             hands.drag(place, to, held)
-    hands.click(contour[0][0], ALT if contour is INNER else CURVE)
+    hands.click(contour[0][0], LINE)
 
 
 def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sheet, tmp_path):
