@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QLineEdit, QStyledItemDelegate, QStyleOptionViewIt
 from ...appearance.icons import icon
 from ...appearance.swatches import draw_style
 from ...appearance.theme import mix, theme_of
+from ...document.curve_tree import NodeKind
 from ...qt.overrides import Guarded
 from ...widgets.controls import named
 
@@ -78,7 +79,11 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         swatch = spot_rect(rect, Spot.SWATCH)
         if is_one_of_many:
             self._paint_ring(painter, swatch, theme.accent)
-        draw_style(painter, QRectF(swatch).center(), _SWATCH, row.style, theme)
+        if entry.node.kind is NodeKind.GROUP:
+            # What is in a group need not look the same.
+            self._paint_switch(painter, swatch, "group", True)
+        else:
+            draw_style(painter, QRectF(swatch).center(), _SWATCH, row.style, theme)
         font = painter.font()
         font.setBold(is_active)
         painter.setFont(font)

@@ -16,6 +16,7 @@ from ...actions.sections import (
 )
 from ...actions.strips import CANVAS_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
+from ...document.several_curves import named
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
@@ -86,7 +87,7 @@ class ViewCommands:
             selected.set_curves((session.active_index,))
             return
         selected.choose((session.active_index,))
-        name = session.active_curve.name
+        name = named(session.document, selected.chosen)
         session.say(f"“{name}” is chosen, and edited no longer; clicks choose whole curves, Enter edits one.")
 
     @action_for_each(
