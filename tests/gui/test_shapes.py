@@ -411,6 +411,15 @@ def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
     assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "  Side"]
 
 
+@pytest.mark.parametrize("folded", [True, False])
+def test_a_curve_dropped_on_an_entry_goes_into_it(ring, folded):
+    if not folded:
+        fold(ring, "Shape 1")
+    drag_row(ring, "Side", view_of(ring).entry_rect(row_named(ring, "Shape 1")).center().y())
+    assert (names(ring), shapes(ring)) == (["Outer", "Inner", "Side"], ["Shape 1"] * 3)
+    assert ring.curve.name == "Side"
+
+
 def test_a_group_does_not_go_into_itself(group):
     fold(group, "Group 1")
     document = group.session.document
