@@ -204,6 +204,15 @@ def test_one_curve_is_not_combined_and_a_plain_one_not_broken_apart(rings):
     assert not rings.action("ungroupCurves").isEnabled()
 
 
+def test_with_nothing_chosen_there_is_nothing_to_combine_or_group(ring):
+    ring.session.selected.choose({0})
+    assert ring.action("breakApart").isEnabled()
+    assert ring.action("groupCurves").isEnabled()
+    ring.session.selected.choose(())
+    for name in ("combineCurves", "breakApart", "groupCurves", "ungroupCurves"):
+        assert not ring.action(name).isEnabled()
+
+
 def test_a_shape_is_broken_apart_and_its_curves_are_chosen(ring):
     click_row(ring, "Shape 1")
     assert not ring.action("combineCurves").isEnabled()
