@@ -211,8 +211,8 @@ class CanvasScene:
             hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
         if hit is None and tool.finds_other_curves:
             hit = self.curves.hit(pixel, shown)
-        if hit is None and tool.finds_guides:
-            hit = self.guides.hit(pixel, shown)
+        if tool.finds_guides and (hit is None or hit.inside):
+            hit = self.guides.hit(pixel, shown) or hit
         return hit
 
     @property
