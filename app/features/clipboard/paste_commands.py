@@ -16,7 +16,7 @@ from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
-from ...document.several_curves import named
+from ...document.several_curves import name_of, named
 from ...document.shape_edits import place_above
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
@@ -129,7 +129,7 @@ class PasteCommands:
         session.selected.choose(places)
         if not canvas.framing.shows_curves(places):
             self._context.actions["fitView"].trigger()
-        is_one = name == added.document.curves[places.start].name
+        is_one = name_of(added.document, places) is not None
         session.say(f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen.")
         self._context.work.warn_of(remarks)
 
