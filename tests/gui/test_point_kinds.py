@@ -333,6 +333,20 @@ def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bo
     assert row.continuity[1] >= 1
 
 
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
+def test_a_point_on_a_line_divides_it_into_two(bow, kind):
+    bow.choose_parametrization(kind)
+    straight(bow, 2)
+    view = bow.session.active_view
+    place = tuple(view.curve.evaluate(float(view.parameters[2:4].mean())))
+    bow.trigger("addTool")
+    bow.click(place)
+    bow.trigger("selectTool")
+    assert [is_line(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
+    bow.drag_point(3, (4.2, 2.4))
+    assert [is_line(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
+
+
 @pytest.mark.parametrize("segment", [1, 3])
 def test_a_bend_beside_a_line_follows_the_mouse_and_leaves_the_line(bow, segment):
     straight(bow, 2)
