@@ -223,6 +223,7 @@ def test_alt_breaks_the_handles_apart_and_only_while_it_is_held(bow, kind):
     assert kind_at(bow.session.active_view, 2) is CORNER
     assert positions(bow)[0] == pytest.approx(behind)
     assert bow.session.undo_stack.count() == steps + 1
+    assert bow.session.undo_stack.undoText() == "Break handles of point 2"
     bow.trigger("undo")
     assert bow.session.document == document
 
