@@ -4,7 +4,6 @@ from . import choice as choice
 from . import cubics_in as cubics_in
 from . import dxf_library as dxf_library
 from . import facts as facts
-from . import lengths as lengths
 from . import parts as parts
 from . import rescaled as rescaled
 from . import svg as svg

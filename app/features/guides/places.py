@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from ... import exchange
 from ...document.model import Axis
+from ...exchange.lengths import typed_length
 from ...widgets.number_text import decimal_mark
 
 _AXIS = re.compile(r"\s*([xyXY])\s*=(.*)", re.DOTALL)
@@ -19,8 +19,10 @@ class TypedPlace(NamedTuple):
     position: float
 
 
-def read_place(text: str, unit: str = "") -> TypedPlace:
+def read_place(text: str, unit: str = "", now: float = 0.0) -> TypedPlace:
     """Return what a text such as "20", "x = 1/3" or "y = 1 in" means, in a document of this unit.
+
+    `now` is where the guide lies, for "+10%".
 
     Raises
     ------
@@ -30,4 +32,4 @@ def read_place(text: str, unit: str = "") -> TypedPlace:
     axis, rest = None, text
     if found := _AXIS.fullmatch(text):
         axis, rest = Axis(found[1].lower()), found[2]
-    return TypedPlace(axis, exchange.lengths.typed_length(rest, unit, locale_decimal=decimal_mark()))
+    return TypedPlace(axis, typed_length(rest, unit, now, decimal_mark()))

@@ -249,6 +249,8 @@ SELECT = ToolRecord(
         GestureRow("Click another curve", "edit it"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),
         GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
+        GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),
+        GestureRow("Click within a fill", "as on the line around it; the topmost is meant"),
         GestureRow("Rubber band, no curve edited", "choose curves inside; Alt: also those touched"),
     ),
     place=10,
