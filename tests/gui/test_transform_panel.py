@@ -315,6 +315,9 @@ def test_quarter_turns_have_buttons_and_keys(leaf):
     [
         ("Width", "7 foo", "is not a number"),
         ("Width", "1e13", "between"),
+        ("Width", "0", "greater than 0"),
+        ("Height", "-3", "greater than 0"),
+        ("Height", "-100%", "greater than 0"),
         ("X", "3 apples", "is not a number"),
         ("Turn", "much", "is not a number"),
     ],
