@@ -8,7 +8,7 @@ from functools import cache
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-SVG_TYPES = ("image/x-inkscape-svg", "image/svg+xml")
+INKSCAPE, SVG = "image/x-inkscape-svg", "image/svg+xml"
 """MIME types of SVG; where a program offers both, the first says more."""
 
 CURVES = "application/x-curvebench-curves"

@@ -17,7 +17,7 @@ from ...storage.format_error import FormatError
 from ...view_model.pasting import points_of_rows
 from ...view_model.point_columns import known_titles
 from ...widgets.number_text import decimal_mark
-from ...workbench.clipboard import CURVES, POINTS, SVG_TYPES
+from ...workbench.clipboard import CURVES, INKSCAPE, POINTS, SVG
 
 if TYPE_CHECKING:
     from ...exchange.svg.fragments import Fragment
@@ -55,7 +55,7 @@ def drawing_in(data: QMimeData) -> Fragment | None:
     """Return the SVG from another program, or in text; that of our own points is for others."""
     if data.hasFormat(POINTS):
         return None
-    for kind in SVG_TYPES:
+    for kind in (INKSCAPE, SVG):
         if data.hasFormat(kind):
             return exchange.svg.fragments.Fragment(bytes(data.data(kind).data()))
     return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None
