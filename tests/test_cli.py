@@ -17,7 +17,8 @@ from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from app import __version__
 from app.cli import main
 from app.cli.windows import open_windows
-from app.document.model import Document, make_curve
+from app.document.model import Document, Page, make_curve
+from app.document.style import Style
 from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
@@ -107,6 +108,48 @@ def test_info_as_json(capsys):
     assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
     assert curve["box"]["left"] == pytest.approx(0.35)
     assert curve["warnings"] == []
+
+
+@pytest.mark.parametrize(
+    ("style", "words"),
+    [
+        (Style(), "stroke in ink, the usual width"),
+        (Style("#d55e00", 2.0, fill="#ffcc88"), "stroke #d55e00, 2 mm; fill #ffcc88"),
+        (Style("none", fill="#ffcc88", fill_opacity=0.5), "fill #ffcc88, 50% opaque"),
+        (Style("none"), "none"),
+        (
+            Style("#000000", 0.5, dash=(2.0, 1.0), opacity=0.25),
+            "stroke #000000, 0.5 mm, dashes 2 1; all 25% opaque",
+        ),
+    ],
+)
+def test_info_tells_the_style_and_the_unit(style, words, tmp_path, capsys):
+    path = tmp_path / "a.curve.json"
+    curve = replace(make_curve(((0.0, 0.0), (1.0, 1.0))), style=style)
+    save(path, Document((curve,), unit="mm"))
+    assert main(["info", str(path)]) == 0
+    lines = {line[:18].strip(): line[19:] for line in capsys.readouterr().out.splitlines()}
+    assert (lines["style"], lines["unit"]) == (words, "mm")
+    assert main(["info", "--json", str(path)]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["unit"] == "mm"
+    assert content["curves"][0]["style"]["stroke"] == style.stroke
+
+
+def test_render_takes_curves_by_name_and_shows_them_alone(tmp_path, capsys):
+    path, picture = tmp_path / "a.curve.json", tmp_path / "a.svg"
+    curves = [
+        make_curve(((x, 0.0), (x + 1.0, 2.0)), name=name) for x, name in ((0.0, "leaf 1"), (9.0, "stem"))
+    ]
+    save(path, Document(tuple(curves), unit="mm", page=Page(0.0, 0.0, 50.0, 50.0)))
+    assert main(["render", str(path), "-o", str(picture), "--only", "leaf*"]) == 0
+    text = picture.read_text(encoding="utf-8")
+    assert text.count("<path ") == 1
+    assert float(text.partition('width="')[2].partition("mm")[0]) < 2
+    assert main(["render", str(path), "-o", str(picture)]) == 0
+    assert 'width="50mm"' in picture.read_text(encoding="utf-8")
+    assert main(["render", str(path), "-o", str(picture), "--only", "root"]) != 0
+    assert "Nothing in it is called “root”; there is leaf 1, stem." in capsys.readouterr().err
 
 
 def test_info_tells_shapes_and_groups(tmp_path, capsys):

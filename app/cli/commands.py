@@ -274,9 +274,10 @@ def _info(options: argparse.Namespace) -> int:
     with _told_on_terminals() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
-        _say_json({"file": options.file, "curves": [facts_as_json(each) for each in facts]})
+        curves = [facts_as_json(each) for each in facts]
+        _say_json({"file": options.file, "unit": document.unit or None, "curves": curves})
     else:
-        say("\n\n".join(facts_as_text(each) for each in facts))
+        say("\n\n".join(facts_as_text(each, document.unit) for each in facts))
     return 0
 
 

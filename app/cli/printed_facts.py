@@ -7,6 +7,9 @@ import sys
 from decimal import ROUND_UP, Context
 from typing import TYPE_CHECKING, Any
 
+from msgspec.structs import asdict
+
+from ..document.style import NO_PAINT, Style
 from ..view_model.basis_findings import digits_in_words
 from .refusals import one_line
 
@@ -36,6 +39,7 @@ def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
         "visible": facts.visible,
         "shape": facts.shape or None,
         "groups": facts.groups,
+        "style": asdict(facts.style),
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
         "lebesgue_constant": _finite_only(facts.lebesgue_constant),
@@ -45,8 +49,8 @@ def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
     }
 
 
-def facts_as_text(facts: CurveFacts) -> str:
-    """Return the facts as lines: the name, and one for each."""
+def facts_as_text(facts: CurveFacts, unit: str) -> str:
+    """Return the facts as lines: the name, and one for each; the document may have a unit."""
     rows = [("shape", one_line(facts.shape))] if facts.shape else []
     rows += [("group", " > ".join(map(one_line, facts.groups)))] if facts.groups else []
     rows.append(("family", facts.family.full_title))
@@ -68,6 +72,9 @@ def facts_as_text(facts: CurveFacts) -> str:
     if facts.box is not None:
         left, bottom, right, top = facts.box
         rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
+    rows.append(("style", _style_text(facts.style, unit)))
+    if unit:
+        rows.append(("unit", one_line(unit)))
     if not facts.visible:
         rows.append(("hidden", "not drawn in pictures"))
     rows += [("warning", warning) for warning in facts.warnings]
@@ -112,3 +119,19 @@ def _points_text(facts: CurveFacts) -> str:
 def _rule_text(facts: CurveFacts) -> str:
     kind = facts.parametrization.kind.replace("_", " ")
     return f"{kind}, α = {facts.parametrization.alpha:g}" if kind == "power" else kind
+
+
+def _style_text(style: Style, unit: str) -> str:
+    """Return stroke and fill in a line."""
+    parts = [f"fill {style.fill}{_opacity_text(style.fill_opacity)}"] if style.has_fill else []
+    if style.has_stroke:
+        width = "the usual width" if style.width is None else f"{style.width:.6g} {one_line(unit)}".rstrip()
+        dashes = f", dashes {' '.join(f'{each:g}' for each in style.dash)}" if style.dash else ""
+        paint = style.stroke or "in ink"
+        parts.insert(0, f"stroke {paint}{_opacity_text(style.stroke_opacity)}, {width}{dashes}")
+    whole = f"; all {style.opacity:.0%} opaque" if style.opacity < 1 else ""
+    return ("; ".join(parts) or NO_PAINT) + whole
+
+
+def _opacity_text(opacity: float) -> str:
+    return f", {opacity:.0%} opaque" if opacity < 1 else ""

@@ -14,6 +14,7 @@ from curvecore.bezier.pieces import BezierPieces, bezier_pieces
 from curvecore.scaling import LARGEST
 
 from ..document.model import Curve, Document, Parametrization
+from ..document.style import PLAIN_STYLE, Style
 from ..families import Family, FamilySetting, SettingValue
 from ..tasks.progress import Report, silent
 from ..view_model.arc_lengths import lengths_of
@@ -61,6 +62,8 @@ class CurveFacts:
         All settings of the family, by their records.
     points
         Number of points.
+    style
+        Stroke and fill.
     closed, visible
         Whether the curve returns to its first point, and whether it is drawn.
     shape, groups
@@ -107,6 +110,7 @@ class CurveFacts:
     corners: int = 0
     smooth: int = 0
     visible: bool = True
+    style: Style = PLAIN_STYLE
     shape: str = ""
     groups: tuple[str, ...] = ()
     settings: Mapping[FamilySetting, SettingValue] = field(default_factory=dict)
@@ -210,6 +214,7 @@ def _facts_of_points(curve: Curve) -> CurveFacts:
         curve.parametrization,
         len(curve.points),
         visible=curve.visible,
+        style=curve.style,
         shape=curve.shape,
         groups=curve.groups,
         settings=curve.family.settings.values(curve.settings_in_effect),

@@ -20,11 +20,16 @@ def in_unit(document: Document, unit: str) -> Document:
     factor = factor_between(document.unit, unit)
     if factor == 1.0:
         return document
+    return replace(enlarged(document, factor), unit=unit)
+
+
+def enlarged(document: Document, factor: float) -> Document:
+    """Return the document so many times as large, its picture to trace aside."""
     curves = tuple(_scaled_curve(curve, factor) for curve in document.curves)
     page = document.page and Page(*(value * factor for value in _sides(document.page)))
     guides = tuple(replace(guide, position=guide.position * factor) for guide in document.guides)
     spacing = document.grid_spacing * factor
-    return replace(document, curves=curves, unit=unit, page=page, guides=guides, grid_spacing=spacing)
+    return replace(document, curves=curves, page=page, guides=guides, grid_spacing=spacing)
 
 
 def _sides(page: Page) -> tuple[float, float, float, float]:

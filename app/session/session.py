@@ -171,6 +171,10 @@ class Session(QObject):
         """The view-models of all curves."""
         return self._views.of(self._shown.curves)
 
+    def expect(self, views: Sequence[CurveView]) -> None:
+        """Have views of curves that the next change brings; what many of them take is done by then."""
+        self._views.expect(views)
+
     @property
     def active_view(self) -> CurveView:
         """The view-model of the active curve."""

@@ -15,11 +15,13 @@ class Views:
     def __init__(self) -> None:
         self._views: list[CurveView] = []
         self._curves: tuple[Curve, ...] = ()
+        self._ahead: Sequence[CurveView] = ()
 
     def of(self, curves: tuple[Curve, ...]) -> list[CurveView]:
         """Return the views of `curves`."""
         if self._curves is not curves:
-            known = {id(view.source): view for view in self._views}
+            known = {id(view.source): view for view in (*self._views, *self._ahead)}
+            self._ahead = ()
             # A curve that was changed takes its last good shape from its place in the list.
             same_places = len(curves) == len(self._views)
             self._views = [
@@ -34,6 +36,10 @@ class Views:
         self._views = [
             view_of(view.source, view) if view.source.family in families else view for view in self._views
         ]
+
+    def expect(self, views: Sequence[CurveView]) -> None:
+        """Have views of curves that come with the next change, made beside the window."""
+        self._ahead = views
 
     def take(self, views: Sequence[CurveView] = ()) -> None:
         """Go on with `views`, as far as they are of the curves that are asked for, and with no others."""

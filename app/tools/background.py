@@ -89,6 +89,18 @@ class Background:
             self.changed()
         return found
 
+    def cancel_last(self) -> str:
+        """Drop the one that was begun last; return its title, empty where there is none."""
+        if not self._errands:
+            return ""
+        title = self._errands[-1].title
+        if len(self._errands) == 1:
+            self.cancel()
+        else:
+            self._errands.pop()
+            self.changed()
+        return title
+
     def hand_over(self) -> None:
         """Hand the result to whom it is for, unless a gesture is in flight; then begin the next."""
         if self._results and self._is_free():

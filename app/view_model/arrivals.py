@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 import msgspec
 from msgspec.structs import replace
@@ -14,7 +14,8 @@ from ..document.several_curves import add_curves, is_blank, moved, whole_curves
 from ..document.shape_edits import place_above
 from ..document.shapes import shape_of
 from .bounds import around
-from .curve_view import view_of
+from .curve_view import CurveView, view_of
+from .views_ahead import views_ahead
 
 
 class Arrival(msgspec.Struct, frozen=True):
@@ -26,10 +27,13 @@ class Arrival(msgspec.Struct, frozen=True):
         The document.
     places
         Where they are in it.
+    views
+        Their views, where these were made ahead.
     """
 
     document: Document
     places: range
+    views: tuple[CurveView, ...] = ()
 
 
 def with_curves(document: Document, curves: Sequence[Curve], active: int) -> Arrival:
@@ -42,6 +46,36 @@ def with_curves(document: Document, curves: Sequence[Curve], active: int) -> Arr
     first = 0 if blank else place_above(document, active)
     base = replace(document, curves=()) if blank else document
     return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
+
+
+class Target(msgspec.Struct, frozen=True):
+    """Place for curves from elsewhere.
+
+    Attributes
+    ----------
+    document, active
+        What they come into, and the curve that they come in front of.
+    place
+        Where their middle is to be; None where they are.
+    pixel
+        How exactly.
+    """
+
+    document: Document
+    active: int
+    place: Vector | None = None
+    pixel: float = 1.0
+
+    def filled(self, curves: Sequence[Curve], told: Callable[[float], object] | None = None) -> Arrival:
+        """Return the document with the curves; their views, too, where somebody is `told` of these."""
+        added = with_curves(self.document, curves, self.active)
+        if self.place is not None:
+            moved_there = centred_at(added.document, added.places, self.place, self.pixel)
+            added = replace(added, document=moved_there)
+        if told is None:
+            return added
+        new = added.document.curves[added.places.start : added.places.stop]
+        return replace(added, views=tuple(views_ahead(new, told)))
 
 
 def with_part(document: Document, part: Curve, active: int) -> Arrival:

@@ -229,6 +229,21 @@ def test_it_keeps_its_size_where_the_unit_is_another(editor):
     assert [point.position for point in editor.curve.points] == [(0, 0), (1, 0)]
 
 
+@pytest.mark.parametrize(
+    ("text", "width"),
+    [
+        (f'<svg xmlns="{SVG}"><path d="M0 0L96 0"/></svg>', 25.4),
+        (f'<svg xmlns="{SVG}" width="1in" height="1in" viewBox="0 0 1 1"><path d="M0 0L1 0"/></svg>', 25.4),
+        ("M0 0L96 0", 96.0),
+    ],
+)
+def test_svg_comes_in_its_true_size_and_path_data_as_they_are(editor, text, width):
+    editor.session.commit(Document((make_curve([(0, 0), (10, 0)], name="A"),), unit="mm"), "Begin")
+    editor.paste_text(text)
+    paste(editor, CTRL | ALT)
+    assert editor.curve.points[-1].x - editor.curve.points[0].x == pytest.approx(width)
+
+
 def test_out_of_sight_it_is_brought_into_view(three):
     three.paste_text("M 400 400 L 900 900")
     paste(three, CTRL | ALT)
@@ -249,6 +264,21 @@ def test_copied_curves_are_svg_for_other_programs(three):
     image = QImage.fromData(data.data("image/png"))
     assert (image.width(), image.pixelColor(0, 0).alpha()) == (1600, 0)
     assert data.imageData() == image
+
+
+@pytest.mark.parametrize(
+    ("unit", "side", "pixels"), [("mm", 25.4, 96.0), ("in", 0.5, 48.0), ("", 40.0, 40.0), ("", 4.0, 800.0)]
+)
+def test_inkscape_takes_the_coordinates_for_pixels(editor, unit, side, pixels):
+    """A leaf of 40 mm was pasted 10.58 mm wide into Inkscape 1.2, which passes over the view box."""
+    curve = make_curve([(0.0, 0.0), (side / 2, side / 4), (side, 0.0)], family=HERMITE)
+    editor.session.commit(Document((curve,), unit=unit), "Begin")
+    editor.key(Qt.Key.Key_C, CTRL)
+    svg = bytes(QGuiApplication.clipboard().mimeData().data("image/x-inkscape-svg").data())
+    (back,) = read_svg(svg).document.curves
+    assert back.points[-1].x - back.points[0].x == pytest.approx(pixels)
+    root = ElementTree.fromstring(svg)
+    assert root.get("width") == f"{root.get('viewBox').split()[2]}px"
 
 
 def test_copied_points_are_svg_too_but_numbers_as_text(three):

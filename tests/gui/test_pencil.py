@@ -213,6 +213,30 @@ def test_escape_takes_a_line_back_that_is_becoming_a_curve(slow):
     assert farthest(slow, line) <= 2.2
 
 
+def test_undo_takes_the_line_back_that_is_becoming_a_curve_and_not_the_step_before(slow):
+    """The step before the line went, and then the line's curve came."""
+    before, step = slow.session.document, slow.session.undo_stack.undoText()
+    draw_without_waiting(slow, TEETH)
+    slow.trigger("undo")
+    assert slow.window.canvas.marks.waiting == ()
+    assert slow.status == "The pencil's curve was taken back."
+    wait(slow)
+    assert slow.session.document == before
+    assert slow.session.undo_stack.undoText() == step
+    slow.trigger("undo")
+    assert slow.session.undo_stack.undoText() != step
+
+
+def test_undo_takes_back_the_last_of_several_lines(slow):
+    draw_without_waiting(slow, TEETH)
+    draw_without_waiting(slow, PLACES["wobbling"])
+    slow.trigger("undo")
+    assert len(slow.window.canvas.marks.waiting) == 1
+    wait(slow)
+    assert len(slow.session.document.curves) == 1
+    assert slow.session.active_curve.points
+
+
 def test_quick_lines_come_one_after_the_other(slow):
     first = draw_without_waiting(slow, TEETH)
     second = draw_without_waiting(slow, PLACES["wobbling"])

@@ -46,7 +46,11 @@ def has(widget, colour):
         (Qt.Key.Key_2, ALT, "“Corner Tangents” needs selected points of a Hermite curve."),
         (Qt.Key.Key_4, ALT, "“Straight Segment” needs a Hermite curve."),
         (Qt.Key.Key_4, ALT | KEYPAD, "“Straight Segment” needs a Hermite curve."),
-        (Qt.Key.Key_Up, ALT, "“Raise Curve” needs a curve in front of this one."),
+        (
+            Qt.Key.Key_PageUp,
+            CTRL | Qt.KeyboardModifier.ShiftModifier,
+            "“Raise Curve” needs a curve in front of this one.",
+        ),
     ],
 )
 def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expected):

@@ -7,6 +7,7 @@ import json
 import pytest
 from msgspec.structs import replace
 
+from app.document.export import Export
 from app.document.model import Axis, Document, Guide, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.storage.format import decode, encode
@@ -40,7 +41,12 @@ def drawing(**values):
 
 
 def test_everything_comes_back():
-    some = drawing(unit="mm", grid_spacing=0.1, guides=(Guide(Axis.X, 1 / 3), Guide(Axis.Y, -2.0)))
+    some = drawing(
+        unit="mm",
+        grid_spacing=0.1,
+        guides=(Guide(Axis.X, 1 / 3), Guide(Axis.Y, -2.0)),
+        export=Export(".png", "logo.png", (("dpi", "600"), ("transparent", "false"))),
+    )
     assert decode(encode(some)) == some
 
 
@@ -92,6 +98,13 @@ def test_a_style_that_cannot_be_drawn_is_refused_with_its_place(changed, complai
         ({"unit": "a" * 13}, "unit must be a name of at most 12 characters"),
         ({"grid_spacing": -1.0}, "grid_spacing must be 0 or greater, not -1.0"),
         ({"guides": (Guide(Axis.X, float("nan")),)}, "guides[0].position must lie between"),
+        ({"export": Export(".png", "../a.png")}, "export.name must be the name of a file without its folder"),
+        ({"export": Export(".png", "a\\b.png")}, "export.name must be the name of a file without its folder"),
+        ({"export": Export(".png", "a" * 256)}, "export.name must be the name of a file without its folder"),
+        ({"export": Export(".p\n")}, "export.ending must be the end of a name"),
+        ({"export": Export(".png", "", (("a", "1"),) * 65)}, "export.options must be at most 64, not 65"),
+        ({"export": Export(".png", "", (("dpi", "9" * 1001),))}, "export.options[0] must be printable texts"),
+        ({"export": Export(".png", "", (("dpi", "\0"),))}, "export.options[0] must be printable texts"),
     ],
 )
 def test_a_plane_that_cannot_be_drawn_is_refused_with_its_place(values, complaint):

@@ -72,7 +72,7 @@ def _declared(text: str) -> str:
 
 
 def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
-    """Return the curves of a fragment; path data alone become lines in ink.
+    """Return the curves of a fragment, in a unit; path data alone become lines in ink, without a unit.
 
     Raises
     ------
@@ -86,6 +86,9 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
     else:
         found = exchange.child.limited(reader, fragment.data, None, report=report)
     if not fragment.is_bare:
-        return found
+        is_ours = svg.our_own.MARK.encode() in fragment.data
+        # Where nobody says it a unit of SVG is a pixel; of our own, the document's, which has none.
+        unit = found.document.unit or ("" if is_ours else "px")
+        return with_fields(found, document=replace(found.document, unit=unit))
     curves = tuple(replace(curve, name="Path", style=PLAIN_STYLE) for curve in found.document.curves)
     return with_fields(found, document=replace(found.document, curves=curves))

@@ -17,16 +17,10 @@ from ...storage.format_error import FormatError
 from ...view_model.pasting import points_of_rows
 from ...view_model.point_columns import known_titles
 from ...widgets.number_text import decimal_mark
-from ...workbench.clipboard import SVG_TYPES
+from ...workbench.clipboard import CURVES, INKSCAPE, POINTS, SVG
 
 if TYPE_CHECKING:
     from ...exchange.svg.fragments import Fragment
-
-CURVES = "application/x-curvebench-curves"
-"""MIME type of whole curves: a document of them."""
-
-POINTS = "application/x-curvebench-points"
-"""MIME type of points: a document of one curve that has these points only."""
 
 
 class PointsContent(msgspec.Struct, frozen=True):
@@ -61,7 +55,7 @@ def drawing_in(data: QMimeData) -> Fragment | None:
     """Return the SVG from another program, or in text; that of our own points is for others."""
     if data.hasFormat(POINTS):
         return None
-    for kind in SVG_TYPES:
+    for kind in (INKSCAPE, SVG):
         if data.hasFormat(kind):
             return exchange.svg.fragments.Fragment(bytes(data.data(kind).data()))
     return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QMetaType, QMimeData
@@ -11,10 +12,11 @@ from ... import exchange
 from ...document.model import Document
 from ...document.shapes import tidy_shapes
 from ...exchange.errors import ExchangeError
+from ...exchange.formats import Written
 from ...exchange.options import Options
 from ...qt.overrides import Guarded
 from ...storage.format import encode
-from ...workbench.clipboard import SVG_TYPES
+from ...workbench.clipboard import INKSCAPE, SVG
 
 TEXT = "text/plain"
 _PNG, _IMAGE = "image/png", "application/x-qt-image"
@@ -42,8 +44,8 @@ class Offer(Guarded, QMimeData):
         self._own, self._document, self._text = own, tidy_shapes(document), text
         self._made: dict[str, Any] = {}
         is_drawable = any(len(curve.points) > 1 for curve in document.curves)
-        drawn = (*SVG_TYPES, _PNG, _IMAGE) if is_drawable else ()
-        self._formats = [own, *drawn, *([TEXT] if text or drawn else [])]
+        drawn = _MAKERS if is_drawable else [TEXT] * bool(text)
+        self._formats = [own, *drawn]
 
     def formats(self) -> list[str]:
         """Return the MIME types; called by Qt."""
@@ -64,12 +66,24 @@ class Offer(Guarded, QMimeData):
         if mimetype == TEXT and self._text:
             return self._text
         try:
-            if mimetype == _PNG:
-                return exchange.png_file(self._document, Options(width=_WIDTH, transparent=True)).data
-            if mimetype == _IMAGE:
-                return QImage.fromData(bytes(self.data(_PNG).data()))
-            svg = exchange.svg_of(self._document, Options(unit=self._document.unit))
+            return _MAKERS[mimetype](self._document)
         except ExchangeError:
             # No picture can hold it, or none of the curves can be drawn.
             return None
-        return svg.text if mimetype == TEXT else svg.data
+
+
+def _svg(document: Document) -> Written:
+    return exchange.svg_of(document, Options(unit=document.unit))
+
+
+def _png(document: Document) -> bytes:
+    return exchange.png_file(document, Options(width=_WIDTH, transparent=True)).data
+
+
+_MAKERS: dict[str, Callable[[Document], object]] = {
+    INKSCAPE: lambda document: exchange.svg.for_inkscape.svg_for_inkscape(document).data,
+    SVG: lambda document: _svg(document).data,
+    TEXT: lambda document: _svg(document).text,
+    _PNG: _png,
+    _IMAGE: lambda document: QImage.fromData(_png(document)),
+}

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 
 from ... import exchange
@@ -16,11 +17,12 @@ from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
-from ...document.several_curves import named
+from ...document.several_curves import name_of, named
 from ...document.shape_edits import place_above
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
-from ...view_model.arrivals import centred_at, with_curves
+from ...tasks.progress import Report, part, silent
+from ...view_model.arrivals import Arrival, Target
 from ...view_model.pasting import (
     appended,
     appended_with_parameters,
@@ -28,13 +30,16 @@ from ...view_model.pasting import (
     copied_as_new_curve,
     refuse_unordered,
 )
+from ...workbench.clipboard import CURVES
 from ...workbench.context import WindowContext
-from .content import CURVES, PointsContent, clipboard_data, curves_in, drawing_in, points_in
+from .content import PointsContent, clipboard_data, curves_in, drawing_in, points_in
 from .keys import give_keys_to_drawing
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
-    from ...exchange.svg.fragments import Fragment
+
+_MANY_POINTS = 200
+"""Points of curves that are worked out beside the window."""
 
 
 class PasteCommands:
@@ -56,7 +61,7 @@ class PasteCommands:
         """Add the curves or the SVG on the clipboard where they were copied from; append points."""
         self._paste(None, self._append)
 
-    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Shift+V")
+    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Alt+N")
     @also(CANVAS_MENU(22))
     def _paste_as_curve(self) -> None:
         """Make a curve of the points on the clipboard."""
@@ -90,45 +95,54 @@ class PasteCommands:
             If curves cannot be read.
         """
         if curves := curves_in(data):
-            self._add(curves, place)
+            self._bring(partial(_known, curves), place, sum(len(curve.points) for curve in curves.curves))
             return True
         if (fragment := drawing_in(data)) is None:
             return False
-        self._read(fragment, place)
+        self._bring(partial(exchange.svg.fragments.read_fragment, fragment), place)
         return True
 
     # Curves
 
-    def _read(self, fragment: Fragment, place: Vector | None) -> None:
-        """Read a drawing beside the window, and add its curves to the document that is open now."""
-        beginning = self._session.files.beginning
+    def _bring(
+        self, read: Callable[[Report], Imported], place: Vector | None, points: int = _MANY_POINTS
+    ) -> None:
+        """Add what is read beside the window to the document that is open; few `points` at once."""
+        beginning, target = self._session.files.beginning, self._target(place)
 
-        def done(found: Imported) -> None:
+        def work(report: Report) -> tuple[Imported, Arrival]:
+            found = read(part(report, 0.0, 0.5))
+            return found, _filled(target, found, lambda share: report(0.5 + share / 2, "Computing curves"))
+
+        def done(made: tuple[Imported, Arrival]) -> None:
+            found, arrival = made
+            now = replace(self._target(place), pixel=target.pixel)
             if self._session.files.beginning is not beginning:
                 self._session.refuse("Not pasted, for another document was opened meanwhile.")
-                return
-            self._add(found.document, place, found.sentences)
+            else:
+                self._add(arrival if now == target else _filled(now, found), found.sentences)
 
-        read = partial(exchange.svg.fragments.read_fragment, fragment)
-        self._context.work.start("Reading the drawing", read, done, Path("The drawing"), "pasted")
+        if points < _MANY_POINTS:
+            found = read(silent)
+            self._add(_filled(target, found), found.sentences)
+        else:
+            self._context.work.start("Reading the drawing", work, done, Path("The drawing"), "pasted")
 
-    def _add(self, new: Document, place: Vector | None, remarks: Sequence[str] = ()) -> None:
-        session, canvas = self._session, self._context.central.canvas
-        curves = exchange.rescaled.in_unit(new, session.committed.unit).curves
-        added = with_curves(session.committed, curves, session.active_index)
-        places, name = added.places, named(added.document, added.places)
+    def _target(self, place: Vector | None) -> Target:
+        session, pixel = self._session, self._context.central.canvas.camera.pixel_size
+        return Target(session.committed, session.active_index, place, pixel)
 
-        def edit(_document: Document) -> Document:
-            if place is None:
-                return added.document
-            return centred_at(added.document, places, place, canvas.camera.pixel_size)
-
-        if not session.change(f"Paste {name}", edit, active=places.start):
+    def _add(self, arrival: Arrival, remarks: Sequence[str]) -> None:
+        session, places = self._session, arrival.places
+        document, framing = arrival.document, self._context.central.canvas.framing
+        name = named(document, places)
+        session.expect(arrival.views)
+        if not session.change(f"Paste {name}", lambda _: document, active=places.start):
             return
         session.selected.choose(places)
-        if not canvas.framing.shows_curves(places):
+        if not framing.shows_curves(places):
             self._context.actions["fitView"].trigger()
-        is_one = name == added.document.curves[places.start].name
+        is_one = name_of(document, places) is not None
         session.say(f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen.")
         self._context.work.warn_of(remarks)
 
@@ -172,3 +186,12 @@ class PasteCommands:
         """Fit the view if points that were pasted lie outside it."""
         if not self._context.central.canvas.framing.shows_all_points:
             self._context.actions["fitView"].trigger()
+
+
+def _known(curves: Document, _report: Report) -> Imported:
+    return exchange.cubics_in.Imported(curves)
+
+
+def _filled(target: Target, found: Imported, told: Callable[[float], object] | None = None) -> Arrival:
+    """Return the target with what was read, in the unit of the document."""
+    return target.filled(exchange.rescaled.in_unit(found.document, target.document.unit).curves, told)

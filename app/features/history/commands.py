@@ -64,9 +64,14 @@ class HistoryCommands:
     @also(TOOLBAR(20))
     def _undo(self) -> None:
         """Take the last step back."""
-        # Undo in the middle of a drag takes the drag back, not the step before it.
+        # Undo in the middle of a drag takes the drag back, not the step before it; and what a drag has
+        # begun, while it is computed.
         stack = self._session.undo_stack
-        if not self._context.cancel_gesture() and stack.canUndo():
+        if self._context.cancel_gesture():
+            return
+        if what := self._context.central.canvas.tools.background.cancel_last():
+            self._session.say(f"{what} was taken back.")
+        elif stack.canUndo():
             text = stack.undoText()
             stack.undo()
             self._session.say(f"Undone: {text}.")

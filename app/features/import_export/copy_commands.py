@@ -18,7 +18,7 @@ from ...document.several_curves import alone, named
 from ...exchange.formats import Written
 from ...exchange.options import Options
 from ...tasks.progress import Report, part
-from ...workbench.clipboard import SVG_TYPES, put_on_clipboard
+from ...workbench.clipboard import INKSCAPE, SVG, put_on_clipboard
 from ...workbench.context import WindowContext
 
 _WIDTH = 1600
@@ -38,17 +38,19 @@ class CopyCommands:
     def _copy_svg(self) -> None:
         """Copy the chosen curves, or else all, as SVG: for drawing programs, and as text."""
 
-        def put(written: Written, what: str) -> None:
+        def put(made: tuple[Written, Written], what: str) -> None:
+            written, in_pixels = made
             data = QMimeData()
-            for kind in SVG_TYPES:
-                data.setData(kind, written.data)
+            data.setData(INKSCAPE, in_pixels.data)
+            data.setData(SVG, written.data)
             data.setText(written.text)
             put_on_clipboard(data)
             self._session.say(f"Copied {what} as SVG.")
             self._context.work.warn_of(written.remarks)
 
-        def work(document: Document, report: Report) -> Written:
-            return exchange.svg_of(document, Options(unit=document.unit, report=report))
+        def work(document: Document, report: Report) -> tuple[Written, Written]:
+            written = exchange.svg_of(document, Options(unit=document.unit, report=report))
+            return written, exchange.svg.for_inkscape.svg_for_inkscape(document)
 
         self._start("Writing SVG", "The SVG", work, put)
 
@@ -60,7 +62,7 @@ class CopyCommands:
             png, svg = pictures
             data = QMimeData()
             data.setData("image/png", png)
-            data.setData(SVG_TYPES[-1], svg)
+            data.setData(SVG, svg)
             data.setImageData(QImage.fromData(png))
             put_on_clipboard(data)
             self._session.say(f"Copied {what} as an image: PNG without paper, and SVG.")
