@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
@@ -179,6 +180,24 @@ def test_selected_points_are_doubled_as_a_curve_of_their_own(three):
     assert step(three) == "Duplicate 3 points"
     three.trigger("undo")
     assert names(three) == "ABC"
+
+
+@pytest.mark.parametrize("selected", [[0, 1], [1, 2], [1, 2, 3]])
+def test_neighbours_keep_their_shape(three, selected):
+    whole = three.session.active_view
+    start, end = (float(whole.parameters[at]) for at in (selected[0], selected[-1]))
+    expected = whole.curve.evaluate(np.linspace(start, end, 41))
+    three.select(selected)
+    three.key(Qt.Key.Key_D, CTRL)
+    part = three.session.active_view.curve
+    assert part.domain == (0.0, 1.0)
+    assert part.evaluate(np.linspace(0.0, 1.0, 41)) == pytest.approx(expected, abs=1e-12)
+
+
+def test_points_that_are_no_neighbours_are_doubled_by_themselves(three):
+    three.select([0, 2])
+    three.key(Qt.Key.Key_D, CTRL)
+    assert [point.position for point in three.curve.points] == [(0, 3), (2, 3)]
 
 
 @pytest.mark.parametrize("selected", [[1], [0, 1, 2, 3]])
