@@ -7,7 +7,7 @@
 - ``drawn_curves``: all curves in the order in which they print.  ``looks``: how they look.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.
-- ``grid_layer``, ``unit_layer``, ``guides_layer``: grid, unit and guides.
+- ``grid_layer``, ``unit_layer``, ``guides_layer``, ``page_layer``: grid, unit, guides and page.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other
   versions of the curve.  ``legend``: what they mean.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from ..document.model import Vector
-from ..document.shapes import shapes
+from ..document.shapes import shape_around, shapes
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..tools.pointer import Hit
@@ -14,7 +14,7 @@ from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
 from .looks import Shape, is_plain
 from .other_curves_layer import OtherCurvesLayer
-from .selected_curves_layer import SelectedCurvesLayer
+from .selected_curves_layer import SelectedCurvesLayer, SiblingCurvesLayer
 
 _ABOVE = -0.8
 """Height of what prints over the shape that is edited."""
@@ -31,6 +31,8 @@ class DrawnCurves:
         The shapes that are not edited, below the edited one and over it; only the first finds curves.
     selected
         What marks the curves that are selected together with the edited one.
+    siblings
+        The points of the other curves of the shape that is edited.
     edited, curve
         The shape that is edited, as it prints; the line of the curve that is edited.
     areas
@@ -42,6 +44,7 @@ class DrawnCurves:
         self.edited = EditedShapeLayer(plot)
         self.above = OtherCurvesLayer(plot, z=_ABOVE)
         self.selected = SelectedCurvesLayer(plot)
+        self.siblings = SiblingCurvesLayer(plot)
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
         self._is_thin = False
@@ -65,6 +68,7 @@ class DrawnCurves:
         self.edited.render(shape)
         self.above.render_shapes(above, [])
         self.selected.render(views, [place for place in other if place in selected])
+        self.siblings.render_shapes(self._siblings(views, edited, selected), [])
         self.curve.set_covered(bool(above))
 
     def _in_order(
@@ -94,6 +98,17 @@ class DrawnCurves:
                 is_layered |= is_over and not is_line
                 (above if is_over else below).append(shape)
         return (below, edited, above) if is_layered else ([*below, *above], edited, [])
+
+    @staticmethod
+    def _siblings(views: Sequence[CurveView], edited: int | None, selected: Collection[int]) -> list[Shape]:
+        if edited is None or not views or not views[edited].source.shape:
+            return []
+        places = shape_around([view.source for view in views], edited)
+        return [
+            (views[place],)
+            for place in places
+            if place != edited and place not in selected and views[place].source.visible
+        ]
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve that is not edited at `pixel`; lines that are thin have no insides."""

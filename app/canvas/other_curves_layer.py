@@ -36,12 +36,16 @@ _REST_MS = 80
 _AT_ONCE = 400
 """Curves that are painted before the window is heard again: some hundredths of a second."""
 
+_FEW = 8
+"""Shapes that may be painted in every frame, beside the picture of those that stay."""
+
 
 class OtherCurvesLayer(Layer):
     """Layer of the visible curves that are not edited, as they print; it finds which of them a pixel is on.
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
-    painting them is then copying one picture, however many they are.
+    painting them is then copying one picture, however many they are. While some of them are dragged the
+    picture is in two: what prints below these, and what prints over them.
     """
 
     z = -1.0
@@ -55,6 +59,8 @@ class OtherCurvesLayer(Layer):
         self._is_thin = False
         self._views: list[tuple[int, CurveView]] = []
         self._shapes: list[Shape] = []
+        # Those of the shapes that have changed last, which are in no picture.
+        self._moving = range(0)
         self._picture: _Picture | None = None
         self._seconds = 0.0
         self._is_resting = False
@@ -80,7 +86,10 @@ class OtherCurvesLayer(Layer):
         if found != self._views:
             self._views, self._outline = found, None
         if shapes != self._shapes:
-            self._shapes, self._picture = shapes, None
+            moving = _changed(self._shapes, shapes)
+            if not (moving and moving[0] in self._moving and moving[-1] in self._moving):
+                self._moving, self._picture = moving, None
+            self._shapes = shapes
             self.set_visible(bool(shapes))
             self.update()
 
@@ -109,27 +118,42 @@ class OtherCurvesLayer(Layer):
         if picture is not None and picture.key == key and picture.shown != shown and self._may_wait(shown):
             self._rest.start()
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
-            painter.drawPixmap(picture.place_in(shown), picture.pixmap, QRectF(picture.pixmap.rect()))
+            self._compose(painter, shown, picture)
             return
         if picture is None or picture.key != key or picture.shown != shown:
-            picture = self._picture = _Picture(transparent(shown.width, shown.height, ratio), shown, key)
+            sheets = [transparent(shown.width, shown.height, ratio) for _ in range(2 if self._moving else 1)]
+            picture = self._picture = _Picture(tuple(sheets), shown, key)
             self._painted, self._seconds, self._is_resting = 0, 0.0, False
-        if self._painted < len(self._shapes):
+        if self._painted < len(self._shapes) - len(self._moving):
             self._paint_more(picture)
-        painter.drawPixmap(0, 0, picture.pixmap)
+        self._compose(painter, shown, picture)
+
+    def _compose(self, painter: QPainter, shown: PixelMap, picture: _Picture) -> None:
+        """Draw the picture, and within it what moves."""
+        picture.draw(painter, shown, 0)
+        if self._moving:
+            painter.save()
+            self.paint_shapes(painter, shown, self._shapes[self._moving.start : self._moving.stop])
+            painter.restore()
+            picture.draw(painter, shown, 1)
 
     def _paint_more(self, picture: _Picture) -> None:
         """Paint the next curves into the picture; thousands take several steps."""
-        began = perf_counter()
-        some = self._shapes[self._painted : self._painted + _AT_ONCE]
-        painter = QPainter(picture.pixmap)
+        began, below = perf_counter(), self._shapes[: self._moving.start] if self._moving else self._shapes
+        is_over = self._painted >= len(below)
+        start = self._painted - len(below) + self._moving.stop if is_over else self._painted
+        some = (self._shapes if is_over else below)[start : start + _AT_ONCE]
+        painter = QPainter(picture.sheets[is_over])
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         self.paint_shapes(painter, picture.shown, some)
         painter.end()
         self._painted += len(some)
         self._seconds += perf_counter() - began
-        if self._painted < len(self._shapes):
-            self._next.start()
+        if self._painted < len(self._shapes) - len(self._moving):
+            if is_over or len(some) == _AT_ONCE:
+                self._next.start()
+            else:
+                self._paint_more(picture)
 
     def _may_wait(self, shown: PixelMap) -> bool:
         """Whether the picture is slow to make, and good enough for a view that is moving."""
@@ -187,11 +211,21 @@ class FileLayer(OtherCurvesLayer):
 
 
 class _Picture(msgspec.Struct, frozen=True, eq=False):
-    """The curves as painted for one part of the plane, and for one theme and size of lines."""
+    """The curves as painted for one part of the plane, and for one theme and size of lines.
 
-    pixmap: QPixmap
+    There are two sheets of it where something moves between them.
+    """
+
+    sheets: tuple[QPixmap, ...]
     shown: PixelMap
     key: tuple[Theme, float, float]
+
+    def draw(self, painter: QPainter, shown: PixelMap, sheet: int) -> None:
+        """Draw a sheet, where it lies when this part of the plane is visible."""
+        if shown is self.shown or shown == self.shown:
+            painter.drawPixmap(0, 0, self.sheets[sheet])
+        else:
+            painter.drawPixmap(self.place_in(shown), self.sheets[sheet], QRectF(self.sheets[sheet].rect()))
 
     def place_in(self, shown: PixelMap) -> QRectF:
         """Return where the picture lies when another part of the plane is visible."""
@@ -215,6 +249,15 @@ class _Outline:
         if nearest is None or nearest.distance > CURVE_REACH:
             return None
         return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
+
+
+def _changed(before: list[Shape], after: list[Shape]) -> range:
+    """Return the places where two lists of shapes differ, as far as they are few and the rest is the same."""
+    if len(before) != len(after):
+        return range(0)
+    places = [place for place, (old, new) in enumerate(zip(before, after, strict=True)) if old != new]
+    found = range(places[0], places[-1] + 1) if places else range(0)
+    return found if len(found) <= _FEW else range(0)
 
 
 def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:

@@ -30,6 +30,7 @@ from .hit_test import hit_test
 from .image_layer import ImageLayer
 from .label_place import Surroundings, number_box, segments_near
 from .marks_layer import MarksLayer
+from .page_layer import PageLayer
 from .pen_layer import PenLayer
 from .point_layer import PointLayer
 from .unit_layer import UnitLayer
@@ -54,8 +55,8 @@ class CanvasScene:
         Whether the active curve is edited: otherwise it is drawn and hit as the others are.
     image
         The picture to trace.
-    grid, units
-        The grid behind the drawing; the unit at the axes.
+    grid, units, page
+        The grid behind the drawing; the unit at the axes; the page.
     curves
         All curves, in the order in which they print.
     others, selected
@@ -78,6 +79,7 @@ class CanvasScene:
         self._scrub: float | None = None
         self.image = ImageLayer(plot)
         self.grid = GridLayer(plot)
+        self.page = PageLayer(plot)
         self.units = UnitLayer(plot)
         self.curves = DrawnCurves(plot)
         self.others, self.selected, self.curve = (
@@ -209,8 +211,8 @@ class CanvasScene:
             hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
         if hit is None and tool.finds_other_curves:
             hit = self.curves.hit(pixel, shown)
-        if hit is None and tool.finds_guides:
-            hit = self.guides.hit(pixel, shown)
+        if tool.finds_guides and (hit is None or hit.inside):
+            hit = self.guides.hit(pixel, shown) or hit
         return hit
 
     @property

@@ -41,6 +41,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
     z = -0.7
 
     shows_hidden = True
+    radius, rim = _RADIUS, _RIM
     join = Qt.PenJoinStyle.RoundJoin
 
     def __init__(self, plot: PlotWidget) -> None:
@@ -82,7 +83,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             near = [self._near(view, shown) for view in views if opacity_of(view) == opacity]
             painter.setOpacity(opacity)
             self._rings.draw_rings(
-                painter, np.concatenate(near), self.theme, _RADIUS * self.scale, _RIM * self.scale
+                painter, np.concatenate(near), self.theme, self.radius * self.scale, self.rim * self.scale
             )
 
     def _near(self, view: CurveView, shown: PixelMap) -> FloatArray:
@@ -91,6 +92,16 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         is_near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
         near: FloatArray = pixels[is_near]
         return near[:: max(len(near) // _MOST_RINGS, 1)]
+
+
+class SiblingCurvesLayer(SelectedCurvesLayer):
+    """Layer of the points of the other curves of the shape that is edited: a press takes them, too."""
+
+    radius, rim = 2.5, 1.0
+
+    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+        """Paint small rings into the picture."""
+        self._paint_rings(painter, shown, [view for shape in shapes for view in shape])
 
 
 def _ring(painter: QPainter, radius: float, _form: int) -> None:

@@ -21,8 +21,12 @@ _DEEPEST = 50
 
 def shape_of(document: Document, curve: int) -> range:
     """Return the places of the curves of the shape that a curve is a part of."""
-    curves, name = document.curves, document.curves[curve].shape
-    first, end = curve, curve + 1
+    return shape_around(document.curves, curve)
+
+
+def shape_around(curves: Sequence[Curve], curve: int) -> range:
+    """Return the places of the curves of the shape that one of these curves is a part of."""
+    name, first, end = curves[curve].shape, curve, curve + 1
     if name:
         while first > 0 and curves[first - 1].shape == name:
             first -= 1

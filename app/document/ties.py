@@ -66,6 +66,11 @@ def tied(point: Point, before: Vector, after: Vector, h: tuple[float, float] = (
     return replace(cornered, tied=True, velocity=before, velocity_after=after)
 
 
+def tied_if_parallel(point: Point) -> Point:
+    """Return a corner whose velocities go the same way as tied: nothing turns there. Others as they are."""
+    return replace(point, tied=True) if holds(point) else untied(point)
+
+
 def untied(point: Point) -> Point:
     """Return a point whose velocities are free of each other, themselves what they are."""
     return replace(point, tied=False) if point.tied else point

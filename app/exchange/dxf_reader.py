@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 import math
 import re
@@ -10,6 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import replace
 
 from curvecore import LagrangeCurve, chebyshev, cubic_path
 from curvecore.arrays import FloatArray
@@ -21,6 +23,7 @@ from .cubics_in import Imported, ImportedPath, Look, PointsAlone, imported, line
 from .drawing.drawing import RELATIVE_TOLERANCE
 from .errors import ExchangeError
 from .parts import bezier_values, one_line
+from .units import unit_of_dxf
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -79,7 +82,9 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
-    return imported(reader.paths, reader.remarks)
+    found = imported(reader.paths, reader.remarks)
+    unit = unit_of_dxf(int(drawing.units))
+    return dataclasses.replace(found, document=replace(found.document, unit=unit))
 
 
 def _damaged(what: str, problem: Exception) -> ExchangeError:

@@ -44,6 +44,11 @@ def dxf_code(name: str) -> int:
     return _IN_DXF.get(known_unit(name), 0)
 
 
+def unit_of_dxf(code: int) -> str:
+    """Return the unit of a DXF file with this $INSUNITS; empty for none, and for those unknown here."""
+    return next((unit for unit, each in _IN_DXF.items() if each == code), "")
+
+
 def size_in_words(width: float, height: float, unit: str) -> str:
     """Return a size with three digits, and its unit."""
     return f"{width:.4g} × {height:.4g} {unit}"

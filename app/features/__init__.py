@@ -42,6 +42,7 @@ FEATURES = (
     "help",
     "reference_image",
     "document_settings",
+    "page",
     "recovery",
     "file_on_disk",
 )

@@ -5,11 +5,11 @@ They are no items of Qt's graphics scene: neither Qt's graphics view nor pyqtgra
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Protocol
+from collections.abc import Callable, Iterable, Iterator
+from typing import Protocol, cast
 
 from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF
-from PySide6.QtGui import QPainter, QPixmap
+from PySide6.QtGui import QPainter, QPixmap, QRegion
 from PySide6.QtWidgets import QWidget
 
 from ..appearance.theme import LIGHT, Theme
@@ -145,12 +145,18 @@ class LayerStack:
         """Have the layers that are still painted anew as well."""
         self._ground = None
 
-    def paint_ground(self, painter: QPainter, shown: PixelMap, origin: QPointF) -> None:
-        """Paint what is still, and what lies beside the plot area, which begins at `origin`."""
+    def paint_ground(self, painter: QPainter, shown: PixelMap, origin: QPointF, region: QRegion) -> None:
+        """Paint what is still, and what lies beside the plot area, which begins at `origin`.
+
+        Only in `region` of the viewport: clipped to several rectangles, Qt takes long for the whole picture.
+        """
         ratio = painter.device().devicePixelRatioF()
         if self._ground is None or self._ground.devicePixelRatio() != ratio:
             self._ground = self._make_ground(ratio, shown, origin)
-        painter.drawPixmap(0, 0, self._ground)
+        for part in rectangles_of(region):
+            painter.setClipRect(part)
+            painter.drawPixmap(0, 0, self._ground)
+        painter.setClipping(False)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Paint the layers that are not still, in pixels of the plot area."""
@@ -175,3 +181,9 @@ class LayerStack:
             painter.setClipRect(QRectF(self._area()).translated(-origin))
             self._paint_layers(painter, shown, still=True)
         return ground
+
+
+def rectangles_of(region: QRegion) -> Iterator[QRect]:
+    """Yield the rectangles that make up a region."""
+    # PySide6's stubs do not know that it can be gone through.
+    yield from cast("Iterable[QRect]", region)

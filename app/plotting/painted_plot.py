@@ -135,7 +135,7 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         # Nothing is an item of Qt's graphics scene: neither Qt's view nor pyqtgraph is asked to paint.
         origin, area, shown = self.camera.origin, self.camera.area, self.camera.pixel_map
         with QPainter(self.viewport()) as painter:
-            self.layers.paint_ground(painter, shown, origin)
+            self.layers.paint_ground(painter, shown, origin, event.region())
             painter.translate(origin)
             self.rulers.paint(painter, shown, self.layers.theme)
             if event.region().intersects(area):

@@ -6,7 +6,7 @@ import msgspec
 
 from ..document.edits import delete_points
 from ..document.model import Document
-from ..document.several_curves import named, remove_curves
+from ..document.several_curves import name_of, named, remove_curves
 from ..document.words import count_of, points
 
 
@@ -44,8 +44,8 @@ class Highlight(msgspec.Struct, frozen=True):
         """Return what it is within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
         if self.points:
             return count_of(len(self.points), "point")
-        name = named(document, self.curves)
-        return f"“{name}”" if len(self.curves) == 1 else name
+        name = name_of(document, self.curves)
+        return named(document, self.curves) if name is None else f"“{name}”"
 
     def removed_from(self, document: Document) -> Document:
         """Return the document without it."""

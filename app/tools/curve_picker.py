@@ -69,7 +69,7 @@ class CurvePicker:
         host, group = context.host, context.target.group
         if group is not None and group.is_whole:
             after = "only the one edited" if host.selected.is_editing else "none"
-            return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns them · Click here: {after}")
+            return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns · Click here: {after}")
         if host.selected.is_editing:
             return None
         return Hint(

@@ -258,7 +258,7 @@ class GestureRow(msgspec.Struct, frozen=True):
     keys, what
         How it is made, and what it does.
     selected, curves
-        Whether it is done to selected points; to several selected curves.
+        Whether it is done to selected points; to curves that are chosen as wholes.
     needs_derivatives
         Whether the points need velocities.
     """

@@ -237,6 +237,9 @@ class Toolbox:
     def marks(self) -> GestureMarks:
         """Return what is drawn over the plot."""
         marks = replace(self._chosen.marks(self.context), waiting=self.background.lines)
+        if marks.pivot is None:
+            # One that was chosen is there whatever tool is in use.
+            marks = replace(marks, pivot=self._target.pivot)
         return self._above.marks(self.context).above(marks) if self._above is not None else marks
 
     def progress(self) -> str:

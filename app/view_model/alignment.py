@@ -1,4 +1,4 @@
-"""Curves aligned with each other and spaced evenly, by their bounds; the curves of a shape stay together."""
+"""Curves aligned with each other and spaced evenly by their bounds; a shape or group stays together."""
 
 from __future__ import annotations
 
@@ -6,17 +6,18 @@ from collections.abc import Collection, Sequence
 
 import msgspec
 
+from ..document.curve_tree import whole_nodes
 from ..document.edits import EditError
 from ..document.model import Document
 from ..document.several_curves import PointGroup, moved, whole_curves
-from ..document.shapes import shape_of
+from ..document.shapes import whole_shapes
 from ..document.transforms import Edge, Reference, Spacing
 from .bounds import Bounds, bounds_of
 from .curve_view import CurveView
 
 
 class _Item(msgspec.Struct, frozen=True):
-    """A shape, or a curve that is one, with its bounds."""
+    """A group, a shape or a curve, with its bounds."""
 
     group: PointGroup
     bounds: Bounds
@@ -85,9 +86,9 @@ def distribute_curves(
 
 
 def _items(document: Document, views: Sequence[CurveView], curves: Collection[int]) -> list[_Item]:
-    """Return the shapes that curves belong to, those that have points."""
-    shapes = dict.fromkeys(shape_of(document, curve) for curve in sorted(curves))
-    groups = [whole_curves(document, places) for places in shapes]
+    """Return the groups of which all curves are given, and the shapes of the others; those with points."""
+    nodes = whole_nodes(document.curves, whole_shapes(document, curves))
+    groups = [whole_curves(document, node.places) for node in nodes]
     found = [(group, bounds_of(views, group)) for group in groups]
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
 

@@ -19,6 +19,7 @@ from curvecore.arrays import FloatArray
 
 from ..document.jet_edits import JetValue, with_jet_values
 from ..document.kept_handles import with_handles_kept
+from ..document.lines import ends_of, line_beside
 from ..document.model import Curve, Vector
 from .basis_view import weights_at
 from .bend_together import QuadraticCost, broyden, divided, slope_at_rest
@@ -76,9 +77,21 @@ class Bend:
         moves_parameters = moves_points and source.parametrization.kind.asks_where_points_are
         follow = moves_points and source.family.derivatives
         if not (moves_parameters or follow):
-            return self._curve(pull)  # exact
+            if not self._is_held_by_lines:
+                return self._curve(pull)  # exact
+            along = self._solved(pull, tolerance)
+            return self._curve(pull if along is None else along)
         alone = self._solved(pull, tolerance) if source.family.derivatives else None
         return self._curve(alone) if alone is not None else self._bent_and_shifted(pull)
+
+    @cached_property
+    def _is_held_by_lines(self) -> bool:
+        """Whether a straight segment beside the grabbed one gives a handle in this its direction."""
+        curve, (start, end) = self._view.source, ends_of(self._view.source, self._segment)
+        return any(
+            curve.points[index].tied and line_beside(curve, index, ahead=ahead)
+            for index, ahead in ((start, False), (end, True))
+        )
 
     def _bent_and_shifted(self, pull: FloatArray) -> Curve:
         of_points = sum(change.rate for change in self._hold.changes if change.value.order == 0)

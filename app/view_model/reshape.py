@@ -20,7 +20,7 @@ from ..document.curve_edits import reverse_curve
 from ..document.edits import EditError, freeze_parameters, stretched
 from ..document.jet_edits import JetValue, with_jet_values
 from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
-from ..document.ties import holds
+from ..document.ties import tied_if_parallel
 from ..document.words import number
 from ..families import Family
 from .curve_view import CurveView, ParametricCurve, view_of
@@ -180,8 +180,8 @@ def _tied_as(before: Point | None, point: Point) -> Point:
     """Return a point whose velocities are tied again where they were, and still are parallel."""
     if before is None or not before.tied:
         return point
-    again = replace(point if point.corner else point.as_corner(), tied=True)
-    return again if holds(again) else point
+    again = tied_if_parallel(point if point.corner else point.as_corner())
+    return again if again.tied else point
 
 
 def _corners_of(curve: ParametricCurve, *, is_closed: bool) -> set[int]:

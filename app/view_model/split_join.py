@@ -16,7 +16,7 @@ from .. import view_model
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
 from ..document.model import Curve, ParametrizationKind, Point, Vector
-from ..document.ties import holds, untied
+from ..document.ties import tied_if_parallel
 from ..document.words import number
 from ..families import HERMITE, titles_with_derivatives
 from .curve_view import CurveView, view_of
@@ -256,8 +256,7 @@ def _merged(end: Point, start: Point) -> Point:
     before, after = ([getattr(point, each.name) for each in DERIVATIVES] for point in (end, start))
     if all(map(_alike, before, after)):
         return end
-    merged = replace(end.as_corner().with_derivatives(before, after), tied=True)
-    return merged if holds(merged) else untied(merged)
+    return tied_if_parallel(end.as_corner().with_derivatives(before, after))
 
 
 def _alike(x: Vector | None, y: Vector | None) -> bool:

@@ -11,6 +11,12 @@ from PySide6.QtGui import QGuiApplication
 INKSCAPE, SVG = "image/x-inkscape-svg", "image/svg+xml"
 """MIME types of SVG; where a program offers both, the first says more."""
 
+CURVES = "application/x-curvebench-curves"
+"""MIME type of whole curves: a document of them."""
+
+POINTS = "application/x-curvebench-points"
+"""MIME type of points: a document of one curve that has these points only."""
+
 
 def put_on_clipboard(data: QMimeData) -> None:
     """Let other programs, and this one, paste `data`."""

@@ -25,6 +25,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
+from app.document.style import Style
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.session import Session
 from app.testing import Editor
@@ -84,9 +85,18 @@ def beside(qtbot):
     """Compare a drag with the same in bare Qt, in turn; note the ratio and return whether it holds."""
 
     def beside(
-        what: str, run: Callable[[], Times], most: float, *, n: int = 20, functions: bool = True
+        what: str,
+        run: Callable[[], Times],
+        most: float,
+        *,
+        n: int = 20,
+        functions: bool = True,
+        styled: bool = False,
     ) -> bool:
-        pairs = [(run(), drag_in_bare_qt(qtbot, n, functions_change=functions, pace=PACE)) for _ in range(3)]
+        def peer() -> Times:
+            return drag_in_bare_qt(qtbot, n, functions_change=functions, pace=PACE, styled=styled)
+
+        pairs = [(run(), peer()) for _ in range(3)]
         ours, floor = (min(pair[side].median for pair in pairs) for side in (0, 1))
         worst = min(pair[0].p95 for pair in pairs)
         print(f"\n{what}: {ours:.2f} ms (p95 {worst:.2f}), bare Qt {floor:.2f} ms")
@@ -149,6 +159,18 @@ def test_a_point_dragged_at_frozen_parameters(open_wave, beside, family):
     editor = open_wave(20, family, frozen(family))
     what = f"{family.title} n = 20, a point"
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 3.0, functions=False)
+
+
+@pytest.mark.parametrize("family", OF_THE_COURSE)
+def test_a_point_of_a_styled_curve_dragged(open_wave, beside, family):
+    """A line of 3 pixels around a fill; the peer paints the same."""
+    content = document(20, family, frozen(family))
+    editor = open_wave.document(content)
+    width = 3.0 / editor.window.canvas.pixel_map.sx
+    look = Style(stroke="#d55e00", width=width, fill="#0072b2")
+    editor.session.commit(Document((replace(content.curves[0], style=look),)), "Style")
+    what = f"{family.title} n = 20, a point, styled"
+    assert beside(what, lambda: drag_point(editor, ["canvas"]), 2.0, functions=False, styled=True)
 
 
 @pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])

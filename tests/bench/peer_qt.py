@@ -12,7 +12,17 @@ import numpy as np
 import shiboken6
 from harness import Paints, Times, drag
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPixmap, QPolygonF, QResizeEvent
+from PySide6.QtGui import (
+    QColor,
+    QMouseEvent,
+    QPainter,
+    QPainterPath,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QPolygonF,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 _SAMPLES = 500
@@ -73,8 +83,11 @@ class _Plot(QWidget):
 class _Curve(_Plot):
     """The curve with its points; the one in the middle follows the mouse."""
 
-    def __init__(self, n: int, painted: Callable[[], None], moved: Callable[[], None]) -> None:
+    def __init__(
+        self, n: int, painted: Callable[[], None], moved: Callable[[], None], *, styled: bool = False
+    ) -> None:
         super().__init__(painted)
+        self.styled = styled
         self.moved, self.middle, self.is_held = moved, n // 2, False
         self.t = np.linspace(0, 1, _SAMPLES)
         self.places = np.linspace(0, 1, n)
@@ -114,6 +127,14 @@ class _Curve(_Plot):
             self.moved()
 
     def draw(self, painter: QPainter) -> None:
+        if self.styled:
+            area = QPainterPath()
+            area.addPolygon(self.line)
+            painter.fillPath(area, QColor(0, 114, 178))
+            pen = QPen(QColor(213, 94, 0), 3)
+            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+            pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+            painter.setPen(pen)
         painter.drawPolyline(self.line)
         painter.setPen(self.disc_pen)
         painter.drawPoints(self.discs)
@@ -151,13 +172,20 @@ class _Functions(_Plot):
             painter.drawPolyline(line)
 
 
-def drag_in_bare_qt(qtbot, n: int, *, functions_change: bool, pace: float = 0.0) -> Times:
-    """Drag the point in the middle; with `functions_change` all n functions are painted at each move, too."""
+def drag_in_bare_qt(
+    qtbot, n: int, *, functions_change: bool, pace: float = 0.0, styled: bool = False
+) -> Times:
+    """Drag the point in the middle; with `functions_change` all n functions are painted at each move, too.
+
+    A `styled` curve is filled, and its line is 3 pixels wide.
+    """
     paints = Paints()
     window = QWidget()
     qtbot.addWidget(window)
     functions = _Functions(n, paints.counter("functions"))
-    curve = _Curve(n, paints.counter("curve"), functions.change if functions_change else lambda: None)
+    curve = _Curve(
+        n, paints.counter("curve"), functions.change if functions_change else lambda: None, styled=styled
+    )
     row = QHBoxLayout(window)
     row.addWidget(curve)
     row.addWidget(functions)

@@ -18,7 +18,7 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.document.plain import plain
 from app.document.straight_edits import straighten
 from app.document.ties import PARALLEL, angle_between, holds, tied, turned, untied
-from app.document.transforms import Edge, Linear, align_points, rotation, scaling, transform_points
+from app.document.transforms import Affine, Edge, align_points, rotation, scaling, transform_points
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
@@ -99,7 +99,7 @@ moves = st.one_of(
         st.floats(0.1, 5), st.floats(-5, -0.1),
     ),
     st.builds(
-        lambda k: lambda d: transform_points(d, 0, range(5), Linear(0.0, k, 0.0, 0.0, (0.0, 0.0))), sizes
+        lambda k: lambda d: transform_points(d, 0, range(5), Affine(0.0, k, 0.0, 0.0, (0.0, 0.0))), sizes
     ),
     st.builds(lambda v, a: lambda d: edits.set_velocity(d, 0, 2, v, ahead=a), vectors, st.booleans()),
     st.builds(

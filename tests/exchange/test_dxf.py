@@ -225,3 +225,10 @@ def test_without_ezdxf_the_extra_is_named(sketch, monkeypatch, forget):
             ExchangeError, match=r"DXF needs the package ezdxf: pip install 'curvebench\[dxf\]'"
         ):
             call()
+
+
+@pytest.mark.parametrize("unit", ["mm", "in", "ft", ""])
+def test_the_unit_of_a_file_is_that_of_its_document(unit):
+    document = Document((make_curve([(0.0, 0.0), (3.0, 4.0)], family=HERMITE),))
+    back = read_dxf(dxf_text(document, Options(unit=unit)).data).document
+    assert back.unit == unit

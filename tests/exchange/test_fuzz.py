@@ -38,6 +38,16 @@ SHAPES = (
     b'<rect x="1" y="2" width="3" height="4" rx="1"/><use href="#a" x="3"/><polygon points="0,0 1,1 2,0"/>'
     b"</g></svg>"
 )
+STYLED = (
+    b'<svg xmlns="http://www.w3.org/2000/svg" width="70mm" height="2in" viewBox="0 0 140 100" '
+    b'preserveAspectRatio="xMinYMid slice"><style>.a,g>.b{fill:hsl(38,92%,50%);stroke:#0af!important}</style>'
+    b'<linearGradient id="g"><stop stop-color="red" stop-opacity=".5"/></linearGradient><clipPath id="c">'
+    b'<rect width="9" height="9"/></clipPath><symbol id="s" viewBox="0 0 9 9"><path class="a" d="M0 0L9 9z'
+    b'm1 1h4v4z"/></symbol><g id="G" opacity=".5" clip-path="url(#c)" style="stroke-width:2mm;'
+    b'stroke-dasharray:4 1,2;stroke-dashoffset:3;stroke-miterlimit:7"><use href="#s" x="5%" width="40"/>'
+    b'<path class="b" fill="url(#g) lime" d="M0 0C1 2 3 4 5 6" transform="scale(1 3)"/>'
+    b"<text>hi</text></g></svg>"
+)
 
 
 def _shapes_as_dxf() -> bytes:
@@ -96,13 +106,14 @@ READERS = {
             b'"geometry":{"type":"MultiLineString","coordinates":[[[9,53],[10,54]],[[1,2],[3,4]]]}}]}',
         ],
     ),
-    "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).data, SHAPES]),
+    "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).data, SHAPES, STYLED]),
     "dxf": (lambda data: read_dxf(data).document, [_spline_as_dxf(), _shapes_as_dxf()]),
 }
 
 SPLICES = st.sampled_from(
     [b"", b"\0", b"nan", b"1e999", b"-", b"e", b",", b"\n", b"<", b">", b'"', b"&a;", b"{", b"]", b"\xff",
-     b"=", b"9" * 400, b"M", b"A", b"Z", b"  0\nLINE\n", b"-1", b"0", b"1e-320", b"\xe2\x80\xa8", b"#", b";"]
+     b"=", b"%", b"(", b"url(#s)", b"9" * 400,
+     b"M", b"A", b"Z", b"  0\nLINE\n", b"-1", b"0", b"1e-320", b"\xe2\x80\xa8", b"#", b";"]
 )  # fmt: skip
 
 

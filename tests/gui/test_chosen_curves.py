@@ -14,11 +14,11 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.transforms import clean_step
 from app.families import QUINTIC_HERMITE
-from app.features.clipboard.content import CURVES
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import Spot, spot_rect
 from app.features.import_export.commands import ExchangeCommands
 from app.tools.snapping import SnapKind, Snapping
+from app.workbench.clipboard import CURVES
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier

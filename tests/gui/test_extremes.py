@@ -125,10 +125,12 @@ def test_a_tiny_box_is_scaled_in_proportion(opened, size):
     editor.select([0, 1, 2])
     x, y = editor.grip(1, 1)
     way = 40 * editor.window.canvas.camera.pixel_size
-    editor.drag((float(x), float(y)), (x + way, y + way), keys=Qt.KeyboardModifier.ShiftModifier)
-    factor = editor.point(2)[0] / (3 * size)
+    editor.drag((float(x), float(y)), (x + way, y + way), keys=Qt.KeyboardModifier.ControlModifier)
+    x, y = editor.point(0)
+    factor = (editor.point(2)[0] - x) / (3 * size)
     assert factor > 1.05
-    assert editor.point(1) == pytest.approx((factor * size, factor * 2 * size), rel=1e-9)
+    expected = (x + factor * size, y + factor * 2 * size)
+    assert editor.point(1) == pytest.approx(expected, rel=1e-9)
 
 
 def test_the_nearest_segment_of_several_polylines():

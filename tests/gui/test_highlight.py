@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.features.clipboard.content import CURVES, POINTS
 from app.features.curve_list.commands import CurveListCommands
+from app.workbench.clipboard import CURVES, POINTS
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier

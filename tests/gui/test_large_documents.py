@@ -54,7 +54,7 @@ def test_a_large_document_is_opened_beside_the_window(editor, large, qtbot):
     calls = calls_of(opened)
     assert editor.session.files.path == large
     assert len(editor.session.document.curves) == COUNT
-    assert calls < 500 * COUNT
+    assert calls < 430 * COUNT
     assert [share for share, _ in told] == sorted(share for share, _ in told)
     assert {word for _, word in told} <= {"Reading", "Computing curves"}
 

@@ -14,6 +14,8 @@ from PySide6.QtWidgets import QToolButton
 from app.document.lines import is_line
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.ties import angle_between, holds
+from app.exchange.reading import import_file
+from app.exchange.writing import export
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.view_model.analysis.joints import certificate_of
@@ -331,6 +333,27 @@ def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bo
     assert row.continuity[1] >= 1
 
 
+@pytest.mark.parametrize("segment", [1, 3])
+def test_a_bend_beside_a_line_follows_the_mouse_and_leaves_the_line(bow, segment):
+    straight(bow, 2)
+    bow.select([2, 3])
+    bow.key(Key.Key_S, SHIFT)
+    # Between one line a point is tangent to it; here both ends of the line are.
+    assert [point.tied for point in bow.curve.points] == [False, False, True, True, False]
+    view = bow.session.active_view
+    t = float(view.parameters[segment : segment + 2].mean())
+    x, y = view.curve.evaluate(t)
+    goal = (x + 0.2, y + 0.4)
+    bow.select([])
+    bow.bend(t, goal)
+    after = bow.session.active_view
+    share = 0.5 * (after.parameters[segment] + after.parameters[segment + 1])
+    assert after.curve.evaluate(share) == pytest.approx(goal, abs=2 * bow.pixel)
+    assert is_line(bow.curve, 2)
+    assert holds(bow.curve.points[2])
+    assert holds(bow.curve.points[3])
+
+
 def test_a_smooth_point_stays_smooth_when_a_segment_beside_it_is_made_straight(bow):
     bow.select([2])
     bow.key(Key.Key_S, SHIFT)
@@ -401,7 +424,7 @@ def test_the_mark_of_each_kind_is_another_one_and_says_it_without_colour(bow, qt
         bow.trigger(kind.action)
         for selected in (False, True):
             bow.select([2] if selected else [])
-            bow.hover((-1.0, -1.0))
+            bow.hover((5.0, 2.5))
             centre = QPointF(canvas.viewport().mapTo(bow.window, canvas.to_pixel(*bow.point(2))))
             shot = bow.screenshot()
             grey = np.array(
@@ -465,6 +488,21 @@ def test_files_and_both_clipboards_keep_a_tie(bow):
     bow.trigger("copyPoints")
     bow.trigger("pasteAsCurve")
     assert [point.tied for point in bow.curve.points] == [True, True, False]
+
+
+def test_a_table_of_points_keeps_a_tie(bow, tmp_path):
+    bow.select_point(2)
+    bow.key(Key.Key_S, SHIFT)
+    bow.drag_handle((4.2, 3.4), ahead=True)
+    bow.select([3])
+    bow.key(Key.Key_C, SHIFT)
+    bow.drag_handle((4.8, 1.6), ahead=True)
+    export(bow.session.document, tmp_path / "bow.points.csv")
+    (back,) = import_file(tmp_path / "bow.points.csv").document.curves
+    assert [(point.corner, point.tied) for point in back.points][1:4] == [
+        (False, False), (True, True), (True, False)
+    ]  # fmt: skip
+    assert holds(back.points[2])
 
 
 @pytest.mark.parametrize("name", ["reverseCurve", "freezeParameters", "closeCurve"])

@@ -17,7 +17,8 @@ ACTIONS = (
     "tangentSmooth", "tangentSymmetric", "tangentCorner", "tangentEstimated", "freezeParameters",
     "resetVelocities",
     "cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDerivatives", "pasteDerivatives",
-    "deleteSelection", "selectAll",
+    "deleteSelection", "selectAll", "selectAllCurves", "combineCurves", "breakApart", "deleteContour",
+    "groupCurves", "ungroupCurves",
 )  # fmt: skip
 
 

@@ -187,12 +187,13 @@ def test_a_colour_is_chosen_from_the_palette_by_keys(three):
     assert three.curve.style.stroke == "#0072b2"
 
 
-def test_a_copy_has_the_next_colour_that_is_free(three):
+def test_a_copy_keeps_its_colour(three):
+    """It used to have the next one that was free."""
     three.session.commit(with_appearance(three.session.document, {1}, colour="#0072b2"), "Blue")
     three.session.commit(with_appearance(three.session.document, {0}, colour="#d55e00"), "Vermillion")
     three.session.selected.activate(1)
     three.trigger("duplicateCurve")
-    assert three.curve.style.stroke == "#009e73"
+    assert (three.curve.name, three.curve.style.stroke) == ("B copy", "#0072b2")
     three.session.selected.activate(3)
     assert three.curve.style.stroke == ""
     three.trigger("duplicateCurve")

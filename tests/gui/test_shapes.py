@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import LIGHT
 from app.cli import main
+from app.document.edits import move_points
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, Style
 from app.families import HERMITE
@@ -215,6 +216,25 @@ def test_more_is_combined_with_a_shape(ring):
     click_row(ring, "Shape 1", CTRL)
     ring.trigger("combineCurves")
     assert shapes(ring) == ["Shape 1"] * 3
+
+
+def test_a_letter_is_traced_combined_and_filled(editor):
+    """What a designer does for an O: ten clicks of the pen, three keys, one click on a colour."""
+    editor.new()
+    editor.choose_family(HERMITE)
+    editor.window.canvas.camera.show_box((-4.0, 4.0), (-4.0, 4.0))
+    editor.trigger("addTool")
+    for size in (3.0, 1.5):
+        for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)):
+            editor.click((size * x, size * y))
+    editor.key(Qt.Key.Key_V)
+    editor.key(Qt.Key.Key_A, CTRL | SHIFT)
+    editor.key(Qt.Key.Key_K, CTRL | ALT)
+    editor.show_dock("styleDock")
+    blue = editor.window.findChild(object, "fillPaint_Blue")
+    QTest.mouseClick(blue, LEFT)
+    assert [curve.is_closed for curve in editor.session.document.curves] == [True, True]
+    assert (seen(editor, 2.2, 0.3), seen(editor, 0.3, 0.2)) == ("#0072b2", LIGHT.paper.name())
 
 
 # The entry that opens
@@ -646,3 +666,83 @@ def test_shift_click_within_a_fill_chooses_it_too(edited):
     edited.session.selected.activate(2)
     edited.click((2.2, 0.3), keys=SHIFT)
     assert chosen(edited) == ALL
+
+
+def test_the_points_of_the_other_curves_of_the_shape_are_seen(edited):
+    canvas = edited.window.canvas
+
+    def has_rim():
+        """Whether there is something of the accent's blue at the top of the hole, where all else is red."""
+        edited.settle()
+        image, (x, y) = canvas.viewport().grab().toImage(), canvas.to_pixel(0.0, 1.5).toTuple()
+        colours = [QColor(image.pixel(x + dx, y)) for dx in range(-4, 5)]
+        return any(colour.blue() - colour.red() > 100 for colour in colours)
+
+    assert has_rim()
+    edited.session.selected.activate(2)
+    assert not has_rim()
+
+
+# With what acts on chosen curves
+
+
+def test_groups_are_aligned_whole(group):
+    group.trigger("selectAllCurves")
+    before = group.session.document
+    group.session.selected.choose({0, 1, 2})
+    group.trigger("alignLeft")
+    ways = [
+        np.subtract(new.points[0].position, old.points[0].position)
+        for new, old in zip(group.session.document.curves, before.curves, strict=True)
+    ]
+    # Inner and Side begin at -1.5, Outer at -3.
+    assert np.array(ways) == pytest.approx(np.array([(0, 0), (-1.5, 0), (-1.5, 0)]), abs=1e-9)
+
+
+def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
+    click_row(group, "Group 1")
+    group.trigger("combineCurves")
+    group.session.selected.activate(1)
+    group.window.canvas.setFocus()
+    group.key(Qt.Key.Key_C, CTRL)
+    assert group.status == "Copied “Group 1”."
+    group.key(Qt.Key.Key_V, CTRL | ALT)
+    assert shapes(group) == ["", "Shape 1", "Shape 1", "Shape 1 copy", "Shape 1 copy"]
+    assert groups(group) == [(), ("Group 1",), ("Group 1",), ("Group 1 copy",), ("Group 1 copy",)]
+    group.key(Qt.Key.Key_X, CTRL)
+    assert shapes(group) == ["", "Shape 1", "Shape 1"]
+
+
+# Many
+
+
+def test_a_move_in_a_list_of_thousands_makes_one_row_anew(editor, monkeypatch):
+    curves = [
+        replace(diamond(1.0, f"c{k}", x=3.0 * k), shape=f"S{k // 2}", groups=(f"G{k // 20}",))
+        for k in range(2000)
+    ]
+    editor.session.commit(Document(tuple(curves)), "Begin", active=7)
+    editor.session.selected.activate(7)
+    editor.show_dock("curvesDock")
+    model = view_of(editor).curves
+    assert model.rowCount() == 100
+    made = []
+    row = type(model)._row
+    monkeypatch.setattr(type(model), "_row", lambda self, node: made.append(node.name) or row(self, node))
+    resets = []
+    model.modelAboutToBeReset.connect(lambda: resets.append(1))
+    editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
+    assert (made, resets) == (["G0"], [])
+    fold(editor, "G0")
+    fold(editor, "S3")
+    made.clear(), resets.clear()
+    editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
+    assert (sorted(made), resets) == (["G0", "S3", "c7"], [])
+
+
+def test_leaving_a_curve_of_a_shape_chooses_the_shape(edited):
+    edited.escape()
+    assert chosen_as_wholes(edited) == {"Outer", "Inner"}
+    assert edited.status.startswith("“Shape 1” is chosen, and edited no longer")
+    edited.key(Qt.Key.Key_Delete)
+    assert (names(edited), edited.status) == (["Side"], "Deleted “Shape 1”.")

@@ -480,3 +480,21 @@ def test_the_list_fills_too(editor, panel):
     menu.close()
     assert styles(editor)[2].fill == BLUE
     assert editor.session.undo_stack.undoText() == "Fill Root"
+
+
+def test_curves_that_are_copied_bring_their_style(editor, panel):
+    click(panel, "fillPaint_Blue")
+    editor.session.selected.set_curves([1, 2], 1)
+    editor.key(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    editor.session.selected.set_curves([0])
+    editor.key(Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
+    assert styles(editor)[0] == Style(fill=BLUE)
+    assert len(styles(editor)) == 3
+
+
+def test_a_curve_that_is_begun_looks_as_the_one_before(editor, panel):
+    click(panel, "strokePaint_Blue")
+    enter(editor, panel, "strokeWidth", "0.5")
+    editor.trigger("newCurve")
+    assert styles(editor)[editor.session.active_index] == Style(stroke=BLUE, width=0.5)
+    assert len(styles(editor)) == 4

@@ -7,7 +7,8 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from .drawing import USUAL_WIDTH, Drawing, Frame, Outline, extent_of
+from ...document.model import Document
+from .drawing import USUAL_WIDTH, Drawing, Frame, Outline, drawing_of, extent_of
 
 _SLIMMEST = 0.02
 """Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""
@@ -27,6 +28,17 @@ def trimmed(drawing: Drawing) -> Drawing:
     width, height = np.maximum(size, _SLIMMEST * size.max()).tolist()
     x, y = middle.tolist()
     return replace(drawing, frame=Frame(x - width / 2, y - height / 2, width, height))
+
+
+def frame_of(document: Document) -> Frame:
+    """Return the box around the visible curves of a document with their strokes, whatever its page.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn.
+    """
+    return trimmed(drawing_of(replace(document, page=None))).frame
 
 
 def _box(outline: Outline) -> FloatArray:

@@ -11,6 +11,7 @@ from curvecore.arrays import FloatArray, IntArray
 
 from ...document.derivatives import DERIVATIVES, VECTORS
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
+from ...document.ties import tied_if_parallel
 from ...document.words import NamedEnum
 from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ...storage.format_error import FormatError
@@ -303,7 +304,7 @@ def _points(own: _Rows, family: Family, report: Report) -> Iterator[Point]:
         for at_x, at_y, at, vectors in rows:
             before, after = vectors[: len(DERIVATIVES)], vectors[len(DERIVATIVES) :]
             point = Point(at_x, at_y, at, corner=after[0] is not None)
-            yield point.with_derivatives(before, after) if any(vectors) else point
+            yield tied_if_parallel(point.with_derivatives(before, after)) if any(vectors) else point
 
 
 def _thinned_curve(name: str, own: _Rows, kept: IntArray, parameters: FloatArray) -> Curve:

@@ -86,8 +86,13 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayou
     plain = TextLayout(separator, decimal_comma, header=False)
     rows = [cells_of(line, plain) for line in lines]
     # Of rows that end with a separator nobody knows yet whether an empty cell follows it.
-    widths = {mode(map(len, rows)), mode(len(cells_of(line, plain, _ANY_WIDTH)) for line in lines)}
-    above = next((place for place, row in enumerate(rows) if not _is_above(row, widths, plain)), 0)
+    wholes = [len(cells_of(line, plain, _ANY_WIDTH)) for line in lines]
+    widths = {mode(map(len, rows)), mode(wholes)}
+    are_above = (
+        _is_above(row, {len(row), whole}.isdisjoint(widths), plain)
+        for row, whole in zip(rows, wholes, strict=True)
+    )
+    above = next((place for place, is_above in enumerate(are_above) if not is_above), 0)
     if above == 0:
         # Without a row of numbers the first one holds titles, if there are others.
         return replace(plain, header=len(rows) > 1 and not any(is_number(cell, plain) for cell in rows[0]))
@@ -99,13 +104,13 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayou
     return replace(plain, header=True, skipped=titles, units=units)
 
 
-def _is_above(row: list[str], widths: set[int], layout: TextLayout) -> bool:
+def _is_above(row: list[str], has_other_width: bool, layout: TextLayout) -> bool:
     """Whether a row is no row of numbers, nor a broken one."""
     numbers = sum(is_number(cell, layout) or is_missing(cell) for cell in row)
     if numbers == len(row):
         return False
     # Between blanks a title such as "NACA 2412" has as many cells as a point.
-    return numbers == 0 or len(row) not in widths or layout.separator == " "
+    return numbers == 0 or has_other_width or layout.separator == " "
 
 
 def _is_titles(row: list[str], widths: set[int], layout: TextLayout) -> bool:

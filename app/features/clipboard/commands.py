@@ -13,10 +13,9 @@ from ...exchange.table.clipboard import write_block
 from ...session.highlight import Highlight
 from ...view_model.pasting import copied
 from ...widgets.number_text import decimal_mark, exact_text
-from ...workbench.clipboard import put_on_clipboard
+from ...workbench.clipboard import CURVES, POINTS, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.highlight import highlighted, remove
-from .content import CURVES, POINTS
 from .derivative_commands import DerivativeCommands
 from .highlight_commands import HighlightCommands
 from .keys import give_keys_to_drawing

@@ -17,16 +17,10 @@ from ...storage.format_error import FormatError
 from ...view_model.pasting import points_of_rows
 from ...view_model.point_columns import known_titles
 from ...widgets.number_text import decimal_mark
-from ...workbench.clipboard import INKSCAPE, SVG
+from ...workbench.clipboard import CURVES, INKSCAPE, POINTS, SVG
 
 if TYPE_CHECKING:
     from ...exchange.svg.fragments import Fragment
-
-CURVES = "application/x-curvebench-curves"
-"""MIME type of whole curves: a document of them."""
-
-POINTS = "application/x-curvebench-points"
-"""MIME type of points: a document of one curve that has these points only."""
 
 
 class PointsContent(msgspec.Struct, frozen=True):

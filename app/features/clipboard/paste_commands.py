@@ -17,7 +17,7 @@ from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
-from ...document.several_curves import named
+from ...document.several_curves import name_of, named
 from ...document.shape_edits import place_above
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
@@ -30,8 +30,9 @@ from ...view_model.pasting import (
     copied_as_new_curve,
     refuse_unordered,
 )
+from ...workbench.clipboard import CURVES
 from ...workbench.context import WindowContext
-from .content import CURVES, PointsContent, clipboard_data, curves_in, drawing_in, points_in
+from .content import PointsContent, clipboard_data, curves_in, drawing_in, points_in
 from .keys import give_keys_to_drawing
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ class PasteCommands:
         """Add the curves or the SVG on the clipboard where they were copied from; append points."""
         self._paste(None, self._append)
 
-    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Shift+V")
+    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Alt+N")
     @also(CANVAS_MENU(22))
     def _paste_as_curve(self) -> None:
         """Make a curve of the points on the clipboard."""
@@ -141,7 +142,7 @@ class PasteCommands:
         session.selected.choose(places)
         if not framing.shows_curves(places):
             self._context.actions["fitView"].trigger()
-        is_one = name == document.curves[places.start].name
+        is_one = name_of(document, places) is not None
         session.say(f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen.")
         self._context.work.warn_of(remarks)
 

@@ -83,8 +83,11 @@ class CurveListCommands:
         self._render()
 
     def _render(self) -> None:
-        session = self._session
-        self.panel.render_document(session.document, session.active_index, session.selected.curves)
+        session, selected = self._session, self._session.selected
+        marked = selected.curves if selected.is_editing else selected.chosen
+        self.panel.render_document(
+            session.document, session.active_index, marked, is_editing=selected.is_editing
+        )
 
     # Number
 

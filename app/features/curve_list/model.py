@@ -82,12 +82,12 @@ class CurveListModel(Guarded, QAbstractListModel):
         self._rows: list[Row] = []
         self._row_of: dict[int, int] = {}
         self._open: set[_Key] = set()
-        self._active = 0
+        self._edited: int | None = 0
         self._chosen: frozenset[int] = frozenset()
 
-    def show_document(self, document: Document, active: int, selected: frozenset[int]) -> None:
+    def show_document(self, document: Document, edited: int | None, selected: frozenset[int]) -> None:
         """Show the curves of `document`; only what changed is announced."""
-        self._active, self._chosen = active, selected
+        self._edited, self._chosen = edited, selected
         before, self._curves = self._curves, document.curves
         if before is document.curves:
             return
@@ -217,9 +217,10 @@ class CurveListModel(Guarded, QAbstractListModel):
         return None
 
     def _role_of(self, entry: Entry) -> str:
-        if len(self._chosen) < 2 or not entry.places <= self._chosen:
+        is_alone = self._edited is not None and len(self._chosen) < 2
+        if is_alone or not entry.places <= self._chosen:
             return ""
-        return ", chosen, edited" if self._active in entry.places else ", chosen"
+        return ", chosen, edited" if self._edited in entry.places else ", chosen"
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         entry = self.entry_of(index)

@@ -71,10 +71,12 @@ class CurveList(Guarded, QWidget):
             button.setFixedSize(26, 26)
             self._buttons.insertWidget(place, button)
 
-    def render_document(self, document: Document, active: int, selected: frozenset[int]) -> None:
-        """Show the curves of `document`, which of them is edited and which are selected."""
-        self.model.show_document(document, active, selected)
-        self.view.show_active(active, selected)
+    def render_document(
+        self, document: Document, active: int, selected: frozenset[int], *, is_editing: bool
+    ) -> None:
+        """Show the curves of `document`, which of them is edited, if any is, and which are selected."""
+        self.model.show_document(document, active if is_editing else None, selected)
+        self.view.show_active(active, selected, is_editing=is_editing)
 
     # What the person did
 

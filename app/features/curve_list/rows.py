@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QLineEdit, QStyledItemDelegate, QStyleOptionViewIt
 from ...appearance.icons import icon
 from ...appearance.swatches import draw_style
 from ...appearance.theme import mix, theme_of
+from ...document.curve_tree import NodeKind
 from ...qt.overrides import Guarded
 from ...widgets.controls import named
 
@@ -60,8 +61,8 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         """Paint a row; called by Qt."""
         view, number = self._view, index.row()
         entry, row, theme = view.curves.entries[number], view.curves.row(number), theme_of(view.palette())
-        is_active, is_chosen = view.shows_active(entry), entry.places <= view.selected
-        is_one_of_many = is_chosen and len(view.selected) > 1
+        is_active, is_chosen = view.shows_edited(entry), entry.places <= view.selected
+        is_one_of_many = is_chosen and (len(view.selected) > 1 or not view.is_editing)
         if is_active or is_chosen:
             painter.fillRect(option.rect, mix(theme.accent, theme.paper, 0.2 if view.hasFocus() else 0.12))
         if is_active and is_one_of_many:
@@ -78,7 +79,11 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         swatch = spot_rect(rect, Spot.SWATCH)
         if is_one_of_many:
             self._paint_ring(painter, swatch, theme.accent)
-        draw_style(painter, QRectF(swatch).center(), _SWATCH, row.style, theme)
+        if entry.node.kind is NodeKind.GROUP:
+            # What is in a group need not look the same.
+            self._paint_switch(painter, swatch, "group", True)
+        else:
+            draw_style(painter, QRectF(swatch).center(), _SWATCH, row.style, theme)
         font = painter.font()
         font.setBold(is_active)
         painter.setFont(font)

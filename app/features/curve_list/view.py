@@ -75,7 +75,7 @@ class CurveListView(ClaimsKeys, QListView):
     def __init__(self, model: CurveListModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.curves = model
-        self.active = 0
+        self.active, self.is_editing = 0, True
         self.selected: frozenset[int] = frozenset()
         # The row that keys go on from, and where choosing row by row has come to from it.
         self._current = self._reached = 0
@@ -97,8 +97,9 @@ class CurveListView(ClaimsKeys, QListView):
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
 
-    def show_active(self, row: int, selected: frozenset[int]) -> None:
-        """Mark the row of the active curve, and those that are selected."""
+    def show_active(self, row: int, selected: frozenset[int], *, is_editing: bool = True) -> None:
+        """Mark the row of the active curve as edited, if it is, and those that are selected."""
+        self.is_editing = is_editing
         changed, self.active, self.selected = row != self.active, row, selected
         if not self._is_about(self._current):
             self._current = self.curves.row_about(selected, row)
@@ -121,6 +122,10 @@ class CurveListView(ClaimsKeys, QListView):
     def shows_active(self, entry: Entry) -> bool:
         """Whether an entry is that of the active curve, or of what it is in while that is folded."""
         return self.active in entry.node.places and not entry.is_open
+
+    def shows_edited(self, entry: Entry) -> bool:
+        """Whether an entry is that of the curve that is edited, or of what it is in."""
+        return self.is_editing and self.shows_active(entry)
 
     def _places(self, row: int) -> frozenset[int]:
         return self.curves.entries[row].places
@@ -228,7 +233,7 @@ class CurveListView(ClaimsKeys, QListView):
         """Show what is in the shape or group of a row, or no longer."""
         self.curves.open(row, is_open)
         self._reached = self.curves.rowCount()
-        self.show_active(self.active, self.selected)
+        self.show_active(self.active, self.selected, is_editing=self.is_editing)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()

@@ -200,6 +200,8 @@ def _shape_facts(view: CurveView) -> list[str]:
     others = len(jolts_of(view))
     corners = len(view.corners) - others
     facts += [count_of(corners, "corner")] if corners else []
+    smooth = len(view.two_sided) - len(view.corners)
+    facts += [f"{smooth} smooth"] if smooth else []
     return [*facts, f"{count_of(others, 'point')} with two sides"] if others else facts
 
 

@@ -3,3 +3,7 @@
 - ``commands``: the actions.  ``field``: the field on the canvas into which the place of a guide is typed.
 - ``places``: a place as people type it.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -13,7 +13,7 @@ from ...document.model import Axis, Guide
 from ...state.window_state import WindowState
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
-from .field import GuideField
+from .. import guides
 
 _SOME_GUIDE = Need("a guide", lambda now: bool(now.session.document.guides))
 _BESIDE = 6
@@ -27,7 +27,7 @@ class GuideCommands:
         self._context, self._session = context, context.session
         self._canvas = context.central.canvas
         self._guides = self._canvas.drawing.guides
-        self._made: GuideField | None = None
+        self._made: guides.field.GuideField | None = None
         # The guide whose place is typed; None for a new one.
         self._typed: int | None = None
         self._show_state(None, context.store.state)
@@ -51,10 +51,10 @@ class GuideCommands:
     # The field
 
     @property
-    def field(self) -> GuideField:
+    def field(self) -> guides.field.GuideField:
         """The field on the canvas; made when somebody first types into it."""
         if self._made is None:
-            self._made = GuideField(self._canvas.viewport())
+            self._made = guides.field.GuideField(self._canvas.viewport())
             self._made.entered.connect(self._take)
             self._made.closed.connect(lambda: self._canvas.setFocus(Qt.FocusReason.OtherFocusReason))
             self._session.interrupted.connect(self._made.close_field)

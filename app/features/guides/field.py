@@ -75,7 +75,8 @@ class GuideField(OverlayFrame):
     def __init__(self, below: QWidget) -> None:
         super().__init__("guideField", below)
         self.setAccessibleName("Guide")
-        self._axis, self._is_new, self._unit = Axis.X, True, ""
+        self._axis, self._unit = Axis.X, ""
+        self._guide: Guide | None = None
         self._corner: Callable[[Axis], QPoint] = lambda _axis: QPoint(0, 0)
         self._turn = tool_button(
             "guideAxis", "Coordinate of the guide", "Upright (x) or level (y)", text="x ="
@@ -101,10 +102,10 @@ class GuideField(OverlayFrame):
 
     def open_for(self, guide: Guide | None, axis: Axis, unit: str, corner: Callable[[Axis], QPoint]) -> None:
         """Ask for the place of a guide, or of a new one of this axis, at a corner of the canvas."""
-        self._is_new, self._unit, self._corner = guide is None, unit, corner
+        self._guide, self._unit, self._corner = guide, unit, corner
         self._suffix.setText(unit)
         self._suffix.setVisible(bool(unit))
-        self._turn.setEnabled(self._is_new)
+        self._turn.setEnabled(guide is None)
         self.edit.setText(typed_text(guide.position) if guide is not None else "")
         self._show_axis(axis)
         self._say("")
@@ -146,8 +147,9 @@ class GuideField(OverlayFrame):
             self.close_field()
             return
         try:
-            typed = read_place(self.edit.text(), self._unit)
-            if typed.axis not in (None, self._axis) and not self._is_new:
+            now = self._guide.position if self._guide is not None else 0.0
+            typed = read_place(self.edit.text(), self._unit, now)
+            if typed.axis not in (None, self._axis) and self._guide is not None:
                 raise ExpressionError(f"This guide holds {self._axis.value}; type that.")
         except ExpressionError as reason:
             self._say(f"⚠ {reason}")

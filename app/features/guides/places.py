@@ -5,13 +5,11 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from ... import exchange
-from ...document.expression import ExpressionError
 from ...document.model import Axis
-from ...widgets.field_edit import read_number
+from ...exchange.lengths import typed_length
+from ...widgets.number_text import decimal_mark
 
 _AXIS = re.compile(r"\s*([xyXY])\s*=(.*)", re.DOTALL)
-_UNIT = re.compile(r"(.*[0-9.)\s])\s*([^\W\d_]+|[\"″′])\s*", re.DOTALL)
 
 
 class TypedPlace(NamedTuple):
@@ -21,8 +19,10 @@ class TypedPlace(NamedTuple):
     position: float
 
 
-def read_place(text: str, unit: str = "") -> TypedPlace:
+def read_place(text: str, unit: str = "", now: float = 0.0) -> TypedPlace:
     """Return what a text such as "20", "x = 1/3" or "y = 1 in" means, in a document of this unit.
+
+    `now` is where the guide lies, for "+10%".
 
     Raises
     ------
@@ -32,16 +32,4 @@ def read_place(text: str, unit: str = "") -> TypedPlace:
     axis, rest = None, text
     if found := _AXIS.fullmatch(text):
         axis, rest = Axis(found[1].lower()), found[2]
-    return TypedPlace(axis, _length(rest, unit))
-
-
-def _length(text: str, unit: str) -> float:
-    found = _UNIT.fullmatch(text)
-    typed = exchange.units.known_unit(found[2]) if found else ""
-    if not found or not typed:
-        return read_number(text)
-    own = exchange.units.known_unit(unit)
-    if not own:
-        raise ExpressionError(f"The document has no unit of length; type a number without “{typed}”.")
-    sizes = exchange.units.MILLIMETRES
-    return read_number(found[1]) * sizes[typed] / sizes[own]
+    return TypedPlace(axis, typed_length(rest, unit, now, decimal_mark()))

@@ -38,7 +38,7 @@ class HelpCommands:
             tool=context.store.state.tool,
             selected=len(context.session.selection),
             has_derivatives=context.session.active_curve.family.derivatives > 0,
-            curves=len(context.session.selected.curves),
+            curves=len(context.session.selected.chosen),
         )
         self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 

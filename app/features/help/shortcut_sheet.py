@@ -36,24 +36,24 @@ class Moment(msgspec.Struct, frozen=True):
     has_derivatives
         Whether the family has velocities.
     curves
-        How many curves are chosen.
+        How many curves are chosen as wholes.
     """
 
     tool: ToolRecord
     selected: int
     has_derivatives: bool
-    curves: int = 1
+    curves: int = 0
 
     @property
     def has_curves(self) -> bool:
-        """Whether several curves are chosen and the transforms act on them: no point is selected."""
-        return self.curves > 1 and not self.selected
+        """Whether curves are chosen and the transforms act on them: no point is selected."""
+        return self.curves > 0 and not self.selected
 
     @property
     def title(self) -> str:
         """Heading for the situation."""
         if self.tool is SELECT and self.has_curves:
-            return f"Now: {self.curves} curves chosen"
+            return f"Now: {count_of(self.curves, 'curve')} chosen"
         if self.tool is SELECT and self.selected:
             return f"Now: {count_of(self.selected, 'point')} selected"
         return f"Now: {self.tool.doing}"
@@ -62,7 +62,7 @@ class Moment(msgspec.Struct, frozen=True):
         """Return what must be otherwise for a gesture of any tool to apply; empty where it does."""
         is_there = (gesture.selected and bool(self.selected)) or (gesture.curves and self.has_curves)
         if not is_there and gesture.curves:
-            curves = "several curves chosen and no point selected"
+            curves = "curves chosen and no point selected"
             return f"with points selected, or {curves}" if gesture.selected else f"with {curves}"
         if not is_there and gesture.selected:
             return "with points selected"
@@ -92,7 +92,8 @@ _WITH_ANY_TOOL = (
     ),
     GestureRow(
         "Arrow keys",
-        "nudge by a round number, or a step of the grid; Shift: ten, Ctrl: a tenth, Alt: a pixel",
+        "nudge by a round number, or a step of the grid, ticks in the t-rail by a pixel; "
+        "Shift: ten, Ctrl: a tenth, Alt: a pixel",
         selected=True,
         curves=True,
     ),

@@ -21,7 +21,7 @@ from ...widgets.tool_buttons import action_button
 from .model import JointsModel
 
 _PADDING = 5
-_DETAIL_LINES = 6
+_DETAIL_LINES = 4
 _HOW = "Click a joint, or press Enter, to see it close up."
 
 
@@ -164,8 +164,8 @@ class JointsPanel(FollowsTheme, QWidget):
         t = number(row.t, 4, decimal_mark())
         # Only a closed curve has a joint at its first point.
         where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
-        told = (f"{row.kind.value} {where}: {row.smoothness}", row.words, row.measured)
-        self._detail.setText("\n".join(filter(None, told)))
+        told = " · ".join(filter(None, (row.smoothness, row.measured)))
+        self._detail.setText(f"{row.kind.value} {where}: {told}\n{row.words}")
 
     def set_theme(self, theme: Theme) -> None:
         self._model.theme = theme

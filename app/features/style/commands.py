@@ -21,12 +21,13 @@ from ...document.shapes import whole_shapes
 from ...document.style import Style
 from ...document.style_edits import STYLE_WORDS, with_style, with_whole_style
 from ...features import style
+from ...storage.format import decode
 from ...storage.format_error import FormatError
 from ...storage.style_check import validate_style
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...view_model.palette import adjustment_of
-from ...workbench.clipboard import put_on_clipboard
+from ...workbench.clipboard import CURVES, POINTS, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
@@ -186,7 +187,7 @@ class StyleCommands:
         "pasteStyle",
         "Paste Style",
         EDIT_STYLE,
-        "",
+        "Ctrl+Shift+V",
         "style-paste",
         keywords="colour format painter",
     )
@@ -204,15 +205,18 @@ class StyleCommands:
 
 
 def _style_on_clipboard() -> Style | None:
+    """Return the style that was copied, or that of the first of the curves that were; None without either."""
     data = QGuiApplication.clipboard().mimeData() or QMimeData()  # None where nothing was ever copied
-    if not data.hasFormat(STYLE):
-        return None
     try:
-        found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
-        validate_style(found, "style")
+        if data.hasFormat(STYLE):
+            found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
+            validate_style(found, "style")
+            return found
+        for kind in filter(data.hasFormat, (CURVES, POINTS)):
+            return decode(bytes(data.data(kind).data())).curves[0].style
     except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
-        return None
-    return found
+        pass
+    return None
 
 
 COMMAND_SETS = (StyleCommands, StyleViewCommands)

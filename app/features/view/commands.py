@@ -16,6 +16,7 @@ from ...actions.sections import (
 )
 from ...actions.strips import CANVAS_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
+from ...document.several_curves import named
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
@@ -78,13 +79,15 @@ class ViewCommands:
         """Choose the curve that is edited alone, then as a whole that is edited no longer, then none."""
         session, selected = self._session, self._session.selected
         if not selected.is_editing:
-            selected.choose(())
+            if selected.chosen:
+                selected.choose(())
+                session.say("No curve is chosen.")
             return
         if selected.chosen:
             selected.set_curves((session.active_index,))
             return
         selected.choose((session.active_index,))
-        name = session.active_curve.name
+        name = named(session.document, selected.chosen)
         session.say(f"“{name}” is chosen, and edited no longer; clicks choose whole curves, Enter edits one.")
 
     @action_for_each(

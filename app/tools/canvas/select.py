@@ -188,7 +188,7 @@ class SelectTool(Tool):
         return context.target.group if is_inside else None
 
     def _pivot(self, context: ToolContext) -> Vector | None:
-        """Return the pivot that is shown: one that was chosen, or the middle of the box."""
+        """Return the pivot that can be taken: one that was chosen, or the middle of the box."""
         target = context.target
         if (place := target.pivot) is not None:
             return place
@@ -249,6 +249,8 @@ SELECT = ToolRecord(
         GestureRow("Click another curve", "edit it"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),
         GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
+        GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),
+        GestureRow("Click within a fill", "as on the line around it; the topmost is meant"),
         GestureRow("Rubber band, no curve edited", "choose curves inside; Alt: also those touched"),
     ),
     place=10,

@@ -84,7 +84,7 @@ class JointRow:
     speed_ratio
         The speed after the joint over that before it; NaN where the curve stands still.
     measured
-        The angle as it was measured, and the ratio of speeds, in words; empty where it stands still.
+        The angle as it was measured, and the speeds before and after, in a few words; empty where it rests.
     """
 
     joint: int
@@ -156,8 +156,8 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
 
 def _measured(joint: Joint) -> str:
     """Return what was measured of the tangents, without a word on what is taken for none."""
-    angle = f"{number(math.degrees(joint.angle), 2)}°"
-    return f"Tangents {angle} apart; the speed after is {number(joint.speed_ratio, 4)} × that before."
+    angle = f"{number(math.degrees(joint.angle), 3)}°"
+    return f"∠ {angle}, speeds 1 : {number(joint.speed_ratio, 4)}"
 
 
 def _curvature_jump(joint: Joint) -> float:

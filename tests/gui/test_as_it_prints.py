@@ -1,0 +1,96 @@
+"""What the canvas shows, and what a picture of it holds: the same colours at the same places."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtGui import QColor, QImage
+
+from app.appearance.theme import LIGHT
+from app.document.model import Document, make_curve
+from app.document.style import FillRule, LineCap, LineJoin, Style
+from app.exchange import png_file
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.styles import LIGHT as LIGHT_PAPER
+from app.exchange.options import Options
+from app.families import HERMITE
+
+STYLES = {
+    "plain fill": Style(stroke="none", fill="#0072b2"),
+    "wide line": Style(stroke="#d55e00", width=0.4),
+    "square ends": Style(stroke="#d55e00", width=0.4, cap=LineCap.SQUARE, join=LineJoin.BEVEL),
+    "blunt ends": Style(stroke="#d55e00", width=0.4, cap=LineCap.BUTT, join=LineJoin.MITER, miter_limit=20.0),
+    "dashes": Style(stroke="#d55e00", width=0.3, cap=LineCap.BUTT, dash=(2.0, 1.0)),
+    "dots": Style(stroke="#d55e00", width=0.3, dash=(0.0, 2.0), dash_offset=0.5),
+    "both": Style(stroke="#d55e00", width=0.3, fill="#f0e442"),
+    "through": Style(stroke="#d55e00", width=0.5, fill="#f0e442", opacity=0.5),
+    "apart": Style(stroke="#d55e00", width=0.5, fill="#0072b2", stroke_opacity=0.5, fill_opacity=0.7),
+    "even-odd": Style(stroke="none", fill="#009e73", fill_rule=FillRule.EVENODD),
+    "nonzero": Style(stroke="none", fill="#009e73"),
+    "ink": Style(fill="", width=0.1),
+}
+
+ZIGZAG = [(0, 0), (3, 1), (0.5, 2), (3, 3), (0, 4)]
+STAR = [(2 * np.cos(0.8 * np.pi * k) + 6, 2 * np.sin(0.8 * np.pi * k) + 2) for k in range(5)]
+
+
+def sharp(points, name, style, *, closed):
+    """Straight sides with corners."""
+    curve = make_curve(points, name=name, family=HERMITE)
+    corners = tuple(replace(point, corner=True) for point in curve.points)
+    return replace(curve, points=corners, closed=closed, style=style)
+
+
+def drawing(style):
+    """An open line with sharp corners, a star that crosses itself, a round line, and one that is edited."""
+    round_line = make_curve([(9, 0), (11, 3), (10, 4), (9.3, 2)], name="Round", family=HERMITE)
+    return Document(
+        (
+            make_curve([(-1.5, -1), (-1.5, 5)], name="Edited", family=HERMITE),
+            sharp(ZIGZAG, "Zigzag", style, closed=False),
+            sharp(STAR, "Star", style, closed=True),
+            replace(round_line, style=style),
+        )
+    )
+
+
+def uniform(image, x, y, reach=2):
+    """Return the colour around a pixel; None where an edge is near."""
+    found = {
+        image.pixel(x + dx, y + dy) for dx in range(-reach, reach + 1) for dy in range(-reach, reach + 1)
+    }
+    return QColor(found.pop()) if len(found) == 1 else None
+
+
+@pytest.mark.parametrize("active", [0, 2], ids=["resting", "edited"])
+@pytest.mark.parametrize("style", STYLES.values(), ids=STYLES)
+def test_canvas_and_picture_agree(editor, style, active):
+    document = drawing(style)
+    editor.window.context.store.change(grid=False)
+    editor.session.commit(document, "Begin", active=active)
+    editor.fit()
+    editor.select([])
+    canvas = editor.window.canvas
+    shot = canvas.viewport().grab().toImage()
+    picture = QImage.fromData(png_file(document, Options(width=2400, style=LIGHT_PAPER)).data)
+    frame = drawing_of(document).frame
+    compared = painted = 0
+    points = np.vstack([view.points for view in editor.session.views])
+    for x in np.arange(-1.0, 11.5, 0.17):
+        for y in np.arange(-0.6, 4.6, 0.17):
+            if np.hypot(*(points - (x, y)).T).min() < 0.5:
+                continue  # points of the edited curve, and their numbers
+            there = canvas.to_pixel(x, y)
+            u = round((x - frame.left) / frame.width * picture.width())
+            v = round((frame.top - y) / frame.height * picture.height())
+            ours = uniform(shot, there.x(), there.y())
+            theirs = uniform(picture, u, v, reach=4)
+            if ours is None or theirs is None:
+                continue
+            compared += 1
+            painted += ours != LIGHT.paper
+            difference = max(abs(a - b) for a, b in zip(ours.getRgb(), theirs.getRgb(), strict=True))
+            assert difference <= 2, (x, y, ours.name(), theirs.name())
+    assert compared > 500
+    assert painted > 10
