@@ -213,3 +213,40 @@ def test_all_chosen_curves_are_doubled(three):
     three.key(Qt.Key.Key_D, CTRL)
     assert len(three.session.document.curves) == 5
     assert step(three) == "Duplicate 2 curves"
+
+
+# Whole curves, while none is edited
+
+
+@pytest.mark.parametrize(("how", "left"), [("copy", "ABC"), ("cut", "BC"), ("delete", "BC")])
+def test_a_curve_chosen_as_a_whole_is_what_is_meant(three, how, left):
+    three.session.selected.choose({0})
+    three.key(*KEYS[how])
+    assert names(three) == left
+    assert "“A”" in three.status
+
+
+@pytest.mark.parametrize("how", ["copy", "cut", "delete"])
+def test_with_nothing_chosen_nothing_is_meant(three, how):
+    three.session.selected.choose(())
+    three.session.say("An older answer.")
+    three.key(*KEYS[how])
+    assert names(three) == "ABC"
+    assert three.status.endswith("needs a curve or a point.")
+
+
+def test_what_was_pasted_is_chosen_as_a_whole(three):
+    three.key(*KEYS["copy"])
+    three.key(Qt.Key.Key_V, CTRL | ALT)
+    assert not three.session.selected.is_editing
+    assert three.session.selected.chosen == {2}
+    three.key(*KEYS["delete"])
+    assert names(three) == "ABC"
+
+
+def test_points_pasted_while_no_curve_is_edited_are_a_curve_of_their_own(three):
+    three.session.selected.choose({0})
+    three.paste_text("0 0\n1 1\n2 0")
+    three.key(Qt.Key.Key_V, CTRL)
+    assert len(three.session.document.curves) == 4
+    assert len(three.curve.points) == 3
