@@ -50,7 +50,7 @@ class ClipboardCommands:
         self._session.say(f"Copied {what.said(self._session.document)}.")
 
     def _offer(self, what: Highlight) -> Offer:
-        """Return what other programs get, too: of points a table, of curves an SVG."""
+        """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark = self._session, decimal_mark()
         if not what.points:
             curves = tuple(session.document.curves[place] for place in sorted(what.curves))
