@@ -81,7 +81,7 @@ def test_a_copy_is_pasted_from_the_list_too(three):
     view = focus_list(three)
     QTest.keyClick(view, *KEYS["copy"])
     QTest.keyClick(view, Qt.Key.Key_V, CTRL | ALT)
-    assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "C", "B copy"]
 
 
 # Cut and delete
@@ -239,7 +239,7 @@ def test_what_was_pasted_is_chosen_as_a_whole(three):
     three.key(*KEYS["copy"])
     three.key(Qt.Key.Key_V, CTRL | ALT)
     assert not three.session.selected.is_editing
-    assert three.session.selected.chosen == {2}
+    assert three.session.selected.chosen == {3}
     three.key(*KEYS["delete"])
     assert names(three) == "ABC"
 

@@ -68,7 +68,7 @@ def pasted(editor):
 def test_svg_of_another_program_becomes_a_chosen_curve(three, kind):
     offer(**{kind: LEAF})
     paste(three)
-    assert [each.name for each in three.session.document.curves] == ["A", "B", "leaf", "C"]
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "C", "leaf"]
     assert chosen(three) == ["leaf"]
     assert three.curve.style.stroke == "#d55e00"
     assert three.status == "Pasted “leaf”; it is chosen."
