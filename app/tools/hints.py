@@ -92,7 +92,8 @@ def to_add_on_part(
     if finished and is_end(hit, view):
         return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
     if can_end_at(hit, view):
-        return Hint("Click to close the curve · Drag to move point 0", grab=True)
+        line = " · Alt: by a straight line" if view.source.family.derivatives else ""
+        return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
     return on_part(hit, view, selection, pointer, snaps=snaps)
 
 
@@ -104,7 +105,7 @@ def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
     if act is PenAct.BEGIN:
         return Hint(f"Click to begin another curve · Shift: add point {index} to this one · {keys}")
     if view.source.family.derivatives:
-        drag = "Drag to set its velocity, Shift: steps of 15°, Alt: one handle alone"
+        drag = "Alt: after a straight line · Drag to set its velocity, Shift: steps of 15°"
     else:
         drag = "On the curve: insert between neighbours"
     parts = (f"Click to add point {index}", _ENTER if can_finish(view) else "", drag, keys)

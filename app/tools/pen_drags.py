@@ -12,10 +12,11 @@ from msgspec.structs import replace
 from ..document import edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
-from ..view_model.appending import with_point_appended
+from ..view_model.appending import Appending, with_point_appended
 from ..view_model.curve_view import CurveView, view_of
 from ..view_model.handles import derivative_from_handle
 from ..view_model.reshape import Reshaped, with_point_inserted
+from ..view_model.straight import with_line_appended
 from .drag import CurveDrag, plus
 from .drags import in_steps
 from .pointer import Hit, Part, Pointer
@@ -52,7 +53,8 @@ def _is_away(pointer: Pointer, press: Pointer) -> bool:
 class AppendPoint(CurveDrag, frozen=True):
     """New last point at the press; dragging sets its velocity, or moves it where there is none.
 
-    With Alt the handle behind the point stays where it was, and only the one ahead of it follows.
+    With Alt the handle behind the point stays where it was, and only the one ahead of it follows; pressed
+    with Alt, a straight line leads to the point.
     """
 
     press: Pointer
@@ -72,6 +74,10 @@ class AppendPoint(CurveDrag, frozen=True):
         if not self.view.source.family.derivatives:
             return "Ctrl: snap, or not"
         return "Shift: steps of 15° · Alt: the handle ahead alone"
+
+    @property
+    def _append(self) -> Appending:
+        return with_line_appended if self.press.alt else with_point_appended
 
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes, and where its velocity points."""
@@ -109,7 +115,7 @@ class AppendPoint(CurveDrag, frozen=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
         place = self._place(pointer)
-        document = with_point_appended(self.document, self.curve, self.view, place)
+        document = self._append(self.document, self.curve, self.view, place)
         if not self._sets_velocity(pointer):
             return document
         index = len(self.view.source.points)
@@ -117,7 +123,7 @@ class AppendPoint(CurveDrag, frozen=True):
         tip = plus(place, self._displacement(pointer, place))
         velocity = derivative_from_handle(view, index, 1, tip, ahead=True)
         if pointer.alt:
-            before = self._whole[0] if self._whole else None
+            before = self._whole[0] if self._whole else document.curves[self.curve].points[index].velocity
             return edits.make_corner(document, self.curve, index, before, velocity)
         self._whole[:] = [velocity]
         return edits.set_velocity(document, self.curve, index, velocity)

@@ -7,7 +7,7 @@ ten times as long as the one before it would pull the handle ahead ten times as 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 from msgspec.structs import replace
@@ -16,6 +16,7 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError, append_point, insert_points, set_closed, stretched_beside
+from ..document.lines import line_beside
 from ..document.model import Curve, Document, Point, Vector, vectors_of
 from .core_curve import parameters_of
 from .curve_view import CurveView, view_of
@@ -45,6 +46,10 @@ def with_point_appended(document: Document, curve: int, view: CurveView, positio
     return with_points_appended(document, curve, view, [Point(*position, t=t)])
 
 
+Appending = Callable[[Document, int, CurveView, Vector], Document]
+"""Adds a last point to a curve of a document, which a view shows."""
+
+
 def with_points_appended(
     document: Document, curve: int, view: CurveView, points: Sequence[Point]
 ) -> Document:
@@ -65,12 +70,18 @@ def with_points_appended(
 
 
 def view_with_point(
-    document: Document, curve: int, view: CurveView, position: Vector, previous: CurveView | None = None
+    document: Document,
+    curve: int,
+    view: CurveView,
+    position: Vector,
+    previous: CurveView | None = None,
+    *,
+    append: Appending = with_point_appended,
 ) -> CurveView | None:
     """Return the view of curve `curve` of the document, which `view` shows, with a last point at `position`.
 
     None where there is no such curve, or where it would take too long. `previous` is the view that this
-    returned last; it lends what did not change.
+    returned last; it lends what did not change. `append` says how the point is added.
     """
     if (
         not 0
@@ -79,7 +90,7 @@ def view_with_point(
     ):
         return None
     try:
-        longer = with_point_appended(document, curve, view, position).curves[curve]
+        longer = append(document, curve, view, position).curves[curve]
     except EditError:
         return None
     ahead = view_of(longer, previous)
@@ -129,10 +140,19 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
         if drawn:
             # From what was drawn, not from what the new parameters have made of it: the factor is for both.
             behind, ahead = (float(each) / drawn for each in (h[index - 1], h[index]))
-            if not view.source.points[index].corner:
+            point = _smooth_beside_line(view.source, index)
+            if not point.corner:
                 behind = ahead = max(behind, ahead)
-            points[index] = stretched_beside(view.source.points[index], behind, ahead)
+            points[index] = stretched_beside(point, behind, ahead)
     return document.with_curve(curve, replace(grown, points=tuple(points)))
+
+
+def _smooth_beside_line(curve: Curve, index: int) -> Point:
+    """Return a point at an end; beside a line, with a speed of its own on the other side."""
+    point = curve.points[index]
+    if point.corner or not line_beside(curve, index, ahead=index == 0):
+        return point
+    return replace(point.as_corner(), tied=True)
 
 
 def _is_set(curve: Curve, index: int) -> bool:

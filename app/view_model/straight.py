@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from ..document.edits import EditError
-from ..document.model import Curve, Document
+from ..document.model import Curve, Document, Vector
 from ..document.straight_edits import corners_of, straighten, why_not_straight
-from .curve_view import CurveView
+from .appending import closed_by_pen, with_point_appended
+from .curve_view import CurveView, view_of
 from .reshape import refuse_without_curve
 from .smoothness import with_corners
 
@@ -26,6 +27,39 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
     corners = [index for index in corners_of(view.source, segments) if not view.source.points[index].tied]
     cornered = with_corners(view, corners) if corners else view.source
     return straighten(Document((cornered,)), 0, segments, view.parameters.tolist()).curves[0]
+
+
+def with_line_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
+    """Return the document with a new last point on its curve `curve`, which `view` shows, after a line.
+
+    As `appending.with_point_appended`, where the family has no straight segments, or there was no point.
+
+    Raises
+    ------
+    EditError
+        If the position is not one that a document may hold, or leaves no way for a line.
+    """
+    return _with_last_straight(with_point_appended(document, curve, view, position), curve, view)
+
+
+def closed_by_line(document: Document, curve: int, view: CurveView) -> Document:
+    """Return the document with its curve `curve`, which `view` shows, closed by a straight line.
+
+    Raises
+    ------
+    EditError
+        If the curve cannot be closed.
+    """
+    return _with_last_straight(closed_by_pen(document, curve, view), curve, view)
+
+
+def _with_last_straight(document: Document, curve: int, before: CurveView) -> Document:
+    """Return the document with a straight segment behind the last point of `before`."""
+    last = len(before.source.points) - 1
+    if last < 0 or why_not_straight(before.source.family):
+        return document
+    made = with_straight_segments(view_of(document.curves[curve]), [last])
+    return document.with_curve(curve, made)
 
 
 def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:

@@ -10,9 +10,10 @@ from msgspec.structs import replace
 from ...document.curve_edits import add_curve, fresh_curve
 from ...document.model import Vector
 from ...document.shape_edits import place_above
-from ...view_model.appending import closed_by_pen, view_with_point
+from ...view_model.appending import closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
 from ...view_model.reshape import inserted_index
+from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
 from ..drag_machine import EditingHost
 from ..marks import GestureMarks
@@ -107,7 +108,7 @@ class AddTool(Tool):
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
         if hints.can_end_at(hit, context.view):
-            press_on_part(context, hit, partial(_close, context.host))
+            press_on_part(context, hit, partial(_close, context.host, by_line=context.pointer.alt))
         elif context.pointer.is_double and self._ends_at(hit, context.host):
             press_on_part(context, hit, partial(self._finish, context.host))
         elif self._goes_on_at(hit, context.host):
@@ -166,7 +167,10 @@ class AddTool(Tool):
             self._preview = None
             return
         place = caught.position if caught is not None else context.pointer.position
-        self._preview = view_with_point(host.document, host.active_index, view, place, self._preview)
+        append = with_line_appended if context.pointer.alt else with_point_appended
+        self._preview = view_with_point(
+            host.document, host.active_index, view, place, self._preview, append=append
+        )
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the curve with one point more, or the spot to insert one at."""
@@ -191,10 +195,11 @@ def _insert(context: ToolContext, hit: Hit) -> None:
     )
 
 
-def _close(host: EditingHost) -> None:
+def _close(host: EditingHost, *, by_line: bool) -> None:
     """Close the curve that is edited, or say why it cannot be closed."""
     active, view = host.active_index, host.active_view
-    host.change(f"Close {view.source.name}", lambda document: closed_by_pen(document, active, view))
+    close = closed_by_line if by_line else closed_by_pen
+    host.change(f"Close {view.source.name}", lambda document: close(document, active, view))
 
 
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
@@ -220,6 +225,7 @@ ADD = ToolRecord(
             "add a point and set its velocity; Shift: 15° steps, Alt: ahead alone",
             needs_derivatives=True,
         ),
+        GestureRow("Alt+click", "add a point after a straight line", needs_derivatives=True),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
         GestureRow("Enter, double click", "finish the curve; a click on its last point goes on with it"),

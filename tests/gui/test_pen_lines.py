@@ -1,0 +1,116 @@
+"""Straight lines with the pen: Alt+click."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from app.document import edits
+from app.document.lines import is_line
+from app.families import FAMILIES, HERMITE, LAGRANGE
+
+ALT = Qt.KeyboardModifier.AltModifier
+WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
+PLACES = ((20, 20), (160, 40), (140, 200), (40, 180))
+
+
+@pytest.fixture
+def pen(editor):
+    """An empty Hermite curve, and the pen in hand."""
+    editor.new()
+    editor.session.commit(edits.set_family(editor.session.document, 0, HERMITE), "Begin")
+    editor.trigger("addTool")
+    return editor
+
+
+def at(editor, x, y):
+    """A place so many pixels right of and above the lower left part of the canvas."""
+    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
+
+
+def lines(editor):
+    """Which segments of the curve are straight."""
+    curve = editor.curve
+    count = len(curve.points) if curve.is_closed else len(curve.points) - 1
+    return [is_line(curve, segment) for segment in range(count)]
+
+
+@pytest.mark.parametrize("family", WITH_VELOCITIES, ids=str)
+def test_alt_click_makes_a_polygon(pen, family):
+    pen.session.commit(edits.set_family(pen.session.document, 0, family), "Begin")
+    for place in PLACES:
+        pen.click(at(pen, *place), keys=ALT)
+    assert lines(pen) == [True] * 3
+    assert pen.session.undo_stack.undoText() == "Add point 3"
+    pen.click(at(pen, *PLACES[0]), keys=ALT)
+    assert pen.curve.is_closed
+    assert lines(pen) == [True] * 4
+    assert all(point.corner for point in pen.curve.points)
+    # At an even pace: half the time is half the way.
+    view = pen.session.active_view
+    middles = view.curve.evaluate((view.parameters[1:] + view.parameters[:-1]) / 2)
+    for start, end, middle in zip(PLACES, (*PLACES[1:], PLACES[0]), middles, strict=True):
+        there = at(pen, (start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+        assert middle == pytest.approx(there, abs=2 * pen.pixel)
+
+
+def test_a_curve_goes_on_from_a_line_in_its_direction(pen):
+    pen.click(at(pen, 20, 20), keys=ALT)
+    pen.click(at(pen, 160, 20), keys=ALT)
+    pen.click(at(pen, 240, 120))
+    assert lines(pen) == [True, False]
+    vx, vy = pen.session.active_view.derivative_of(1, 1, ahead=True)
+    assert abs(math.atan2(vy, vx)) < 0.02
+    assert pen.curve.points[1].tied, "smooth, with a speed of its own on either side"
+
+
+def test_alt_drag_is_a_corner_after_a_line(pen):
+    pen.click(at(pen, 20, 20), keys=ALT)
+    pen.press(at(pen, 160, 20), keys=ALT)
+    pen.move(at(pen, 160, 80), keys=ALT)
+    pen.release(at(pen, 160, 80), keys=ALT)
+    pen.click(at(pen, 60, 160))
+    assert lines(pen) == [True, False]
+    point = pen.curve.points[1]
+    assert point.corner
+    assert math.atan2(*reversed(point.velocity)) == pytest.approx(0, abs=0.02)
+    assert math.atan2(*reversed(point.velocity_after)) == pytest.approx(math.pi / 2, abs=0.02)
+
+
+def test_escape_leaves_no_trace(pen):
+    pen.click(at(pen, 20, 20))
+    before = pen.session.document
+    pen.press(at(pen, 160, 20), keys=ALT)
+    pen.move(at(pen, 160, 80), keys=ALT)
+    pen.key(Qt.Key.Key_Escape)
+    assert pen.session.document == before
+
+
+def test_the_preview_shows_the_line(pen):
+    pen.click(at(pen, 20, 20))
+    pen.click(at(pen, 60, 120))
+    marks = pen.window.canvas.tools.marks
+    pen.move(at(pen, 200, 120), held=False, keys=ALT)
+    assert is_line(marks().preview_curve.source, 1)
+    pen.move(at(pen, 200, 120), held=False)
+    assert not is_line(marks().preview_curve.source, 1)
+
+
+def test_without_velocities_it_is_a_point(pen):
+    pen.choose_family(LAGRANGE)
+    for place in PLACES[:3]:
+        pen.click(at(pen, *place), keys=ALT)
+    assert len(pen.curve.points) == 3
+    assert pen.session.active_view.is_current
+
+
+def test_a_finger_on_the_first_point_is_told_of_it(pen):
+    for place in PLACES:
+        pen.click(at(pen, *place))
+    pen.hover(pen.point(0))
+    assert (
+        pen.window.status_line.hint
+        == "Click to close the curve · Alt: by a straight line · Drag to move point 0"
+    )
