@@ -511,7 +511,7 @@ def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, qtbot, ho
         qtbot.waitUntil(lambda: len(names(ring)) == 4)
     else:
         ring.paste_text("0 5\n1 6\n2 5")
-        ring.key(Qt.Key.Key_N, CTRL | Qt.KeyboardModifier.AltModifier)
+        ring.key(Qt.Key.Key_N, CTRL | ALT)
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
     assert names(ring)[2] == "Curve 1"
 
