@@ -2,8 +2,8 @@
 
 - ``canvas``: the widget, which has the tools.  ``scene``: its layers.  ``fitting``: what part of the plane is
   shown.
-- ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``control_polygon_layer``: the curve
-  that is edited.
+- ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``point_marks``,
+  ``control_polygon_layer``: the curve that is edited.
 - ``drawn_curves``: all curves in the order in which they print.  ``looks``: how they look.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.
