@@ -7,7 +7,7 @@ The bounds are ratios in one run: a hundred curves, one of them dragged, over th
 
 from __future__ import annotations
 
-from time import perf_counter
+from time import perf_counter, process_time
 
 import numpy as np
 import pytest
@@ -96,6 +96,35 @@ def test_a_hundred_styled_curves_cost_little_more_than_one(qtbot):
     ]
     one, hundred = (min(pair[side] for pair in pairs) for side in (0, 1))
     print(f"\n1 styled curve: {one:.2f} ms   100: {hundred:.2f} ms")
+    assert hundred <= one + STYLED_MORE
+
+
+def whole(qtbot, count: int, style: Style) -> float:
+    """Drag the topmost of `count` curves whole, none edited: processor time of a move in milliseconds."""
+    session = Session()
+    editor = Editor(qtbot, session, size=(1200, 900))
+    session.commit(document(count, style), "Open", active=count - 1)
+    editor.show_dock("styleDock")
+    editor.fit()
+    session.selected.choose(())
+    paints, places = Paints(), list[object]()
+    canvas = editor.window.canvas
+    canvas.painted.connect(paints.counter("canvas"))
+    session.document_changed.connect(lambda document: places.append(document.curves[-1].points[0].position))
+    start = QPointF(canvas.to_pixel(*session.active_view.points[10].tolist()))
+    began = process_time()
+    drag(canvas.viewport(), start, paints, ["canvas"])
+    spent = 1e3 * (process_time() - began)
+    assert len(set(places)) > 1
+    editor.window.hide()
+    return spent / len(places)
+
+
+def test_a_whole_curve_among_a_hundred_follows_as_quickly_as_one_alone(qtbot):
+    look = Style(stroke="#d55e00", width=0.01, fill="#0072b2", fill_opacity=0.5)
+    pairs = [(whole(qtbot, 1, look), whole(qtbot, 100, look)) for _ in range(3)]
+    one, hundred = (min(pair[side] for pair in pairs) for side in (0, 1))
+    print(f"\n1 styled curve, moved whole: {one:.2f} ms of the processor   among 100: {hundred:.2f} ms")
     assert hundred <= one + STYLED_MORE
 
 
