@@ -5,13 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
+import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
+
+from curvecore.arrays import FloatArray
 
 from ..appearance.theme import LIGHT, Theme
 from .pixel_map import PixelMap
+from .segments import Bars
 from .ticks import LabelRoom, Stretch, Ticks, choose_ticks, nice_step, with_marks
 
 _WIDTH = 46
@@ -135,6 +139,7 @@ class Side:
         # From where ticks go out, and in which direction.
         self._edge = 0.0 if is_upright or is_above else shown.height
         self._out = -1.0 if is_upright or is_above else 1.0
+        self._bars = Bars()
 
     @property
     def length(self) -> float:
@@ -160,21 +165,27 @@ class Side:
         ticks = axis.ticks_in(self._shown)
         if axis.is_ruler:
             painter.fillRect(self.box(0, self.length, 0, axis.thickness), theme.surface)
-        line = QColor(theme.ghost if axis.is_ruler else theme.grid_coarse)
-        painter.setPen(line)
-        painter.drawLine(self.point(0, 0), self.point(self.length, 0))
-        for place, share in ticks.marks:
-            self._paint_tick(painter, place, _MARK * share)
-        places = [(self._paint_tick(painter, place, _TICK), text) for place, text in ticks.labels]
+        places = [(round(self.at(place)), text) for place, text in ticks.labels]
+        lengths = [(round(self.at(place)), _MARK * share) for place, share in ticks.marks]
+        lengths += [(along, _TICK) for along, _ in places]
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme.ghost if axis.is_ruler else theme.grid_coarse)
+        self._bars.fill(self._ticks_at(np.array(lengths, dtype=float).reshape(-1, 2)))
+        self._bars.draw(painter)
         painter.setFont(axis.font)
         painter.setPen(theme.muted)
         for along, text in places:
             self._write(painter, along, text)
 
-    def _paint_tick(self, painter: QPainter, place: float, length: float) -> float:
-        along = round(self.at(place))
-        painter.drawLine(self.point(along, 0), self.point(along, length))
-        return along
+    def _ticks_at(self, ticks: FloatArray) -> FloatArray:
+        """Return the line along the side, and ticks (k, 2), pixel and length each, as bars."""
+        along, away = np.append(ticks[:, 0], 0.0), np.append(ticks[:, 1], 1.0)
+        ones = np.ones_like(away)
+        ones[-1] = self.length
+        edge = self._edge + (-away if self._out < 0 else np.zeros_like(away))
+        if self._is_upright:
+            return np.column_stack([edge, along, away, ones])
+        return np.column_stack([along, edge, ones, away])
 
     def _write(self, painter: QPainter, along: float, text: str) -> None:
         """Write a number beside its tick; where there is too little room for it, pressed together."""

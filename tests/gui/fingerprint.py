@@ -58,7 +58,7 @@ PASSING = {
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
-    *("_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
+    *("GuidesLayer.last", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(
         "CurvePicker.entered",
         "Snappers._hovered",

@@ -13,6 +13,8 @@ from app.canvas.guides_layer import _CALM
 from app.document.expression import ExpressionError
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Guide, make_curve
+from app.exchange.options import Options
+from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.features.guides.commands import GuideCommands
 from app.features.guides.places import TypedPlace, read_place
@@ -414,7 +416,9 @@ def test_the_menu_of_a_guide_is_about_that_one(drawing):
 
 
 def test_guides_are_saved_and_are_no_part_of_a_picture(drawing, tmp_path):
+    bare = svg_of(drawing.session.document, Options()).content
     with_guides(drawing, ("x", -1.5), ("y", 1 / 3))
+    assert svg_of(drawing.session.document, Options()).content == bare
     save(tmp_path / "guided.curve.json", drawing.session.document)
     assert load(tmp_path / "guided.curve.json").guides == (
         Guide(Axis.X, -1.5),

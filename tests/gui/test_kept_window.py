@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from fingerprint import Fingerprint, differences
+from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QLabel, QTabWidget
 
 from app.families import HERMITE
@@ -47,12 +48,24 @@ def test_what_is_planted_is_found(editor, monkeypatch):
     assert not differences(Fingerprint(window).told, new)
 
 
+def draw_a_guide(editor):
+    canvas = editor.window.canvas
+    ruler = QPoint(int(canvas.camera.origin.x()) - 10, 100)
+    editor.drag_pixels(canvas, ruler, ruler + QPoint(200, 20))
+    assert editor.session.document.guides
+
+
 _WAYS = {
     "another family": lambda editor: editor.choose_family(HERMITE),
     "a dark theme": lambda editor: editor.trigger("themeDark"),
     "a lesson": lambda editor: editor.window.commands[LessonCommands].open("01_basis_functions"),
     "a motion": lambda editor: editor.trigger("playMotion"),
     "a palette": lambda editor: editor.find_command("fit"),
+    "a guide": lambda editor: draw_a_guide(editor),
+    "a place that is typed": lambda editor: editor.trigger("addGuide"),
+    "a zoom": lambda editor: editor.trigger("zoom200"),
+    "locked guides": lambda editor: editor.trigger("lockGuides"),
+    "no rulers": lambda editor: editor.trigger("toggleRulers"),
     "a press": lambda editor: editor.press((1.0, 1.0)),
     "a smaller window": lambda editor: editor.window.resize(900, 650),
     "laboratory": lambda editor: editor.trigger("toggleLaboratory"),

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.needs import Need
-from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_TO
+from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_STEPS, VIEW_ZOOM_TO
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...plotting.scrolling import ZOOM_STEP
 from ...view_model.curve_view import CurveView
@@ -88,7 +88,7 @@ class ZoomCommands:
     @action(
         "fitSelection",
         "Fit Selection",
-        VIEW_ZOOM,
+        VIEW_ZOOM_STEPS,
         "Shift+F, Ctrl+3",
         "fit-selection",
         needs=_SOME_POINT,
@@ -104,12 +104,12 @@ class ZoomCommands:
         else:
             framing.fit_views([session.views[place] for place in sorted(session.selected.curves)])
 
-    @action("zoomIn", "Zoom In", VIEW_ZOOM, "Ctrl+=, Ctrl++, +, =", "zoom-in")
+    @action("zoomIn", "Zoom In", VIEW_ZOOM_STEPS, "Ctrl+=, Ctrl++, +, =", "zoom-in")
     def _zoom_in(self) -> None:
         """Zoom in on the canvas, about the pointer if that is over it."""
         self._zoom(ZOOM_STEP)
 
-    @action("zoomOut", "Zoom Out", VIEW_ZOOM, "Ctrl+-, -", "zoom-out")
+    @action("zoomOut", "Zoom Out", VIEW_ZOOM_STEPS, "Ctrl+-, -", "zoom-out")
     def _zoom_out(self) -> None:
         """Zoom out on the canvas, about the pointer if that is over it."""
         self._zoom(1 / ZOOM_STEP)

@@ -239,7 +239,7 @@ SELECT = ToolRecord(
             selected=True,
             curves=True,
         ),
-        GestureRow("Drag a guide", "move it; back to the ruler removes it"),
+        GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
         GestureRow(
             "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
         ),
