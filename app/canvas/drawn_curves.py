@@ -88,11 +88,10 @@ class DrawnCurves:
             if active in places and not is_line and not is_faint(views[active]):
                 edited, is_layered = shape, True
                 continue
-            if is_line:
-                # What is selected is drawn by its marks.
-                rest = (place for place in places if place != active and place not in selected)
-                shape = tuple(views[place] for place in rest)
-            shape = tuple(view for view in shape if view.source.visible and view.has_curve)
+            # The edited one is a line of its own, plain or faint; what is selected is drawn by its marks.
+            marked = {active, *selected} if is_line else {active}
+            rest = (views[place] for place in places if place not in marked)
+            shape = tuple(view for view in rest if view.source.visible and view.has_curve)
             if shape:
                 is_over = places.start > active >= 0
                 is_layered |= is_over and not is_line

@@ -68,6 +68,8 @@ PASSING = {
     *("ViewCommands._before_folding", "ViewCommands._before_presentation"),
     # What was to be done had the work been stopped that has ended.
     "FileWork._stopped",
+    # What a panel covered when it was brought up; it is asked for only when that is closed.
+    "_covered",
     # How often something has happened.
     *("_documents", "_meant_for"),
     # What belongs to a document that is open no more, by the place where it began.

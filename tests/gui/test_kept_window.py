@@ -62,6 +62,8 @@ _WAYS = {
     "a motion": lambda editor: editor.trigger("playMotion"),
     "a palette": lambda editor: editor.find_command("fit"),
     "a guide": draw_a_guide,
+    "thin lines": lambda editor: editor.trigger("thinLines"),
+    "a style": lambda editor: editor.trigger("showStyle"),
     "a place that is typed": lambda editor: editor.trigger("addGuide"),
     "a zoom": lambda editor: editor.trigger("zoom200"),
     "locked guides": lambda editor: editor.trigger("lockGuides"),
