@@ -61,7 +61,7 @@ _WAYS = {
     "a lesson": lambda editor: editor.window.commands[LessonCommands].open("01_basis_functions"),
     "a motion": lambda editor: editor.trigger("playMotion"),
     "a palette": lambda editor: editor.find_command("fit"),
-    "a guide": lambda editor: draw_a_guide(editor),
+    "a guide": draw_a_guide,
     "a place that is typed": lambda editor: editor.trigger("addGuide"),
     "a zoom": lambda editor: editor.trigger("zoom200"),
     "locked guides": lambda editor: editor.trigger("lockGuides"),
