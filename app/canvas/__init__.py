@@ -2,8 +2,8 @@
 
 - ``canvas``: the widget, which has the tools.  ``scene``: its layers.  ``fitting``: what part of the plane is
   shown.
-- ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``control_polygon_layer``: the curve
-  that is edited.
+- ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``point_marks``,
+  ``control_polygon_layer``: the curve that is edited.
 - ``drawn_curves``: all curves in the order in which they print.  ``looks``: how they look.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.
@@ -15,7 +15,8 @@
 - ``marks_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
 - ``label_place``: where words beside a point cover least, and where its number stands.
 - ``pen_layer``: the curve that the pen would make before it is pressed.
-- ``hit_test``: what lies under the pointer.  ``handle_marks``: handles, of sizes told apart.
+- ``hit_test``, ``filled_areas``: what lies under the pointer; insides of fills.
+- ``handle_marks``: handles, of sizes told apart.
 """
 
 import lazy_loader as lazy

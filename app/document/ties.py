@@ -76,6 +76,24 @@ def untied(point: Point) -> Point:
     return replace(point, tied=False) if point.tied else point
 
 
+BY_HAND = math.radians(5)
+"""Angle up to which a handle drawn by hand beside a straight line means the direction of the line."""
+
+
+def tied_to_line(curve: Curve, index: int) -> Point:
+    """Return point `index` of a curve, tied where a handle goes on from a line beside it, or nearly so."""
+    point = curve.points[index]
+    before, after = point.velocity, point.velocity_after
+    if before is None or after is None or angle_between(before, after) > BY_HAND:
+        return point
+    behind, ahead = (line_beside(curve, index, ahead=each) for each in (False, True))
+    if behind is ahead:
+        return point
+    if behind:
+        return replace(point, tied=True, velocity_after=turned(after, before))
+    return replace(point, tied=True, velocity=turned(before, after))
+
+
 def with_derivative(
     curve: Curve,
     index: int,

@@ -16,7 +16,7 @@ _ALONE = re.compile(r"""(.*?)\s*([^\W\d_]+|["″′])""", re.DOTALL)
 _PER_CENT = re.compile(r"([-+−]?)([^-+−%][^%]*)%\s*")
 
 
-def typed_length(text: str, unit: str, now: float, locale_decimal: str = ".") -> float:
+def typed_length(text: str, unit: str, now: float | None = None, locale_decimal: str = ".") -> float:
     """Return the length that a text means, in the unit of the document.
 
     Parameters
@@ -27,7 +27,7 @@ def typed_length(text: str, unit: str, now: float, locale_decimal: str = ".") ->
     unit
         The document's unit; numbers without one are in it. Empty where there is none.
     now
-        The present length.
+        The present length; None where there is none, and a share of it is refused.
     locale_decimal
         As for `parse_number`.
 
@@ -37,7 +37,7 @@ def typed_length(text: str, unit: str, now: float, locale_decimal: str = ".") ->
         If the text is no length, or has a unit where the document has none.
     """
     share = _PER_CENT.fullmatch(text.strip())
-    if share is not None:
+    if share is not None and now is not None:
         sign, number = share.groups()
         part = now * parse_number(number, locale_decimal) / 100.0
         return part if not sign else now + part if sign == "+" else now - part
@@ -59,8 +59,12 @@ def _converted(word: str, unit: str) -> str:
 def _factor(word: str, unit: str) -> Fraction:
     """Return how many of the document's unit one of another is."""
     if not known_unit(unit):
-        what = f"the unit “{unit}” of the document has no length" if unit else "the document has no unit"
-        raise ExpressionError(f"“{word}” cannot be converted: {what}.")
+        why = (
+            f"“{unit}”, the unit of the document, has no length"
+            if unit
+            else "The document has no unit of length"
+        )
+        raise ExpressionError(f"{why}; type a number without “{word}”.")
     return _exact(known_unit(word)) / _exact(known_unit(unit))
 
 

@@ -118,10 +118,11 @@ def _validate_image(image: ReferenceImage) -> None:
 
 
 def _validate_curve(curve: Curve, place: str) -> None:
-    try:
-        curve.name.encode("utf-8")
-    except UnicodeEncodeError:
-        raise FormatError(f"{place}.name holds a character that UTF-8 cannot carry") from None
+    for key, text in (("name", curve.name), ("shape", curve.shape), ("groups", "".join(curve.groups))):
+        try:
+            text.encode("utf-8")
+        except UnicodeEncodeError:
+            raise FormatError(f"{place}.{key} holds a character that UTF-8 cannot carry") from None
     rule = curve.parametrization
     for key in ("alpha", "start", "end"):
         check_number(getattr(rule, key), f"{place}.parametrization.{key}")

@@ -147,6 +147,10 @@ class DragHandle(CurveDrag, frozen=True):
         """The name of the step."""
         return f"Set {what_handle_sets(self.hit, self.view)}"
 
+    def name_at(self, pointer: Pointer) -> str:
+        """Return the name of the step with the keys that are held."""
+        return f"Break handles of point {self.hit.index}" if self._breaks(pointer) else self.name
+
     @property
     def keys(self) -> str:
         """Effects of the modifier keys."""

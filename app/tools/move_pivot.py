@@ -45,7 +45,7 @@ class MovePivot(Gesture):
         self._snapper = context.snappers.for_pivot(context.target.bounds)
         self._is_moving = False
         if context.pointer.is_double:
-            context.target.set_pivot(None)
+            context.target.pivot = None
 
     def move(self, context: ToolContext) -> None:
         """Follow the pointer."""
@@ -53,7 +53,7 @@ class MovePivot(Gesture):
         self._is_moving |= math.dist(pointer.pixel, self._press.pixel) >= THRESHOLD
         if self._is_moving:
             way = pointer.way_from(self._press.position)
-            context.target.set_pivot(self._snapper.snap(plus(self._start, way), pointer))
+            context.target.pivot = self._snapper.snap(plus(self._start, way), pointer)
 
     def cancel(self, context: ToolContext) -> None:
         """Put it where it was."""

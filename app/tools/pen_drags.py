@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from ..document import edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
+from ..document.ties import tied_to_line
 from ..view_model.appending import Appending, with_point_appended
 from ..view_model.curve_view import CurveView, view_of
 from ..view_model.handles import derivative_from_handle
@@ -123,10 +124,17 @@ class AppendPoint(CurveDrag, frozen=True):
         tip = plus(place, self._displacement(pointer, place))
         velocity = derivative_from_handle(view, index, 1, tip, ahead=True)
         if pointer.alt:
-            before = self._whole[0] if self._whole else document.curves[self.curve].points[index].velocity
-            return edits.make_corner(document, self.curve, index, before, velocity)
+            return self._with_handle_ahead(document, index, velocity)
         self._whole[:] = [velocity]
         return edits.set_velocity(document, self.curve, index, velocity)
+
+    def _with_handle_ahead(self, document: Document, index: int, velocity: Vector) -> Document:
+        """Return the document with another velocity ahead of the new point alone."""
+        before = self._whole[0] if self._whole else document.curves[self.curve].points[index].velocity
+        document = edits.make_corner(document, self.curve, index, before, velocity)
+        curve = document.curves[self.curve]
+        points = (*curve.points[:index], tied_to_line(curve, index))
+        return document.with_curve(self.curve, replace(curve, points=points))
 
 
 class BeginCurve(AppendPoint, frozen=True):

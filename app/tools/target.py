@@ -121,17 +121,17 @@ class TransformTarget:
         pivot = self._pivot()
         return pivot.place if pivot is not None else None
 
+    @pivot.setter
+    def pivot(self, place: Vector | None) -> None:
+        views = self._host.views
+        pivot = Pivot(place, anchored(views, self.for_keys)) if place is not None else None
+        self._host.selected.set_pivot(pivot)
+
     def _pivot(self) -> Pivot | None:
         chosen = self._host.selected.pivot
         if chosen is None or self.is_nothing:
             return None
         return chosen.at(anchored(self._host.views, self.for_keys, live=self._host.is_previewing))
-
-    def set_pivot(self, place: Vector | None) -> None:
-        """Choose a pivot for what keys transform, None for its middle."""
-        views = self._host.views
-        pivot = Pivot(place, anchored(views, self.for_keys)) if place is not None else None
-        self._host.selected.set_pivot(pivot)
 
     def keep_pivot(self) -> None:
         """Take the pivot along: the document has changed, and it belongs to what is there now."""

@@ -224,6 +224,9 @@ class Tool:
             self.gesture.cancel(context)
         context.drags.cancel()
 
+    def take_over(self, context: ToolContext) -> None:
+        """Begin to be used while no curve was edited: what is drawn from now on is another one."""
+
     def end(self) -> None:
         """Drop what belongs to one gesture: it has ended, or another begins."""
         self.gesture = None

@@ -113,6 +113,7 @@ class Toolbox:
         if not self._chosen.finds_other_curves and not self._host.selected.is_editing:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
             self._host.selected.activate(self._host.active_index)
+            self._chosen.take_over(self.context)
 
     def lay_above(self, record: ToolRecord | None) -> None:
         """Use a tool in place of the one that is chosen, until None gives way to that again."""

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 
 import msgspec
 
-from ..document.curve_tree import whole_nodes
+from ..document.curve_tree import NodeKind, whole_nodes
 from ..document.edits import EditError
 from ..document.model import Document
 from ..document.several_curves import PointGroup, moved, whole_curves
@@ -86,8 +86,13 @@ def distribute_curves(
 
 
 def _items(document: Document, views: Sequence[CurveView], curves: Collection[int]) -> list[_Item]:
-    """Return the groups of which all curves are given, and the shapes of the others; those with points."""
+    """Return what moves as one of some curves: whole groups and shapes, those that have points.
+
+    Within a group that is all that is chosen, what is in it moves against each other.
+    """
     nodes = whole_nodes(document.curves, whole_shapes(document, curves))
+    while len(nodes) == 1 and nodes[0].kind is NodeKind.GROUP:
+        nodes = list(nodes[0].parts)
     groups = [whole_curves(document, node.places) for node in nodes]
     found = [(group, bounds_of(views, group)) for group in groups]
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]

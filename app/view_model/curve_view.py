@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from math import floor, log2
 
 import msgspec
 import numpy as np
@@ -207,7 +208,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def _whole(self) -> tuple[Polyline, float]:
         """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
         size = size_of(self.points) if len(self.points) else 1.0
-        tolerance = max(size, 1e-300) * 1e-3
+        # A power of two: it stays while the curve is moved, and what follows the curve with it.
+        tolerance = 2.0 ** floor(log2(max(size, 1e-300) * 1e-3))
         polyline = self.flattened(tolerance)
         return polyline, tolerance if polyline.reached <= tolerance else 0.0
 

@@ -26,7 +26,20 @@ class Flattener:
     """Flattens one curve after the other; views of a curve that changes hand it on from one to the next.
 
     A curve that is drawn again at the same scale gets samples, or places on its segments, that follow it.
+    What is drawn of it, and the whole of it for its extent, are asked for in turn: each has its own.
     """
+
+    def __init__(self) -> None:
+        self._drawn, self._whole = _Follower(), _Follower()
+
+    def polyline(self, curve: ParametricCurve | None, key: FlatteningKey) -> Polyline:
+        """Return the polyline of `curve` for the tolerance and the box `key`."""
+        follower = self._whole if key[1] is None else self._drawn
+        return follower.polyline(curve, key)
+
+
+class _Follower:
+    """Samples, or places on segments, that follow a curve as long as it is asked for with the same key."""
 
     def __init__(self) -> None:
         self._last: FlatteningKey | None = None

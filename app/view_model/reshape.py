@@ -17,8 +17,9 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.families.chain import joint_of_row
 
 from ..document.curve_edits import reverse_curve
-from ..document.edits import EditError, freeze_parameters, stretched
+from ..document.edits import EditError, freeze_parameters, stretched_beside
 from ..document.jet_edits import JetValue, with_jet_values
+from ..document.lines import is_line
 from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
 from ..document.ties import tied_if_parallel
 from ..document.words import number
@@ -123,6 +124,9 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
         return Reshaped(made, largest_distance(view, at, view_of(made), at), left_rule=left_rule)
     curve = view.source
     point = _sampled(view, t)
+    if is_line(curve, index - 1):
+        # Two straight segments: whichever end of one moves, it stays straight.
+        point = point.as_corner()
     if not curve.is_manual:
         point = replace(point, t=None)
     grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
@@ -254,19 +258,27 @@ def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> C
     refuse_without_curve(after)
     factors = np.diff(after.parameters) / np.diff(np.insert(before.parameters, index, t))
     points = [
-        stretched(point, _factor_at(factors, place, index, is_closed=grown.is_closed))
+        stretched_beside(point, *_factors_at(factors, point, place, index, is_closed=grown.is_closed))
         for place, point in enumerate(grown.points)
     ]
     return replace(grown, points=tuple(points))
 
 
-def _factor_at(factors: FloatArray, place: int, inserted: int, *, is_closed: bool) -> float:
-    """Return the factor of time at a point: that of a segment beside it, if possible one that was not cut."""
+def _factors_at(
+    factors: FloatArray, point: Point, place: int, inserted: int, *, is_closed: bool
+) -> tuple[float, float]:
+    """Return the factors of time behind and ahead of a point: at a corner those of the segments there.
+
+    Elsewhere that of a segment beside it twice, if possible of one that was not cut.
+    """
     last = len(factors) - 1
     before = last if is_closed and place == 0 else place - 1
     beside = [segment for segment in (before, place) if 0 <= segment <= last]
+    if point.corner:
+        return float(factors[beside[0]]), float(factors[beside[-1]])
     whole = [segment for segment in beside if segment not in (inserted - 1, inserted)]
-    return float(np.mean(factors[whole or beside]))
+    mean = float(np.mean(factors[whole or beside]))
+    return mean, mean
 
 
 def _change(before: CurveView, after: CurveView, old_knots: FloatArray) -> float:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from msgspec.structs import replace
+
 from ..document.edits import EditError
 from ..document.model import Curve, Document, Vector
 from ..document.straight_edits import corners_of, straighten, why_not_straight
+from ..document.ties import tied_to_line
 from .appending import closed_by_pen, with_point_appended
 from .curve_view import CurveView, view_of
 from .reshape import refuse_without_curve
@@ -59,7 +62,10 @@ def _with_last_straight(document: Document, curve: int, before: CurveView) -> Do
     if last < 0 or why_not_straight(before.source.family):
         return document
     made = with_straight_segments(view_of(document.curves[curve]), [last])
-    return document.with_curve(curve, made)
+    points = list(made.points)
+    for index in corners_of(made, [last]):
+        points[index] = tied_to_line(made, index)
+    return document.with_curve(curve, replace(made, points=tuple(points)))
 
 
 def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:

@@ -133,6 +133,7 @@ class DistancePreference(PreferenceField[float]):
         self._setting, self._change = setting, change
         self._edit = NumberEdit(setting.widget, setting.label, setting.tip, self._distance_of)
         self._problem = Label(name="preferencesProblem", wordWrap=True)
+        self._problem.hide()
         self._edit.entered.connect(self._enter)
         self._edit.refused.connect(self._complain)
         self._edit.left.connect(lambda: self._complain(""))
@@ -158,6 +159,7 @@ class DistancePreference(PreferenceField[float]):
     def _complain(self, text: str) -> None:
         self._problem.setStyleSheet(f"color: {theme_of(self._problem.palette()).warning.name()}")
         self._problem.setText(f"⚠ {text}" if text else "")
+        self._problem.setVisible(bool(text))
 
 
 def _check_of(setting: Several[Any], member: NamedEnum) -> QCheckBox:

@@ -56,8 +56,8 @@ def test_a_comma_is_read_where_the_locale_has_it():
 @pytest.mark.parametrize(
     ("text", "unit", "reason"),
     [
-        ("1in", "", "“in” cannot be converted: the document has no unit."),
-        ("1in", "furlong", "“in” cannot be converted: the unit “furlong” of the document has no length."),
+        ("1in", "", "The document has no unit of length; type a number without “in”."),
+        ("1in", "furlong", "“furlong”, the unit of the document, has no length; type a number without “in”."),
         ("3 foo", "mm", "“foo” is not a number, nor a function or constant known here."),
         ("mm", "mm", "A number is missing."),
         ("", "mm", "A number is missing."),

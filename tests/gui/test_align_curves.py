@@ -155,6 +155,36 @@ def test_a_shape_is_aligned_as_one(four):
     assert [after[:2, 0, 1].min(), after[2, 0, 1]] == pytest.approx([low, low], abs=2 * CLOSE)
 
 
+def with_groups(editor, letters):
+    editor.session.change(
+        "Group",
+        lambda document: replace(
+            document,
+            curves=tuple(
+                replace(curve, groups=("Crown",)) if curve.name in letters else curve
+                for curve in document.curves
+            ),
+        ),
+    )
+
+
+def test_a_group_is_aligned_as_one(four):
+    with_groups(four, "ABC")
+    four.session.selected.choose(range(4))
+    before = boxes(four)
+    four.trigger("alignTop")
+    after = boxes(four)
+    assert after[:3] - before[:3] == pytest.approx(np.array(3 * [after[0] - before[0]]), abs=2 * CLOSE)
+    assert whole(after[:3])[1][1] == pytest.approx(after[3, 1, 1], abs=2 * CLOSE)
+
+
+def test_within_a_group_that_is_alone_its_curves_are_aligned(four):
+    with_groups(four, "ABC")
+    four.session.selected.choose({0, 1, 2})
+    four.trigger("alignTop")
+    assert np.ptp(boxes(four)[:3, 1, 1]) == pytest.approx(0.0, abs=2 * CLOSE)
+
+
 def test_a_locked_curve_refuses(four):
     four.session.selected.set_curves({0})
     four.trigger("curveLocked")

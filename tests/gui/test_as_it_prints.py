@@ -71,6 +71,7 @@ def test_canvas_and_picture_agree(editor, style, active):
     editor.session.commit(document, "Begin", active=active)
     editor.fit()
     editor.select([])
+    editor.wait_for_rest()
     canvas = editor.window.canvas
     shot = canvas.viewport().grab().toImage()
     picture = QImage.fromData(png_file(document, Options(width=2400, style=LIGHT_PAPER)).data)

@@ -514,18 +514,26 @@ def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
     tree = dialog.groups
     assert tree.topLevelItem(0).text(1) == "5 curves"
     check_box(editor, tree, "figure_1")
-    assert dialog.summary.text() == "None of 5 curves; choose at least one group."
+    assert dialog.summary.text() == "None of 5 curves; choose at least one."
     assert not dialog.ok.isEnabled()
     check_box(editor, tree, "figure_1", "axes_1", "line2d_1")
     assert dialog.summary.text() == "1 of 5 curves with 2 points, exact."
     assert tree.topLevelItem(0).checkState(0) == Qt.CheckState.PartiallyChecked
-    check_box(editor, tree, "figure_1", "axes_1", "in no group of its own")
+    check_box(editor, tree, "figure_1", "axes_1", "Path 6")
     before = len(editor.session.document.curves)
     press(dialog, "importDrawing")
     editor.settle()
     assert [len(curve.points) for curve in editor.session.document.curves[before:]] == [2, 2]
     assert editor.status == "Imported plot.svg: 2 curves, 4 points, exact."
     dialog = opened(editor, write(tmp_path / "flat.svg", SVG), "importDrawingDialog")
+    tree = dialog.groups
+    names = [tree.topLevelItem(row).text(0) for row in range(tree.topLevelItemCount())]
+    assert names == ["a", "b"]
+    check_box(editor, tree, "a")
+    assert dialog.summary.text() == "1 of 2 curves with 2 points, exact."
+    dialog.close()
+    alone = SVG.replace('<path id="b" d="M0 5H9"/>', "")
+    dialog = opened(editor, write(tmp_path / "alone.svg", alone), "importDrawingDialog")
     assert dialog.groups is None
     dialog.close()
 

@@ -223,6 +223,7 @@ def test_alt_breaks_the_handles_apart_and_only_while_it_is_held(bow, kind):
     assert kind_at(bow.session.active_view, 2) is CORNER
     assert positions(bow)[0] == pytest.approx(behind)
     assert bow.session.undo_stack.count() == steps + 1
+    assert bow.session.undo_stack.undoText() == "Break handles of point 2"
     bow.trigger("undo")
     assert bow.session.document == document
 
@@ -333,6 +334,20 @@ def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bo
     assert row.continuity[1] >= 1
 
 
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
+def test_a_point_on_a_line_divides_it_into_two(bow, kind):
+    bow.choose_parametrization(kind)
+    straight(bow, 2)
+    view = bow.session.active_view
+    place = tuple(view.curve.evaluate(float(view.parameters[2:4].mean())))
+    bow.trigger("addTool")
+    bow.click(place)
+    bow.trigger("selectTool")
+    assert [is_line(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
+    bow.drag_point(3, (4.2, 2.4))
+    assert [is_line(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
+
+
 @pytest.mark.parametrize("segment", [1, 3])
 def test_a_bend_beside_a_line_follows_the_mouse_and_leaves_the_line(bow, segment):
     straight(bow, 2)
@@ -406,8 +421,11 @@ def test_the_pen_s_corner_is_taken_back_with_the_point(bow):
     bow.trigger("addTool")
     bow.press((7.0, 3.0), keys=ALT)
     bow.move((7.5, 3.5), keys=ALT)
-    # From the press on: what is behind is left to the rules.
-    assert (bow.curve.points[5].corner, bow.curve.points[5].velocity) == (True, None)
+    # From the press on: a straight line leads here, and only the handle ahead follows the mouse.
+    point = bow.curve.points[5]
+    assert point.corner
+    assert is_line(bow.curve, 4)
+    assert angle_between(point.velocity_after, (0.5, 0.5)) < 0.2
     bow.escape()
     bow.release((7.5, 3.5))
     assert bow.session.document is document

@@ -9,6 +9,7 @@ from __future__ import annotations
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
+from msgspec.structs import replace
 
 from app.canvas.hit_test import hit_test
 from app.document import edits
@@ -79,7 +80,15 @@ class Gestures(RuleBasedStateMachine):
         assert self.session.document == self.values[self.at]
         assert not self.tool.is_pressed
         assert all(index < len(self.session.active_curve.points) for index in self.session.selection)
-        assert {self.session.active_index} <= self.session.selected.curves <= {0, 1}
+        selected = self.session.selected
+        assert {self.session.active_index} <= selected.curves <= {0, 1}
+        if selected.is_editing:
+            assert selected.chosen == (selected.curves if len(selected.curves) > 1 else set())
+        else:
+            # Whole curves are chosen, or none: no point of them.
+            assert selected.chosen in (set(), selected.curves)
+            assert not selected.points
+            assert self.tool.record is SELECT
 
     @invariant()
     def the_document_can_be_saved(self):
@@ -126,19 +135,27 @@ class Gestures(RuleBasedStateMachine):
 
     def hit(self, pointer, tool):
         view, chosen = self.session.active_view, self.session.selection
+        if not self.session.selected.is_editing:
+            return self.hit_whole(pointer)
         handles = handles_of(view, next(iter(chosen))) if len(chosen) == 1 else []
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
         hit = hit_test(pointer.pixel, SHOWN, view, polyline, chosen, handles)
-        if hit is None and tool.finds_other_curves and self.on_other(pointer.pixel):
+        if hit is None and tool.finds_other_curves and self.on_curve(self.other, pointer.pixel):
             hit = Hit(Part.OTHER_CURVE, self.other, pointer.position)
         return hit
+
+    def hit_whole(self, pointer):
+        """What lies there while no curve is edited."""
+        places = (self.other, self.session.active_index)
+        found = [place for place in places if self.on_curve(place, pointer.pixel)]
+        return Hit(Part.OTHER_CURVE, found[0], pointer.position) if found else None
 
     @property
     def other(self):
         return 1 - self.session.active_index
 
-    def on_other(self, pixel):
-        view = self.session.views[self.other]
+    def on_curve(self, place, pixel):
+        view = self.session.views[place]
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
         hit = hit_test(pixel, SHOWN, view, polyline, frozenset(), [])
         return hit is not None and hit.part is Part.CURVE
@@ -202,12 +219,29 @@ class Gestures(RuleBasedStateMachine):
             self.tool.marks()
         self.end(self.tool, ending, self.pointer(*moves[-1]))
 
-    @rule(aim=aims, held=modifiers)
-    def click(self, aim, held):
+    @rule(aim=aims, held=modifiers, is_double=st.booleans())
+    def click(self, aim, held, is_double):
         pointer = self.pointer(self.aimed(aim), held)
         self.tool.press(pointer)
         self.tool.release(pointer)
         self.note()
+        if is_double:
+            self.tool.press(replace(pointer, is_double=True))
+            self.tool.release(pointer)
+            self.note()
+
+    @rule(chosen=st.sets(st.integers(0, 1)))
+    def leave_the_curve(self, chosen):
+        if self.tool.record is SELECT:
+            self.session.selected.choose(chosen)
+
+    @rule(step=st.sampled_from([-1, 1]))
+    def walk(self, step):
+        self.tool.walk(step)
+
+    @rule()
+    def press_enter(self):
+        self.tool.key("enter")
 
     @rule(kind=st.sampled_from(list(TransformKind)), at=places, moves=moves, keys=keys, ending=endings)
     def transform(self, kind, at, moves, keys, ending):

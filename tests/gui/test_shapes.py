@@ -204,6 +204,15 @@ def test_one_curve_is_not_combined_and_a_plain_one_not_broken_apart(rings):
     assert not rings.action("ungroupCurves").isEnabled()
 
 
+def test_with_nothing_chosen_there_is_nothing_to_combine_or_group(ring):
+    ring.session.selected.choose({0})
+    assert ring.action("breakApart").isEnabled()
+    assert ring.action("groupCurves").isEnabled()
+    ring.session.selected.choose(())
+    for name in ("combineCurves", "breakApart", "groupCurves", "ungroupCurves"):
+        assert not ring.action(name).isEnabled()
+
+
 def test_a_shape_is_broken_apart_and_its_curves_are_chosen(ring):
     click_row(ring, "Shape 1")
     assert not ring.action("combineCurves").isEnabled()
@@ -411,6 +420,15 @@ def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
     assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "  Side"]
 
 
+@pytest.mark.parametrize("folded", [True, False])
+def test_a_curve_dropped_on_an_entry_goes_into_it(ring, folded):
+    if not folded:
+        fold(ring, "Shape 1")
+    drag_row(ring, "Side", view_of(ring).entry_rect(row_named(ring, "Shape 1")).center().y())
+    assert (names(ring), shapes(ring)) == (["Outer", "Inner", "Side"], ["Shape 1"] * 3)
+    assert ring.curve.name == "Side"
+
+
 def test_a_group_does_not_go_into_itself(group):
     fold(group, "Group 1")
     document = group.session.document
@@ -511,7 +529,7 @@ def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, qtbot, ho
         qtbot.waitUntil(lambda: len(names(ring)) == 4)
     else:
         ring.paste_text("0 5\n1 6\n2 5")
-        ring.key(Qt.Key.Key_V, CTRL | SHIFT)
+        ring.trigger("pasteAsCurve")
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
     assert names(ring)[2] == "Curve 1"
 

@@ -75,7 +75,9 @@ def styles(editor):
 def seen(editor, x, y):
     """Return the colour of the canvas at a point of the plane, with no pointer near."""
     canvas = editor.window.canvas
+    # A view that has moved shows its picture of before, stretched, until it rests.
     editor.settle()
+    editor.wait_for_rest()
     return QColor(canvas.viewport().grab().toImage().pixel(canvas.to_pixel(x, y))).name()
 
 

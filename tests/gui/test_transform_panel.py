@@ -315,6 +315,9 @@ def test_quarter_turns_have_buttons_and_keys(leaf):
     [
         ("Width", "7 foo", "is not a number"),
         ("Width", "1e13", "between"),
+        ("Width", "0", "greater than 0"),
+        ("Height", "-3", "greater than 0"),
+        ("Height", "-100%", "greater than 0"),
         ("X", "3 apples", "is not a number"),
         ("Turn", "much", "is not a number"),
     ],
@@ -336,7 +339,7 @@ def test_a_unit_needs_a_unit_of_the_document(leaf):
     document = leaf.session.document
     enter(leaf, "Width", "70 mm")
     assert leaf.session.document is document
-    assert "the document has no unit" in label(leaf, "transformProblem")
+    assert "The document has no unit" in label(leaf, "transformProblem")
 
 
 def test_what_was_typed_and_left_changes_nothing(leaf):
@@ -360,3 +363,15 @@ def test_the_reference_of_alignment_is_chosen_here_and_in_the_menu(leaf):
     assert leaf.action("alignToFirst").isChecked()
     leaf.trigger("alignToEachOther")
     assert box.currentText() == "Each other"
+
+
+def test_the_keyboard_chooses_a_place_by_tab_and_arrows(leaf):
+    field(leaf, "X").setFocus()
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Backtab)
+    assert QApplication.focusWidget().objectName() == "pivotMiddle"
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Left)
+    assert QApplication.focusWidget().objectName() == "pivotLeft"
+    low, high = sampled_bounds(leaf)
+    assert leaf.window.canvas.marks.pivot == pytest.approx((low[0], (low[1] + high[1]) / 2), abs=CLOSE)
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Down)
+    assert leaf.window.canvas.marks.pivot == pytest.approx(low, abs=CLOSE)

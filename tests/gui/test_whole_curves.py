@@ -172,6 +172,22 @@ def test_the_list_and_the_sheet_say_what_is_chosen(whole):
     whole.trigger("showShortcuts")
 
 
+def test_the_pen_begins_another_curve_where_none_was_edited(whole):
+    whole.key(Qt.Key.Key_P)
+    whole.hover((1.5, 4.6))
+    assert whole.window.status_line.hint.startswith("Click to begin another curve")
+    whole.click((1.5, 4.6))
+    assert [len(curve.points) for curve in whole.session.document.curves] == [4, 4, 1, 4]
+    whole.click((2.0, 4.8))
+    assert len(whole.curve.points) == 2
+
+
+def test_the_pen_goes_on_with_the_curve_that_was_edited(three):
+    three.key(Qt.Key.Key_P)
+    three.click((1.5, 4.6))
+    assert [len(curve.points) for curve in three.session.document.curves] == [4, 5, 4]
+
+
 # Moved
 
 

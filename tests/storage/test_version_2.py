@@ -118,3 +118,26 @@ def test_a_shape_that_is_none_is_refused():
     torn = torn.with_curve(1, replace(torn.curves[1], shape="S"))
     with pytest.raises(FormatError, match=r"curves\[0\]\.shape must name two or more curves"):
         encode(torn)
+
+
+@pytest.mark.parametrize(
+    ("values", "complaint"),
+    [
+        ({"shape": "\ud800"}, "curves[0].shape holds a character that UTF-8 cannot carry"),
+        ({"groups": ("Letters", "\ud800")}, "curves[0].groups holds a character that UTF-8 cannot carry"),
+        ({"groups": ("",)}, "curves[0].groups must name 50 groups at most"),
+        ({"groups": tuple(map(str, range(51)))}, "curves[0].groups must name 50 groups at most"),
+    ],
+)
+def test_names_of_shapes_and_groups_that_cannot_be_kept_are_refused(values, complaint):
+    curves = tuple(replace(make_curve([(0, k), (1, k)], name=f"{k}"), **values) for k in range(2))
+    with pytest.raises(FormatError) as refusal:
+        encode(Document(curves))
+    assert str(refusal.value).startswith(complaint)
+
+
+def test_a_group_that_is_torn_apart_is_refused():
+    curves = [make_curve([(0, k), (1, k)], name=f"{k}") for k in range(3)]
+    torn = (replace(curves[0], groups=("G",)), curves[1], replace(curves[2], groups=("G",)))
+    with pytest.raises(FormatError, match=r"curves\[2\]\.groups must name .* curves that follow each other"):
+        encode(Document(torn))

@@ -5,13 +5,17 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+import numpy as np
 import pytest
+from msgspec.structs import replace
 
+from app.document import edits
 from app.document.derivatives import AccelerationRule, VelocityRule
-from app.document.model import Curve, Parametrization, Point
-from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.document.model import Curve, Document, Parametrization, Point, make_curve
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.joints import JointKind, as_text, certificate_of
 from app.view_model.curve_view import view_of
+from app.view_model.smoothness import made_smooth
 
 POINTS = ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 1.5), (4.0, 0.0))
 
@@ -128,3 +132,24 @@ def test_the_text_is_a_table_with_exact_numbers():
             row.jumps[order] for row in result.rows
         ]
     assert all(row.jumps[3] > 0 for row in result.rows)
+
+
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
+@pytest.mark.parametrize("closed", [False, True])
+def test_a_smooth_point_is_certified_and_measured(family, closed):
+    """Also where a closed curve returns to its start, and whatever the accelerations are."""
+    places = [(0.0, 0.0), (2.0, 3.0), (5.0, 2.0), (4.0, -1.0)]
+    before = view_of(replace(make_curve(places, family=family), closed=closed))
+    made = made_smooth(before, range(4))
+    (vx, vy), index = made.points[1].velocity, 0 if closed else 1
+    document = edits.set_velocity(Document((made,)), 0, index, (3 * vx - vy, 3 * vy + 2 * vx), ahead=True)
+    view = view_of(document.curves[0])
+    row = next(row for row in certificate_of(view).rows if row.joint == index)
+    assert row.smoothness.startswith("C⁰, G¹")
+    point = view.source.points[index]
+    assert row.speed_ratio == pytest.approx(np.hypot(*point.velocity_after) / np.hypot(*point.velocity))
+    assert row.measured.startswith("∠ ")
+    assert float(row.measured.removeprefix("∠ ").partition("°")[0].replace("−", "-")) < 1e-9
+    assert row.measured.endswith(f"speeds 1 : {row.speed_ratio:.4g}")
+    others = {row.smoothness for row in certificate_of(view).rows if row.joint != index}
+    assert all(each.startswith(("C¹", "C²", "C³")) for each in others)

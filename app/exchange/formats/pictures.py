@@ -30,7 +30,7 @@ FORMATS = (
     Format(
         endings=(".svg",),
         title="SVG drawing",
-        description="Bézier curves, a path for each curve; cubic Hermite curves are exact.",
+        description="Bézier curves, a path for each shape, in groups; cubic Hermite curves are exact.",
         place=20,
         options=(*PICTURE, TOLERANCE),
         write=svg_of,

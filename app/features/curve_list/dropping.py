@@ -21,11 +21,14 @@ class Drop(msgspec.Struct, frozen=True):
         The place of the document that it is before.
     container
         The shape or group that it is in.
+    is_onto
+        Whether it is on the row, hence in front in the shape or group of that, and not above it.
     """
 
     gap: int
     at: int
     container: Container
+    is_onto: bool = False
 
 
 def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
@@ -44,9 +47,15 @@ def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
     return Drop(gap, below.places.stop if below is not None else 0, container)
 
 
+def drop_onto(entries: Sequence[Entry], row: int) -> Drop:
+    """Return the place in the shape or group of a row, in front of what is there."""
+    node = entries[row].node
+    return Drop(row, node.places.stop, node.inside, is_onto=True)
+
+
 def stays(drop: Drop, dragged: Node, row: int) -> bool:
     """Whether what is dragged, in a row, would be where it is."""
-    return drop.gap in (row, row + 1) and drop.container == dragged.around
+    return not drop.is_onto and drop.gap in (row, row + 1) and drop.container == dragged.around
 
 
 def _inner(above: Entry) -> Container:

@@ -33,7 +33,7 @@ from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...qt.labels import tip_of
 from ...view_model.palette import adjustment_of
 from ...widgets.controls import named
-from .dropping import Drop, drop_at, stays
+from .dropping import Drop, drop_at, drop_onto, stays
 from .model import CurveListModel, Entry
 from .rows import INDENT, RowDelegate, Spot, spot_rect
 
@@ -241,10 +241,18 @@ class CurveListView(ClaimsKeys, QListView):
             return
         if self._drop is None and abs(place.y() - self._press.y()) < QApplication.startDragDistance():
             return
-        depth = self.curves.entries[self._pressed_row].node.depth
-        deeper = round((place.x() - self._press.x()) / INDENT)
-        self._drop = drop_at(self.curves.entries, self._gap_at(place), depth + deeper)
+        self._drop = self._drop_at(place, self._press)
         self.viewport().update()
+
+    def _drop_at(self, place: QPoint, press: QPoint) -> Drop:
+        """Return where a drop would fall: between rows, or on one that opens, in the middle half of that."""
+        entries, row = self.curves.entries, self._row_at(place)
+        if row not in (-1, self._pressed_row) and entries[row].opens:
+            rect = self.visualRect(self.curves.index(row))
+            if abs(place.y() - rect.center().y()) <= rect.height() // 4:
+                return drop_onto(entries, row)
+        deeper = round((place.x() - press.x()) / INDENT)
+        return drop_at(entries, self._gap_at(place), entries[self._pressed_row].node.depth + deeper)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         drop, row = self._drop, self._pressed_row
@@ -281,14 +289,17 @@ class CurveListView(ClaimsKeys, QListView):
         super().paintEvent(event)
         if self._drop is None:
             return
-        last = self.curves.rowCount() - 1
-        rect = self.visualRect(self.curves.index(min(self._drop.gap, last)))
-        y, left = rect.top() if self._drop.gap <= last else rect.bottom(), 4
-        if self.curves.has_folds:
-            left += INDENT * (1 + self._drop.container.depth)
         painter = QPainter(self.viewport())
         painter.setPen(QPen(theme_of(self.palette()).accent, 2))
-        painter.drawLine(left, max(y, 1), self.viewport().width() - 4, max(y, 1))
+        last = self.curves.rowCount() - 1
+        rect = self.visualRect(self.curves.index(min(self._drop.gap, last)))
+        if self._drop.is_onto:
+            painter.drawRect(rect.adjusted(2, 1, -2, -1))
+        else:
+            y, left = rect.top() if self._drop.gap <= last else rect.bottom(), 4
+            if self.curves.has_folds:
+                left += INDENT * (1 + self._drop.container.depth)
+            painter.drawLine(left, max(y, 1), self.viewport().width() - 4, max(y, 1))
         painter.end()
 
     # Keys

@@ -180,7 +180,7 @@ class ExchangeCommands:
         if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
             return
         added = range(first, first + len(new.curves))
-        if first > 0:
+        if first > 0 or len(new.curves) > 1:
             # What came to others is put in its place as a whole.
             self._session.selected.set_curves(added)
         self._preferences.last_folder = path.parent

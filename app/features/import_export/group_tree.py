@@ -1,12 +1,14 @@
-"""Tree of the groups of a drawing, with a check box for each."""
+"""Tree of the groups and shapes of a drawing, with a check box for each."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
+from ...document.model import Document
+from ...document.shapes import shapes
 from ...document.words import count_of
 from ...widgets.controls import named
 
@@ -16,11 +18,17 @@ _DEEPEST = 6
 _OPEN = 2
 """Levels that are unfolded at first."""
 
+_MOST_NAMED = 500
+"""Shapes beyond which only groups are shown."""
+
 _HEIGHT = 220
+
+_Chain = tuple[str | int, ...]
+"""Names of groups, the outermost first; at the end, perhaps, the number of a shape."""
 
 
 class GroupTree(QTreeWidget):
-    """The groups of a drawing with how many curves they hold; to check one is to check all in it.
+    """The groups of a drawing, and the shapes in them; to check a group is to check all in it.
 
     Signals
     -------
@@ -30,15 +38,17 @@ class GroupTree(QTreeWidget):
 
     chosen = Signal()
 
-    def __init__(self, groups: Sequence[tuple[str, ...]]) -> None:
+    def __init__(self, document: Document) -> None:
         super().__init__()
-        tip = "Take the curves of a group, or leave them out (Space)"
-        named(self, "importGroups", "Groups of the drawing", tip)
+        tip = "Take a shape or all of a group, or leave it out (Space)"
+        named(self, "importGroups", "Groups and shapes of the drawing", tip)
         self.setColumnCount(2)
-        self.setHeaderLabels(["Group", "Holds"])
+        self.setHeaderLabels(["Group or shape", "Holds"])
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setMinimumHeight(_HEIGHT)
-        self._leaves = self._fill([chain[:_DEEPEST] for chain in groups])
+        self._document = document
+        self._items: dict[_Chain, QTreeWidgetItem] = {}
+        self._leaves = self._fill()
         self.expandToDepth(_OPEN - 1)
         header = self.header()
         header.setStretchLastSection(False)
@@ -47,26 +57,41 @@ class GroupTree(QTreeWidget):
         # Told of a box that is checked, and of what follows it up and down the tree.
         self.itemChanged.connect(lambda _item, _column: self.chosen.emit())
 
-    def _fill(self, chains: list[tuple[str, ...]]) -> list[QTreeWidgetItem]:
+    def _fill(self) -> list[QTreeWidgetItem]:
         """Make the items; return for each curve the one that it hangs on."""
-        items: dict[tuple[str, ...], QTreeWidgetItem] = {}
-        counts: dict[tuple[str, ...], int] = {}
+        curves, leaves = self._document.curves, list[QTreeWidgetItem]()
+        groups = [curve.groups[:_DEEPEST] for curve in curves]
+        held = Counter(chain[:depth] for chain in groups for depth in range(1, len(chain) + 1))
+        found = list(shapes(self._document.curves))
         # What stands in a group beside groups can be taken without them.
-        inner = {chain[:depth] for chain in chains for depth in range(len(chain))}
-        leaves = [(*chain, "") if chain in inner else chain for chain in chains]
-        for leaf in leaves:
-            for depth in range(1, len(leaf) + 1):
-                counts[leaf[:depth]] = counts.get(leaf[:depth], 0) + 1
-        for chain, count in counts.items():
-            item = QTreeWidgetItem([chain[-1] or "in no group of its own", count_of(count, "curve")])
+        inner = {chain[:depth] for chain in groups for depth in range(len(chain))}
+        for number, places in enumerate(found):
+            first = curves[places.start]
+            chain = groups[places.start]
+            for depth in range(1, len(chain) + 1):
+                self._item(chain[:depth], chain[depth - 1], count_of(held[chain[:depth]], "curve"))
+            if len(found) <= _MOST_NAMED:
+                points = sum(len(curves[place].points) for place in places)
+                leaf = self._item((*chain, number), first.shape or first.name, count_of(points, "point"))
+            elif chain in inner:
+                leaf = self._item((*chain, -1), "in no group of its own", "")
+            else:
+                leaf = self._items[chain]
+            leaves += [leaf] * len(places)
+        return leaves
+
+    def _item(self, chain: _Chain, name: str, holds: str) -> QTreeWidgetItem:
+        """Return the item of a group or shape, made and hung up where it is new."""
+        if chain not in self._items:
+            item = QTreeWidgetItem([name, holds])
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsAutoTristate)
             item.setCheckState(0, Qt.CheckState.Checked)
-            items[chain] = item
+            self._items[chain] = item
             if len(chain) == 1:
                 self.addTopLevelItem(item)
             else:
-                items[chain[:-1]].addChild(item)
-        return [items[leaf] for leaf in leaves]
+                self._items[chain[:-1]].addChild(item)
+        return self._items[chain]
 
     @property
     def taken(self) -> list[bool]:

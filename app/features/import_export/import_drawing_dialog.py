@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
+from ...document.shapes import shapes
 from ...document.words import count_of, number
 from ...exchange.cubics_in import Imported
 from ...qt.labels import Label
@@ -33,8 +34,8 @@ class ImportDrawingDialog(WorkDialog):
     def __init__(self, title: str, found: Imported, parent: QWidget | None = None) -> None:
         super().__init__("importDrawingDialog", f"Import {title}", "importProblem", parent)
         self._found = found
-        groups = [curve.groups for curve in found.document.curves]
-        self.groups = GroupTree(groups) if len(set(groups)) > 1 else None
+        count = sum(1 for _ in shapes(found.document.curves))
+        self.groups = GroupTree(found.document) if count > 1 else None
         self.picture = ImportPicture(self.jobs)
         self.summary = Label(_summary(found), name="importSummary", wordWrap=True)
         self.missed = MissedList(found.missed) if found.missed else None
@@ -88,7 +89,7 @@ class ImportDrawingDialog(WorkDialog):
 def _summary(found: Imported, taken: int = 1, of: int = 1) -> str:
     """Return what is taken of so many curves."""
     if not taken:
-        return f"None of {of} curves; choose at least one group."
+        return f"None of {of} curves; choose at least one."
     curves = found.document.curves
     points = sum(len(curve.points) for curve in curves)
     exact = f"at most {number(found.deviation, 2)} from the file" if found.deviation else "exact"

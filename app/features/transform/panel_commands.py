@@ -131,16 +131,20 @@ class TransformPanelCommands(QObject):
     # What the person did
 
     def _change(self, text: str, edit: Callable[[Document], Document]) -> None:
-        if (refusal := self._session.change(text, edit).refusal) and self._panel is not None:
-            self._panel.refuse(refusal)
+        if refusal := self._session.change(text, edit).refusal:
+            self._refuse(refusal)
         self._render()
+
+    def _refuse(self, reason: str) -> None:
+        if self._panel is not None:
+            self._panel.refuse(reason)
 
     def _length(self, value: float) -> str:
         return f"{number(value, 6)} {self._session.document.unit}".rstrip()
 
     def _choose_pivot(self, across: int, up: int) -> None:
         is_middle = (across, up) == (0, 0)
-        self._target.set_pivot(None if is_middle else self._target.bounds.place(across, up))
+        self._target.pivot = None if is_middle else self._target.bounds.place(across, up)
         self._render()
 
     def _place(self, axis: int, value: float) -> None:
@@ -151,7 +155,10 @@ class TransformPanelCommands(QObject):
 
     def _size(self, axis: int, value: float) -> None:
         session, state, group = self._session, self._store.state, self._target.for_keys
-        bounds, pivot = self._target.bounds, self._target.centre
+        bounds, pivot, what = self._target.bounds, self._target.centre, ("width", "height")[axis]
+        if value <= 0.0:
+            self._refuse(f"A {what} is greater than 0; Flip mirrors.")
+            return
         factor = value / bounds.size[axis]
         x, y = (factor, factor) if state.keep_proportions else (factor, 1.0) if axis == 0 else (1.0, factor)
         by = scaling(x, y, pivot)
@@ -161,7 +168,6 @@ class TransformPanelCommands(QObject):
             document = stretched(document, session.views, group, corners)
             return scaled_strokes(document, group, x, y) if state.scale_strokes else document
 
-        what = ("width", "height")[axis]
         self._change(f"Set {what} of {self._target.words} to {self._length(value)}", sized)
 
     def _turn_to(self, degrees: float) -> None:

@@ -48,6 +48,11 @@ class AddTool(Tool):
         """Show nothing of what a press would do."""
         self._seen = self._preview = self._spot = None
 
+    def take_over(self, context: ToolContext) -> None:
+        """Leave the active curve as it is: nobody was editing it."""
+        if hints.can_finish(context.view):
+            self._finished.add(_key(context.host))
+
     # Finished curves
 
     def _is_finished(self, host: EditingHost) -> bool:

@@ -1,0 +1,69 @@
+"""Painting of styles: what Qt alone would not do as SVG does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtGui import QImage
+
+from app.document.model import Document, Page, make_curve
+from app.document.style import LineCap, LineJoin, Style
+from app.exchange.options import Options
+from app.exchange.writing import export
+from app.families import HERMITE
+
+pytestmark = pytest.mark.usefixtures("qapp")
+
+SQUARE = [(1.0, 1.0), (9.0, 1.0), (9.0, 9.0), (1.0, 9.0)]
+
+
+def line(points, style, **fields):
+    corners = tuple(
+        replace(each, corner=True, velocity=(0.0, 0.0), velocity_after=(0.0, 0.0))
+        for each in make_curve(points).points
+    )
+    return replace(make_curve(points, family=HERMITE), points=corners, style=style, **fields)
+
+
+def painted(tmp_path, *curves):
+    """Pixels of a page of 10 by 10 without paper, (100, 100, 4): blue, green, red, alpha."""
+    document = Document(curves, page=Page(0.0, 0.0, 10.0, 10.0))
+    export(document, tmp_path / "a.png", Options(width=100, transparent=True))
+    image = QImage(str(tmp_path / "a.png")).convertToFormat(QImage.Format.Format_ARGB32)
+    return np.frombuffer(image.constBits(), np.uint8).reshape(100, 100, 4)
+
+
+def test_a_transparent_shape_does_not_show_its_fill_through_its_stroke(tmp_path):
+    style = Style(stroke="#ff0000", width=2.0, fill="#0000ff", opacity=0.5)
+    seen = painted(tmp_path, line(SQUARE, style, closed=True))
+    # The inner half of the stroke, its outer half, and the inside.
+    for pixel in (seen[50, 14], seen[50, 6]):
+        assert np.abs(pixel.astype(int) - [0, 0, 255, 128]).max() <= 2
+    assert np.abs(seen[50, 50].astype(int) - [255, 0, 0, 128]).max() <= 2
+
+
+def test_dashes_of_no_length_are_dots_under_round_caps(tmp_path):
+    style = Style(stroke="#000000", width=1.0, dash=(0.0, 4.0), cap=LineCap.ROUND)
+    seen = painted(tmp_path, line([(1.0, 5.0), (9.5, 5.0)], style))
+    assert [seen[50, x, 3] > 200 for x in (10, 30, 50, 70, 90)] == [True, False, True, False, True]
+
+
+def test_a_miter_beyond_its_limit_is_a_bevel(tmp_path):
+    wedge = [(1.0, 2.0), (5.0, 8.0), (9.0, 2.0)]
+    tips = {}
+    for limit in (1.0, 8.0):
+        style = Style(stroke="#000000", width=1.5, join=LineJoin.MITER, miter_limit=limit)
+        seen = painted(tmp_path, line(wedge, style))
+        tips[limit] = int(np.flatnonzero(seen[:, 50, 3] > 128)[0])
+    assert tips[8.0] < tips[1.0] - 5
+
+
+def test_a_line_of_no_width_is_none(tmp_path):
+    seen = painted(
+        tmp_path,
+        line([(1.0, 5.0), (9.0, 5.0)], Style(stroke="#000000", width=0.0)),
+        line([(1.0, 1.0), (9.0, 1.0)], Style(stroke="#000000", width=0.5)),
+    )
+    assert not seen[40:60, :, 3].any()
+    assert seen[90, 50, 3] == 255

@@ -1,0 +1,63 @@
+"""An icon of another program recoloured, aligned and copied by keys and clicks, and how many it takes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from extents import sampled_bounds
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QToolButton
+
+from app.exchange.svg.reader import read_svg
+from app.features.import_export.commands import ExchangeCommands
+
+ICON = Path(__file__).parents[1] / "data" / "svg" / "lucide_leaf.svg"
+
+IN_INKSCAPE = 7
+"""Of the same by the manual of Inkscape 1.3, from the file dialog of Import on, a key with modifiers as one.
+
+OK of the import; Shift and a click on a colour of the palette; Ctrl+Shift+A, the choice what to align to, and
+the button in the dialog; Ctrl+C; Ctrl+V in the other window.
+"""
+
+
+@pytest.mark.usefixtures("drawings_read_here")
+def test_an_icon_is_recoloured_aligned_and_copied(editor):
+    editor.session.new()
+    editor.settle()
+    editor.show_dock("styleDock")
+    editor.window.commands[ExchangeCommands].import_files([ICON])
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    editor.settle()
+    # Without a window manager nobody gives the keyboard back.
+    editor.window.activateWindow()
+    assert QTest.qWaitForWindowActive(editor.window)
+    steps = ["Return"]
+    session = editor.session
+    assert session.selected.curves == frozenset(range(4))
+    swatch = editor.window.findChild(QToolButton, "fillPaint_Vermillion")
+    QTest.mouseClick(swatch, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier)
+    editor.settle()
+    assert {curve.style.stroke for curve in session.document.curves} == {"#d55e00"}
+    assert {curve.style.width for curve in session.document.curves} == {2.0}
+    editor.key(Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
+    align = editor.window.findChild(QToolButton, "alignCentreButton")
+    QTest.mouseClick(align, Qt.MouseButton.LeftButton)
+    editor.settle()
+    steps += ["a click on a colour", "Ctrl+Shift+M", "a click on Centre"]
+    middles = [np.mean(sampled_bounds(editor, place), axis=0)[0] for place in range(4)]
+    assert middles == pytest.approx([middles[0]] * 4, abs=1e-6)
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    editor.wait_for_work()
+    steps += ["Ctrl+C", "Ctrl+V there"]
+    assert len(steps) <= IN_INKSCAPE
+    data = QGuiApplication.clipboard().mimeData()
+    copied = read_svg(bytes(data.data("image/svg+xml").data())).document
+    assert [(curve.style.stroke, curve.style.width) for curve in copied.curves] == [("#d55e00", 2.0)] * 4

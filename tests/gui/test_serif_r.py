@@ -1,0 +1,112 @@
+"""A serif R, both of its contours drawn with the pen and filled, by keys and clicks alone."""
+
+from __future__ import annotations
+
+import pytest
+from hands import Hands
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QToolButton
+
+from app.document.lines import is_line
+from app.document.model import Document, make_curve
+from app.document.style import NO_PAINT
+from app.families import HERMITE
+from app.features.import_export.commands import ExchangeCommands
+from app.view_model.point_kinds import CORNER, POINT_KINDS, kinds_of
+
+Key = Qt.Key
+ALT, CTRL, SHIFT = (
+    Qt.KeyboardModifier.AltModifier,
+    Qt.KeyboardModifier.ControlModifier,
+    Qt.KeyboardModifier.ShiftModifier,
+)
+
+# Places, and where a handle is drawn out to: after a line (Alt), or on a curve.
+LINE, CURVE = ALT, Qt.KeyboardModifier.NoModifier
+OUTER = (
+    ((0, 0), None, LINE), ((14, 0), None, LINE), ((14, 2), (12, 2), LINE), ((10, 5), (10, 8), CURVE),
+    ((10, 17), None, LINE), ((15, 17), None, LINE), ((25, 0), None, LINE), ((35, 0), None, LINE),
+    ((35, 2), (33, 2), LINE), ((31, 4), (29, 7), CURVE), ((23, 18), (27, 20), LINE),
+    ((31, 29), (31, 34), CURVE),
+    ((19, 40), (14, 40), CURVE), ((0, 40), None, LINE), ((0, 38), (2, 38), LINE), ((4, 35), (4, 33), CURVE),
+    ((4, 5), (4, 3), LINE), ((0, 2), None, CURVE),
+)  # fmt: skip
+INNER = (
+    ((10, 20), None, LINE), ((17, 20), (20, 20), LINE), ((24, 28), (24, 33), CURVE),
+    ((17, 37), (14, 37), CURVE), ((10, 37), None, LINE),
+)  # fmt: skip
+
+IN_INKSCAPE = 1 + (len(OUTER) + 1) + (len(INNER) + 1) + 5
+"""Keys and clicks by the manual of Inkscape 1.3, one with modifiers counted as one.
+
+B; a click or a drag for each node and one to close, of both contours; S, Ctrl+A, Ctrl+K, a click on the
+black of the palette, Shift+click on its cross.
+"""
+
+
+@pytest.fixture
+def sheet(editor):
+    """An empty document in millimetres, of Hermite curves, the Style panel never opened."""
+    editor.session.commit(replace(Document((make_curve((), family=HERMITE),)), unit="mm"), "Begin")
+    editor.window.context.store.change(grid=False)
+    editor.window.canvas.camera.show_box((-10, 45), (-5, 45))
+    editor.window.canvas.setFocus()
+    editor.settle()
+    return editor
+
+
+def trace(hands, contour):
+    for place, to, held in contour:
+        if to is None:
+            hands.click(place, held)
+        else:
+            hands.drag(place, to, held)
+    hands.click(contour[0][0], LINE)
+
+
+def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sheet, tmp_path):
+    hands = Hands(sheet)
+    hands.press(Key.Key_P)
+    trace(hands, OUTER)
+    trace(hands, INNER)
+    assert [len(curve.points) for curve in sheet.session.document.curves] == [len(OUTER), len(INNER)]
+    hands.press(Key.Key_A, CTRL | SHIFT)
+    hands.press(Key.Key_K, CTRL | ALT)
+    hands.press(Key.Key_F, CTRL | SHIFT)
+    hands.click_on(QToolButton, "fillPaint_Ink")
+    hands.click_on(QToolButton, "strokePaint_None")
+    assert hands.count <= IN_INKSCAPE
+    check_letter(sheet)
+    check_file(sheet, tmp_path / "R.svg")
+
+
+def check_letter(editor):
+    """One shape with a hole, corners only where the letter has some, and lines that are straight."""
+    outer, inner = editor.session.document.curves
+    assert outer.shape == inner.shape != ""
+    assert outer.closed
+    assert inner.closed
+    assert (outer.style.fill, outer.style.stroke) == ("", NO_PAINT)
+    assert [is_line(inner, segment) for segment in range(5)] == [True, False, False, True, True]
+    kinds = [POINT_KINDS[kind] for kind in kinds_of(editor.session.views[1])]
+    # Beside the stem, where two lines meet.
+    assert [kind is CORNER for kind in kinds] == [True, False, False, False, True]
+    image = editor.screenshot()
+    ink, hole = (pixel_at(editor, image, place) for place in ((7, 25), (15, 30)))
+    assert ink.lightnessF() < 0.3
+    assert hole.lightnessF() > 0.9
+    assert pixel_at(editor, image, (27, 26)).lightnessF() < 0.3
+
+
+def pixel_at(editor, image, place):
+    viewport = editor.window.canvas.viewport()
+    pixel = viewport.mapTo(editor.window, editor.window.canvas.to_pixel(*place))
+    return QColor(image.pixel(pixel))
+
+
+def check_file(editor, path):
+    editor.window.commands[ExchangeCommands].export(path)
+    editor.wait_for_work()
+    assert path.read_text(encoding="utf-8").count("<path") == 1
