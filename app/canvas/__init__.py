@@ -15,8 +15,8 @@
 - ``marks_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
 - ``label_place``: where words beside a point cover least, and where its number stands.
 - ``pen_layer``: the curve that the pen would make before it is pressed.
-- ``hit_test``, ``filled_areas``: what lies under the pointer; insides of fills.
-- ``handle_marks``: handles, of sizes told apart.
+- ``hit_test``: what lies under the pointer; ``filled_areas``: insides of shapes.
+- ``handle_marks``: handles, of sizes told apart.  ``point_marks``: points, by their kinds.
 """
 
 import lazy_loader as lazy

@@ -3,7 +3,7 @@
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.
 - ``style``: stroke and fill of a curve.  ``shapes``: neighbouring curves that are drawn as one.
-- ``export``: how a document was exported last.
+- ``export``: the last export of a document.
 - ``value``: their base.  ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.

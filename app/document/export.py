@@ -1,4 +1,4 @@
-"""How a document was exported last: kept with it for the next time."""
+"""The last export of a document: kept with it for the next time."""
 
 from __future__ import annotations
 

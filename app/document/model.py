@@ -335,7 +335,7 @@ class Document(Value, frozen=True):
     page
         What pictures of it show; None for what its curves take.
     export
-        How it was exported last.
+        Its last export.
     """
 
     curves: tuple[Curve, ...]

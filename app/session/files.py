@@ -69,11 +69,11 @@ class Files:
 
     @property
     def last_export(self) -> Export:
-        """How the document was exported last; saved with it, but no step of the history."""
+        """The last export of the document; saved with it, but no step of the history."""
         return self._exports.get(self.beginning, NEVER_EXPORTED)
 
     def note_export(self, export: Export) -> None:
-        """Take note of how the document was exported; where it has a file, that is to be saved."""
+        """Take note of an export; where the document has a file, that is to be saved."""
         if export == self.last_export:
             return
         self._exports[self.beginning] = export

@@ -1,4 +1,4 @@
-"""What the person sees highlighted: some points of the curve that is edited, or whole curves."""
+"""The highlight: some points of the curve that is edited, or whole curves."""
 
 from __future__ import annotations
 

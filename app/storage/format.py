@@ -31,7 +31,7 @@ VERSION = 2
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _POINTS_AT_ONCE = 10_000
-_LAST_CONCEIVABLE_VERSION = 20**6
+_LAST_CONCEIVABLE_VERSION = 10**6
 
 
 class _Header(msgspec.Struct):

@@ -65,7 +65,7 @@ def validate_changes(before: Document, after: Document) -> None:
 
 
 def _validate_export(export: Export) -> None:
-    """Raise FormatError unless a document may be kept with how it was exported."""
+    """Raise FormatError unless a document may be kept with an export."""
     if export is NEVER_EXPORTED:
         return
     name = export.name

@@ -1,4 +1,4 @@
-"""Curves that come from elsewhere: in front of what is edited, and where the pointer is."""
+"""Curves that come from elsewhere: in front of all, and where the pointer is."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from ..document.curve_tree import Container
 from ..document.model import Curve, Document, Vector
 from ..document.several_curves import add_curves, is_blank, moved, whole_curves
-from ..document.shape_edits import place_above
 from ..document.shapes import shape_of
 from .bounds import around
 from .curve_view import CurveView, view_of
@@ -36,15 +35,13 @@ class Arrival(msgspec.Struct, frozen=True):
     views: tuple[CurveView, ...] = ()
 
 
-def with_curves(document: Document, curves: Sequence[Curve], active: int) -> Arrival:
-    """Add curves in front of the active one, visible and free, under names of their own.
+def with_curves(document: Document, curves: Sequence[Curve]) -> Arrival:
+    """Add curves in front of all, visible and free, under names of their own.
 
-    They come in front of the shape and the groups that it is in, and are in none of them. A lone curve
-    without points is what a new document begins with; it gives way.
+    A lone curve without points is what a new document begins with; it gives way.
     """
-    blank = is_blank(document)
-    first = 0 if blank else place_above(document, active)
-    base = replace(document, curves=()) if blank else document
+    base = replace(document, curves=()) if is_blank(document) else document
+    first = len(base.curves)
     return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
 
 
@@ -53,8 +50,8 @@ class Target(msgspec.Struct, frozen=True):
 
     Attributes
     ----------
-    document, active
-        What they come into, and the curve that they come in front of.
+    document
+        What they come into.
     place
         Where their middle is to be; None where they are.
     pixel
@@ -62,13 +59,12 @@ class Target(msgspec.Struct, frozen=True):
     """
 
     document: Document
-    active: int
     place: Vector | None = None
     pixel: float = 1.0
 
     def filled(self, curves: Sequence[Curve], told: Callable[[float], object] | None = None) -> Arrival:
         """Return the document with the curves; their views, too, where somebody is `told` of these."""
-        added = with_curves(self.document, curves, self.active)
+        added = with_curves(self.document, curves)
         if self.place is not None:
             moved_there = centred_at(added.document, added.places, self.place, self.pixel)
             added = replace(added, document=moved_there)

@@ -19,6 +19,7 @@ from ..document.model import Curve, Document, Parametrization, ParametrizationKi
 from ..document.words import number
 from .appending import appended_parameter, with_points_appended
 from .curve_view import CurveView, view_of
+from .split_join import split
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:
@@ -146,7 +147,32 @@ def copied_as_new_curve(copy: Curve, name: str) -> Curve:
 
 
 def part_of(view: CurveView, indices: Collection[int]) -> Curve | None:
-    """Return a curve of some points alone; None for fewer than two, which are none, and for all of them."""
+    """Return a curve of some points alone; None for fewer than two, which are none, and for all of them.
+
+    Neighbours on a curve of pieces keep the shape that they have there.
+    """
     if not 1 < len(indices) < len(view.source.points):
         return None
-    return copied_as_new_curve(replace(copied(view, indices), shape=""), view.source.name)
+    first, last = min(indices), max(indices)
+    part = _cut_out(view, first, last) if last - first + 1 == len(indices) else None
+    return copied_as_new_curve(replace(part or copied(view, indices), shape=""), view.source.name)
+
+
+def _cut_out(view: CurveView, first: int, last: int) -> Curve | None:
+    """Return the curve from one point to another, in its shape; None where it cannot be cut there."""
+    kind = view.source.family.curve_class
+    if view.source.is_closed or kind.is_one_polynomial or not kind.interpolates:
+        return None
+    try:
+        if last < len(view.source.points) - 1:
+            view = view_of(split(view, _place(view, last)).curves[0])
+        if first > 0:
+            view = view_of(split(view, _place(view, first)).curves[1])
+    except EditError:
+        return None
+    return replace(view.source, visible=True, locked=False)
+
+
+def _place(view: CurveView, index: int) -> float:
+    places = view.curve.places if view.curve is not None else view.parameters
+    return float(places[index])

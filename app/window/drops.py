@@ -1,4 +1,4 @@
-"""What is dragged over the window, and files named at the start; they are only read."""
+"""Files and drawings dragged over the window, and files named at the start; they are only read."""
 
 from __future__ import annotations
 

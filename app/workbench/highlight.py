@@ -1,4 +1,4 @@
-"""What Copy, Cut, Duplicate and Delete act on, and its removal."""
+"""The highlight that Copy, Cut, Duplicate and Delete act on, and its removal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .context import WindowContext
 
 
 def highlighted(context: WindowContext) -> Highlight:
-    """Return what is highlighted: with the focus in the list of curves, whole curves."""
+    """Return the highlight: with the focus in the list of curves, whole curves."""
     focus = QApplication.focusWidget()
     in_list = focus is not None and context.docks["curvesDock"].isAncestorOf(focus)
     return context.session.selected.highlight(whole_curves=in_list)

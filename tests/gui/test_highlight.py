@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
@@ -80,7 +81,7 @@ def test_a_copy_is_pasted_from_the_list_too(three):
     view = focus_list(three)
     QTest.keyClick(view, *KEYS["copy"])
     QTest.keyClick(view, Qt.Key.Key_V, CTRL | ALT)
-    assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "C", "B copy"]
 
 
 # Cut and delete
@@ -181,6 +182,24 @@ def test_selected_points_are_doubled_as_a_curve_of_their_own(three):
     assert names(three) == "ABC"
 
 
+@pytest.mark.parametrize("selected", [[0, 1], [1, 2], [1, 2, 3]])
+def test_neighbours_keep_their_shape(three, selected):
+    whole = three.session.active_view
+    start, end = (float(whole.parameters[at]) for at in (selected[0], selected[-1]))
+    expected = whole.curve.evaluate(np.linspace(start, end, 41))
+    three.select(selected)
+    three.key(Qt.Key.Key_D, CTRL)
+    part = three.session.active_view.curve
+    assert part.domain == (0.0, 1.0)
+    assert part.evaluate(np.linspace(0.0, 1.0, 41)) == pytest.approx(expected, abs=1e-12)
+
+
+def test_points_that_are_no_neighbours_are_doubled_by_themselves(three):
+    three.select([0, 2])
+    three.key(Qt.Key.Key_D, CTRL)
+    assert [point.position for point in three.curve.points] == [(0, 3), (2, 3)]
+
+
 @pytest.mark.parametrize("selected", [[1], [0, 1, 2, 3]])
 def test_one_point_and_all_points_mean_the_curve(three, selected):
     three.select(selected)
@@ -194,3 +213,40 @@ def test_all_chosen_curves_are_doubled(three):
     three.key(Qt.Key.Key_D, CTRL)
     assert len(three.session.document.curves) == 5
     assert step(three) == "Duplicate 2 curves"
+
+
+# Whole curves, while none is edited
+
+
+@pytest.mark.parametrize(("how", "left"), [("copy", "ABC"), ("cut", "BC"), ("delete", "BC")])
+def test_a_curve_chosen_as_a_whole_is_what_is_meant(three, how, left):
+    three.session.selected.choose({0})
+    three.key(*KEYS[how])
+    assert names(three) == left
+    assert "“A”" in three.status
+
+
+@pytest.mark.parametrize("how", ["copy", "cut", "delete"])
+def test_with_nothing_chosen_nothing_is_meant(three, how):
+    three.session.selected.choose(())
+    three.session.say("An older answer.")
+    three.key(*KEYS[how])
+    assert names(three) == "ABC"
+    assert three.status.endswith("needs a curve or a point.")
+
+
+def test_what_was_pasted_is_chosen_as_a_whole(three):
+    three.key(*KEYS["copy"])
+    three.key(Qt.Key.Key_V, CTRL | ALT)
+    assert not three.session.selected.is_editing
+    assert three.session.selected.chosen == {3}
+    three.key(*KEYS["delete"])
+    assert names(three) == "ABC"
+
+
+def test_points_pasted_while_no_curve_is_edited_are_a_curve_of_their_own(three):
+    three.session.selected.choose({0})
+    three.paste_text("0 0\n1 1\n2 0")
+    three.key(Qt.Key.Key_V, CTRL)
+    assert len(three.session.document.curves) == 4
+    assert len(three.curve.points) == 3

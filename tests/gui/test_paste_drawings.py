@@ -18,7 +18,6 @@ from app.families import HERMITE
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
-SHIFT = Qt.KeyboardModifier.ShiftModifier
 SVG = "http://www.w3.org/2000/svg"
 LEAF = f'<svg xmlns="{SVG}"><path id="leaf" d="M0 0C1 2 3 2 4 0C3 -2 1 -2 0 0Z" stroke="#d55e00"/></svg>'
 
@@ -69,7 +68,7 @@ def pasted(editor):
 def test_svg_of_another_program_becomes_a_chosen_curve(three, kind):
     offer(**{kind: LEAF})
     paste(three)
-    assert [each.name for each in three.session.document.curves] == ["A", "B", "leaf", "C"]
+    assert [each.name for each in three.session.document.curves] == ["A", "B", "C", "leaf"]
     assert chosen(three) == ["leaf"]
     assert three.curve.style.stroke == "#d55e00"
     assert three.status == "Pasted “leaf”; it is chosen."
@@ -321,7 +320,7 @@ def test_the_point_table_still_pastes_numbers(three):
     three.paste_text("7 8")
     three.key(Qt.Key.Key_V, CTRL)
     assert three.curve.points[-1].position == (7, 8)
-    QTest.keyClick(three.window.canvas, Qt.Key.Key_V, CTRL | SHIFT)
+    QTest.keyClick(three.window.canvas, Qt.Key.Key_N, CTRL | ALT)
     assert len(three.session.document.curves) == 4
 
 
@@ -388,6 +387,6 @@ def test_points_of_a_shape_are_copied_as_a_curve(three):
     three.session.selected.activate(three.session.document.curves.index(pasted(three)[0]))
     three.select([0, 1, 2])
     three.key(Qt.Key.Key_C, CTRL)
-    paste(three, CTRL | SHIFT)
+    three.key(Qt.Key.Key_N, CTRL | ALT)
     assert three.curve.shape == ""
     assert len(three.curve.points) == 3

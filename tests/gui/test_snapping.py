@@ -402,3 +402,11 @@ def test_a_point_is_measured_not_dragged(pair):
     pair.drag(pair.point(1), (2, 3))
     assert pair.point(1) == POINTS[1]
     assert pair.window.canvas.marks.ruler.start == POINTS[1]
+
+
+def test_percent_switches_snapping_and_leaves_shift_s_to_smooth_points(pair):
+    before = pair.action("toggleSnap").isChecked()
+    pair.key(Qt.Key.Key_Percent)
+    assert pair.action("toggleSnap").isChecked() is not before
+    pair.key(Qt.Key.Key_S, SHIFT)
+    assert pair.action("toggleSnap").isChecked() is not before

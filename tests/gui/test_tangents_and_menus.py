@@ -561,7 +561,7 @@ def test_text_that_is_no_points_is_refused_with_its_row(wave):
 
 def test_text_makes_a_curve_of_its_own(wave):
     wave.paste_text("0 5\n1 6\n2 5")
-    wave.key(Qt.Key.Key_V, CTRL | SHIFT)
+    wave.key(Qt.Key.Key_N, CTRL | ALT)
     assert wave.curve.name == "Curve 1"
     assert wave.curve.family is HERMITE
     assert len(wave.curve.points) == 3

@@ -1,4 +1,4 @@
-"""What is highlighted, points or curves: cut, copied, pasted, doubled and deleted.
+"""Cut, copy, paste, duplicate and delete: of what is highlighted, points or curves.
 
 - ``commands``: cut and copy.  ``paste_commands``: paste.  ``highlight_commands``: duplicate and delete.
   ``derivative_commands``: the derivatives of a point.

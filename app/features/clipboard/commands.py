@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ...actions.declaration import action, also
 from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD
-from ...actions.strips import CURVE_LIST_MENU, POINT_MENU
+from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document.model import Document, Point
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import Highlight
@@ -31,7 +31,7 @@ class ClipboardCommands:
         give_keys_to_drawing(context, ClipboardCommands)
 
     @action("cutPoints", "Cut", EDIT_CLIPBOARD, "Ctrl+X", "cut", needs=HIGHLIGHTED)
-    @also(POINT_MENU(30), CURVE_LIST_MENU(36))
+    @also(POINT_MENU(30), CURVE_MENU(18), CURVE_LIST_MENU(36))
     def _cut(self) -> None:
         """Copy the selected points, or else the curve or all chosen ones, and delete them."""
         session, what = self._session, highlighted(self._context)
@@ -42,7 +42,7 @@ class ClipboardCommands:
             session.say(f"Cut {words}.")
 
     @action("copyPoints", "Copy", EDIT_CLIPBOARD, "Ctrl+C", "copy", needs=HIGHLIGHTED)
-    @also(POINT_MENU(31), CURVE_LIST_MENU(37))
+    @also(POINT_MENU(31), CURVE_MENU(19), CURVE_LIST_MENU(37))
     def _copy(self) -> None:
         """Copy the selected points with their derivatives, or else the curve or all chosen ones."""
         what = highlighted(self._context)
@@ -50,7 +50,7 @@ class ClipboardCommands:
         self._session.say(f"Copied {what.said(self._session.document)}.")
 
     def _offer(self, what: Highlight) -> Offer:
-        """Return what other programs get, too: of points a table, of curves an SVG."""
+        """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark = self._session, decimal_mark()
         if not what.points:
             curves = tuple(session.document.curves[place] for place in sorted(what.curves))

@@ -1,4 +1,4 @@
-"""What is on the clipboard: curves or points of ours, SVG from elsewhere, or numbers."""
+"""Content of the clipboard: curves or points of ours, SVG from elsewhere, or numbers."""
 
 from __future__ import annotations
 

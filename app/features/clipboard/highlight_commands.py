@@ -1,4 +1,4 @@
-"""What is highlighted, doubled and deleted."""
+"""Duplicate and delete: of what is highlighted."""
 
 from __future__ import annotations
 

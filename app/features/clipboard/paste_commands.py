@@ -130,7 +130,7 @@ class PasteCommands:
 
     def _target(self, place: Vector | None) -> Target:
         session, pixel = self._session, self._context.central.canvas.camera.pixel_size
-        return Target(session.committed, session.active_index, place, pixel)
+        return Target(session.committed, place, pixel)
 
     def _add(self, arrival: Arrival, remarks: Sequence[str]) -> None:
         session, places = self._session, arrival.places
