@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from app.exchange.drawing.drawing import drawing_of, extent_of
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.extents import extent_of
 
 
 def cubic(pieces, s):

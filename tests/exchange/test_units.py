@@ -14,7 +14,8 @@ from app.cli import main
 from app.document.model import Document, Page, make_curve
 from app.document.style import Style
 from app.exchange.choice import ExportChoice
-from app.exchange.drawing.drawing import drawing_of, extent_of
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.extents import extent_of
 from app.exchange.drawing.image import png_preview
 from app.exchange.drawing.trim import trimmed
 from app.exchange.errors import ExchangeError

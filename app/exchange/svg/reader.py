@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import Imported, ImportedPath, Look, imported
-from ..drawing.drawing import extent_of
+from ..drawing.extents import extent_of
 from ..errors import ExchangeError
 from ..missed import Missed
 from .cascade import Cascade
