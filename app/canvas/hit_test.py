@@ -90,9 +90,21 @@ def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polylin
     if np.hypot(*np.subtract(shown.point(float(x), float(y)), pixel)) > nearest.distance + _NEAR_ENOUGH:
         # On a straight piece the polyline knows the way and not the pace.
         t = _slid(view.curve, shown, pixel, (float(t0), float(t1)))
-        x, y = view.curve.evaluate(t)
+    t = _nearer(view.curve, shown.plane(*pixel), t, (float(t0), float(t1)))
+    x, y = view.curve.evaluate(t)
     index = int(np.searchsorted(view.parameters, t))
     return Hit(Part.CURVE, max(index, 1), (float(x), float(y)), t=t)
+
+
+def _nearer(curve: ParametricCurve, place: Vector, t: float, between: tuple[float, float]) -> float:
+    """Return `t` after a step of Newton to where the curve is nearest, whatever vertices are drawn."""
+    velocity = curve.evaluate(t, 1)
+    squared = float(velocity @ velocity)
+    # Written so that NaN fails.
+    if not 0.0 < squared < math.inf:
+        return t
+    step = float((np.array(place) - curve.evaluate(t)) @ velocity) / squared
+    return min(max(t + step, between[0]), between[1])
 
 
 def _slid(curve: ParametricCurve, shown: PixelMap, pixel: Vector, between: tuple[float, float]) -> float:

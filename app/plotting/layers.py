@@ -162,6 +162,14 @@ class LayerStack:
         """Paint the layers that are not still, in pixels of the plot area."""
         self._paint_layers(painter, shown, still=False)
 
+    def paint_still(self, painter: QPainter, shown: PixelMap, origin: QPointF) -> None:
+        """Paint the axes and the layers that are still; the plot area begins at `origin`."""
+        painter.save()
+        self._paint_beside(painter, shown)
+        painter.restore()
+        painter.setClipRect(QRectF(self._area()).translated(-origin))
+        self._paint_layers(painter, shown, still=True)
+
     def _paint_layers(self, painter: QPainter, shown: PixelMap, *, still: bool) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for layer in self._layers:
@@ -175,11 +183,7 @@ class LayerStack:
         ground.fill(self.theme.paper)
         with QPainter(ground) as painter:
             painter.translate(origin)
-            painter.save()
-            self._paint_beside(painter, shown)
-            painter.restore()
-            painter.setClipRect(QRectF(self._area()).translated(-origin))
-            self._paint_layers(painter, shown, still=True)
+            self.paint_still(painter, shown, origin)
         return ground
 
 

@@ -59,7 +59,7 @@ def test_letters_typed_there_do_nothing_else(editor):
 LETTERS = {
     "sa": "Save As…",
     "side": "Side Panel",
-    "spa": "Side Panel",
+    "sidp": "Side Panel",
     "frz": "Freeze Parameters",
     "export": "Export…",
     "param cheb": "Chebyshev (2nd kind) Parameters",

@@ -148,9 +148,13 @@ def test_the_export_dialog_tells_of_colours_that_cannot_be_seen_as_chosen(qtbot)
     dialog.show_document(
         Document((replace(coloured("#f0e442"), name="<b>Sun"), coloured("#d55e00", OTHER))), 0
     )
+    # On no paper every colour is as chosen.
+    transparent = dialog.form.fields["transparent"].widget
+    assert transparent.isChecked()
+    transparent.click()
     qtbot.waitUntil(lambda: bool(dialog.told.text()))
     assert dialog.told.text() == "“<b>Sun” is drawn darker than its #f0e442, to be seen on this paper."
-    dialog.form.fields["transparent"].widget.click()
+    transparent.click()
     qtbot.waitUntil(lambda: not dialog.told.text())
 
 

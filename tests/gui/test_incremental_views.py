@@ -122,7 +122,7 @@ def test_a_lagrange_curve_at_frozen_parameters_keeps_its_samples():
     for step_size in (0.0, 1e-3, 2e-3, 3e-3):
         view = view_of(edits.move_points(uniform, 0, {1}, (step_size, 0.1)).curves[0], view)
         view.flattened(*key)
-        frozen.add(id(view._flattener._frozen))
+        frozen.add(id(view._flattener._drawn._frozen))
     assert isinstance(view._flattener, Flattener)
     assert len(frozen) == 1
 
@@ -210,9 +210,9 @@ def test_a_curve_too_wild_to_be_followed_is_flattened_once_a_step():
         curve = LagrangeCurve(rng.normal(size=(120, 2)), t)
         line = flattener.polyline(curve, key)
         assert (line.parameters == flatten_pieces(curve, *key).parameters).all()
-    assert flattener._frozen is None
+    assert flattener._drawn._frozen is None
     # Another scale is tried anew, and a calm curve is followed again.
     calm = LagrangeCurve(np.column_stack([t, t**2])[:9], np.linspace(0.0, 1.0, 9))
     for _ in range(2):
         flattener.polyline(calm, (2e-3, key[1]))
-    assert flattener._frozen is not None
+    assert flattener._drawn._frozen is not None

@@ -51,7 +51,7 @@ def ahead(editor):
 def ghost_pixels(editor):
     """How many pixels of the canvas have the colour of the line ahead."""
     editor.settle()
-    image = editor.window.canvas.grab().toImage()
+    image = editor.window.canvas.viewport().grab().toImage().copy(editor.window.canvas.camera.area)
     return int(is_colour(image, LIGHT.ghost)[:, ::2].sum())
 
 

@@ -211,8 +211,12 @@ def test_the_lines_lie_at_the_spacing(editor):
     assert canvas.drawing.grid.steps == pytest.approx((3.0, 0.3))
     ticks = canvas.getAxis("bottom").ticks_in(canvas.pixel_map)
     assert len(ticks.marks) > 5
-    for tick, _ in (*ticks.marks, *ticks.labels):
+    for tick, _ in ticks.labels:
         assert abs(tick / 0.3 - round(tick / 0.3)) < 1e-9
+    # Rulers have finer marks between those of the lines.
+    marks = [tick / 0.3 for tick, _ in ticks.marks]
+    lines = [each for each in marks if abs(each - round(each)) < 1e-9]
+    assert [round(each) for each in sorted(lines)] == list(range(round(min(lines)), round(max(lines)) + 1))
     editor.wheel((1, 1), -12)
     assert canvas.drawing.grid.steps[1] > 0.3
     canvas.drawing.grid.set_spacing(0.0)

@@ -20,7 +20,7 @@ def test_names_that_begin_with_the_words_come_first_and_scattered_letters_only_w
 
 
 WORDS = {
-    "fill": "Curve Colour…",  # it was an example, by letters scattered over its path
+    "fill": "Style: Stroke and Fill…",  # it was an example, by letters scattered over its path
     "colour": "Curve Colour…",
     "color": "Curve Colour…",
     "mirror": "Flip Vertically",

@@ -641,8 +641,8 @@ def test_a_corner_is_marked(three):
     three.select([])
     count = len(three.session.active_curve.points)
     place, colour = canvas.to_pixel(*three.point(1)), point_colours(count, canvas.layers.theme)[1]
-    # Beyond a disc, where there is paper, and within the square.
-    near = canvas.viewport().grab().toImage().pixelColor(place.x() - 4, place.y() - 4)
+    # Beyond a disc, where there is paper, and within the tip of a diamond.
+    near = canvas.viewport().grab().toImage().pixelColor(place.x(), place.y() - 4)
     assert near.getRgb() == pytest.approx(colour.getRgb(), abs=20)
 
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QComboBox, QLa
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE
+from app.plotting.painted_plot import PaintedPlot
 
 HYPHEN = re.compile(r"(?<![\w-])-\s?[0-9.]|[0-9]e-[0-9]")
 POINTS = [(-4.0, -1.5), (-2.5, -3.0), (-1.0, -0.5), (-0.00002, -2.0)]
@@ -28,6 +29,9 @@ def painted(widget):
     generator.setSize(widget.size())
     painter = QPainter(generator)
     widget.render(painter)
+    if isinstance(widget, PaintedPlot):
+        # Axes and still layers are one picture there, which holds no text to be read.
+        widget.layers.paint_still(painter, widget.pixel_map, widget.camera.origin)
     painter.end()
     root = ElementTree.fromstring(bytes(buffer.data().data()))
     return ["".join(each.itertext()) for each in root.iter("{http://www.w3.org/2000/svg}text")]

@@ -134,6 +134,9 @@ class Appended(msgspec.Struct):
     session: Session
     name: str = "Append"
 
+    def name_at(self, _pointer):
+        return self.name
+
     def document_at(self, pointer):
         point = Point(pointer.position[0], 2e12)
         curve = self.session.committed.curves[0]
