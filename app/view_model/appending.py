@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
+from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError, append_point, insert_points, set_closed, stretched_beside
 from ..document.lines import line_beside
 from ..document.model import Curve, Document, Point, Vector, vectors_of
@@ -140,19 +141,20 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
         if drawn:
             # From what was drawn, not from what the new parameters have made of it: the factor is for both.
             behind, ahead = (float(each) / drawn for each in (h[index - 1], h[index]))
-            point = _smooth_beside_line(view.source, index)
+            point = _corner_beside_line(view.source, index)
             if not point.corner:
                 behind = ahead = max(behind, ahead)
             points[index] = stretched_beside(point, behind, ahead)
     return document.with_curve(curve, replace(grown, points=tuple(points)))
 
 
-def _smooth_beside_line(curve: Curve, index: int) -> Point:
-    """Return a point at an end; beside a line, with a speed of its own on the other side."""
-    point = curve.points[index]
-    if point.corner or not line_beside(curve, index, ahead=index == 0):
+def _corner_beside_line(curve: Curve, index: int) -> Point:
+    """Return a point at an end; beside a line as a corner, whose other side is left to the rules."""
+    point, is_first = curve.points[index], index == 0
+    if point.corner or not line_beside(curve, index, ahead=is_first):
         return point
-    return replace(point.as_corner(), tied=True)
+    free = {each.name if is_first else each.after: None for each in DERIVATIVES}
+    return replace(point.as_corner(), **free)
 
 
 def _is_set(curve: Curve, index: int) -> bool:

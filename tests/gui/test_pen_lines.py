@@ -56,14 +56,26 @@ def test_alt_click_makes_a_polygon(pen, family):
         assert middle == pytest.approx(there, abs=2 * pen.pixel)
 
 
-def test_a_curve_goes_on_from_a_line_in_its_direction(pen):
+def test_a_curve_goes_on_from_a_line_with_a_corner(pen):
     pen.click(at(pen, 20, 20), keys=ALT)
     pen.click(at(pen, 160, 20), keys=ALT)
     pen.click(at(pen, 240, 120))
     assert lines(pen) == [True, False]
+    point = pen.curve.points[1]
+    assert point.corner
+    assert point.velocity_after is None
     vx, vy = pen.session.active_view.derivative_of(1, 1, ahead=True)
-    assert abs(math.atan2(vy, vx)) < 0.02
-    assert pen.curve.points[1].tied, "smooth, with a speed of its own on either side"
+    assert math.degrees(math.atan2(vy, vx)) > 30, "to where the next point is"
+
+
+def test_a_handle_drawn_along_the_line_makes_it_smooth(pen):
+    pen.click(at(pen, 20, 20), keys=ALT)
+    pen.drag(at(pen, 160, 20), at(pen, 200, 22), keys=ALT)
+    pen.click(at(pen, 240, 120))
+    assert lines(pen) == [True, False]
+    point = pen.curve.points[1]
+    assert point.tied
+    assert math.atan2(*reversed(point.velocity_after)) == pytest.approx(0, abs=1e-3)
 
 
 def test_alt_drag_is_a_corner_after_a_line(pen):
