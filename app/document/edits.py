@@ -26,9 +26,6 @@ from .model import Curve, Document, ParametrizationKind, Point, Vector
 from .ties import with_derivative
 from .words import number
 
-LEAST_TO_CLOSE = 3
-"""Points that a closed curve has at least."""
-
 
 def _with_points(document: Document, curve: int, points: Iterable[Point]) -> Document:
     return document.with_curve(
@@ -111,9 +108,10 @@ def set_position(document: Document, curve: int, index: int, position: Vector) -
 
 def delete_points(document: Document, curve: int, indices: Collection[int]) -> Document:
     """Remove the points at `indices`; a closed curve that has too few left to close is open from then on."""
-    kept = [point for i, point in enumerate(document.curves[curve].points) if i not in indices]
-    if len(kept) < LEAST_TO_CLOSE and document.curves[curve].closed:
-        document = document.with_curve(curve, replace(document.curves[curve], closed=False))
+    old = document.curves[curve]
+    kept = [point for i, point in enumerate(old.points) if i not in indices]
+    if len(kept) < old.family.least_to_close and old.closed:
+        document = document.with_curve(curve, replace(old, closed=False))
     return with_points_elsewhere(document, curve, kept)
 
 
@@ -181,8 +179,8 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
             f"Choose {titles(each for each in FAMILIES if each.curve_class.can_close)} to close the curve: "
             f"{old.family.a_curve} {_why_open(old.family)}."
         )
-    if closed and len(old.points) < LEAST_TO_CLOSE:
-        raise EditError("A closed curve needs at least three points.")
+    if closed and len(old.points) < old.family.least_to_close:
+        raise EditError(_why_too_few(old.family))
     points = tuple(stretched(point, parameter_scale) for point in old.points)
     return document.with_curve(curve, _with_room_to_close(replace(old, points=points, closed=closed)))
 
@@ -192,6 +190,16 @@ def _why_open(family: Family) -> str:
     if family.curve_class.is_one_polynomial:
         return "is one polynomial, and one that is not constant cannot repeat itself smoothly"
     return "does not come back smoothly to its first point"
+
+
+def _why_too_few(family: Family) -> str:
+    """Return the reason for so few points of a family not to make a closed curve."""
+    if family.derivatives:
+        return "A closed curve needs at least two points."
+    return (
+        f"A closed curve needs at least three points here: of two, {family.a_curve} goes straight there and "
+        "back; points with velocities would bend it."
+    )
 
 
 # Rules

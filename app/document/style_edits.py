@@ -47,7 +47,13 @@ def with_whole_style(document: Document, curves: Collection[int], style: Style) 
 
 
 def common_values(styles: Iterable[Style]) -> dict[str, object]:
-    """Return the values that all of the styles have, by their fields; what differs is left out."""
+    """Return the values that all of the styles have, by their fields; what differs is left out.
+
+    Of no styles there are none.
+    """
+    styles = list(styles)
+    if not styles:
+        return {}
     first, *others = styles
     found = {name: getattr(first, name) for name in Style.__struct_fields__}
     return {

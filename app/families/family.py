@@ -164,6 +164,11 @@ class Family:
         return self.curve_class.derivatives
 
     @property
+    def least_to_close(self) -> int:
+        """Points that a closed curve has at least: two with velocities make a lens, alone no area."""
+        return 2 if self.derivatives else 3
+
+    @property
     def interpolates(self) -> bool:
         """Whether its curves run through their points: the class says so, and nothing else was found."""
         return self.curve_class.interpolates and not self._misses_points

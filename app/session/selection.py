@@ -70,6 +70,11 @@ class Selection:
             return self._chosen
         return self.curves if len(self.curves) > 1 else frozenset()
 
+    @property
+    def marked(self) -> frozenset[int]:
+        """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
+        return self.curves if self.is_editing else self._chosen
+
     def highlight(self, *, whole_curves: bool = False) -> Highlight:
         """Return the selected points, or else the chosen curves, or the edited one, with all of their shapes.
 
@@ -77,8 +82,7 @@ class Selection:
         """
         if self.points and not whole_curves:
             return Highlight(frozenset({self._session.active_index}), self.points)
-        curves = self.curves if self.is_editing else self._chosen
-        return Highlight(whole_shapes(self._session.document, curves))
+        return Highlight(whole_shapes(self._session.document, self.marked))
 
     @property
     def whole(self) -> frozenset[int]:

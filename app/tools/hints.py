@@ -5,7 +5,6 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from ..document import words
-from ..document.edits import LEAST_TO_CLOSE
 from ..document.several_curves import PointGroup
 from ..view_model.curve_view import CurveView
 from ..view_model.point_kinds import toggled
@@ -121,7 +120,7 @@ def can_end_at(hit: Hit | None, view: CurveView) -> bool:
     """Whether the curve might end at what is hit: its first point, and there are others to go around."""
     curve = view.source
     is_first = hit is not None and hit.part is Part.POINT and hit.index == 0
-    return is_first and not curve.is_closed and len(curve.points) >= LEAST_TO_CLOSE
+    return is_first and not curve.is_closed and len(curve.points) >= curve.family.least_to_close
 
 
 def is_end(hit: Hit, view: CurveView) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy
 
 from ..qt.labels import Label, tip_of
@@ -52,7 +52,8 @@ class SteadyLabel(Guarded, Label):
         self.update()
 
     def _measure(self) -> None:
-        wanted = self.fontMetrics().horizontalAdvance(self._text)
+        # Not in whole pixels, which round to the nearest: a third of one too few costs a word of the text.
+        wanted = math.ceil(QFontMetricsF(self.font(), self).horizontalAdvance(self._text))
         if self._text and self._room - _SPARE <= wanted <= self._room:
             return
         self._room = _STEP * math.ceil(wanted / _STEP)

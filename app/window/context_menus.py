@@ -32,7 +32,7 @@ class ContextMenus:
         session = self._context.session
         if hit is not None and hit.part is Part.OTHER_CURVE:
             # One of those that are selected leaves them selected: the menu is about all.
-            selected = session.selected.curves if session.selected.is_editing else session.selected.chosen
+            selected = session.selected.marked
             if session.selected.is_editing or hit.index in selected:
                 session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
             else:

@@ -74,6 +74,8 @@ class Rendering(QObject):
         self._canvas.drawing.render_others(session.views, edited, selected.chosen)
 
     def _render_selected_curves(self) -> None:
+        # What was said was about the curves that were selected before.
+        self._context.status_line.clear_message()
         self._render_others()
         self._canvas.hover_again()
         self._render_commands()

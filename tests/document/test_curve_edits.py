@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 
@@ -10,10 +11,12 @@ from app.document.edits import EditError
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.several_curves import with_appearance
 from app.document.shape_edits import moved_into
-from app.families import HERMITE, LAGRANGE
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.validation import validate
 from app.view_model.curve_view import view_of
 
+CUBIC_SPLINE = FAMILIES.named("cubic_spline")
+SEPTIC_HERMITE = FAMILIES.named("septic_hermite")
 SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
 
 
@@ -158,10 +161,41 @@ def test_a_polynomial_is_not_closed():
         edits.set_closed(manual(LAGRANGE), 0, True)
 
 
-def test_two_points_are_not_closed():
-    document = edits.delete_points(manual(), 0, [0, 1])
-    with pytest.raises(EditError, match="at least three points"):
+def test_two_points_alone_are_not_closed_and_the_reason_is_said():
+    document = edits.delete_points(manual(CUBIC_SPLINE), 0, [0, 1])
+    with pytest.raises(EditError, match=r"at least three points here: of two, a cubic .*there and back"):
         edits.set_closed(document, 0, True)
+
+
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE, SEPTIC_HERMITE])
+def test_two_points_with_derivatives_are_closed_and_one_is_not(family):
+    document = edits.delete_points(manual(family), 0, [2, 3])
+    closed = edits.set_closed(document, 0, True)
+    validate(closed)
+    lens = edits.set_velocity(edits.set_velocity(closed, 0, 0, (0.0, 4.0)), 0, 1, (0.0, -4.0))
+    for each in (closed, lens):
+        view = view_of(each.curves[0])
+        places = view.curve.evaluate(np.linspace(*view.curve.domain, 33))
+        assert view.is_current
+        assert np.isfinite(places).all()
+        assert np.allclose(places[[0, 16, 32]], [(0, 0), (2, 0), (0, 0)])
+        # There and back: on one line, or round about it.
+        height = 0.0 if each is closed else places[:, 1].max()
+        assert np.allclose(places[8], (1.0, height))
+        assert np.allclose(places[24], (1.0, -height))
+    assert height > 0.5
+    one = edits.delete_points(document, 0, [1])
+    with pytest.raises(EditError, match="at least two points"):
+        edits.set_closed(one, 0, True)
+
+
+@pytest.mark.parametrize(("family", "least"), [(HERMITE, 2), (CUBIC_SPLINE, 3)])
+def test_a_closed_curve_stays_closed_as_long_as_its_points_make_an_area(family, least):
+    document = edits.set_closed(manual(family), 0, True)
+    for count in (3, 2, 1):
+        document = edits.delete_points(document, 0, [0])
+        assert len(document.curves[0].points) == count
+        assert document.curves[0].closed is (count >= least)
 
 
 def test_closing_manual_parameters_adds_a_segment_of_mean_length():

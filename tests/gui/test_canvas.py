@@ -487,9 +487,9 @@ def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):
     assert not arch.curve.is_closed
 
 
-def test_two_points_are_too_few_to_go_around(editor):
+def test_two_points_alone_are_too_few_to_go_around(editor):
     editor.new()
-    editor.choose_family(HERMITE)
+    editor.choose_family("cubic_spline")
     for point in ((0, 0), (2, 1)):
         editor.add_point(*point)
     editor.trigger("addTool")

@@ -302,3 +302,67 @@ def test_a_click_on_the_first_point_closes_a_curve_without_handles_too_and_it_is
     pen.choose_family(LAGRANGE)
     pen.hover(pen.point(0))
     assert hint(pen) == "Click to close the curve · Drag to move point 0"
+
+
+@pytest.fixture
+def two_drawn(editor):
+    """Two points drawn with velocities, up and down, and the pen still in hand; every panel in sight."""
+    editor.new()
+    for name in ("joints", "points", "curve", "analysis", "hodograph"):
+        editor.show_dock(f"{name}Dock")
+    editor.choose_family(HERMITE)
+    editor.trigger("addTool")
+    editor.drag(at(editor, 0, 0), at(editor, 0, 60))
+    editor.drag(at(editor, 200, 0), at(editor, 200, -60))
+    return editor
+
+
+def is_lens(editor):
+    """Whether the curve goes above the line of its points on the way there, and below on the way back."""
+    curve = editor.session.active_view.curve
+    start, end = curve.domain
+    there, back = curve.evaluate([start + share * (end - start) for share in (0.25, 0.75)])
+    height = editor.point(0)[1]
+    return there[1] > height + editor.pixel > height - editor.pixel > back[1]
+
+
+def test_a_click_on_the_first_of_two_points_closes_a_lens(two_drawn):
+    pen = two_drawn
+    pen.hover(pen.point(0))
+    assert hint(pen).startswith("Click to close the curve")
+    pen.click(pen.point(0))
+    assert pen.curve.is_closed
+    assert sizes(pen) == [2]
+    assert is_lens(pen)
+    pen.trigger("undo")
+    assert not pen.curve.is_closed
+    assert sizes(pen) == [2]
+
+
+def test_two_points_are_closed_by_key_opened_and_closed_again(two_drawn):
+    pen = two_drawn
+    pen.key(Qt.Key.Key_C)
+    assert pen.curve.is_closed
+    assert is_lens(pen)
+    pen.trigger("selectTool")
+    pen.bend(0.25, at(pen, 100, 120))
+    assert pen.curve.is_closed
+    assert sizes(pen) == [2]
+    assert is_lens(pen)
+    pen.trigger("selectAll")
+    pen.trigger("resetVelocities")
+    # Nothing is set: a line there and back.
+    assert pen.session.active_view.is_current
+    assert not is_lens(pen)
+    pen.key(Qt.Key.Key_C)
+    assert not pen.curve.is_closed
+
+
+def test_two_points_alone_are_not_closed_and_it_is_said_why(two_drawn):
+    pen = two_drawn
+    pen.choose_family("cubic_spline")
+    pen.hover(pen.point(0))
+    assert "close the curve" not in hint(pen)
+    pen.key(Qt.Key.Key_C)
+    assert not pen.curve.is_closed
+    assert pen.status.startswith("A closed curve needs at least three points here: of two, a cubic spline")

@@ -509,3 +509,25 @@ def test_the_last_good_curve_is_faint_and_does_not_print(editor):
     assert seen(editor, 2, 2.5) == BLUE
     editor.session.change("Hide", lambda document: with_appearance(document, [0], visible=False))
     assert seen(editor, 2, 2.5) == LIGHT.paper.name()
+
+
+def test_with_nothing_chosen_the_panel_says_so_and_acts_on_nothing(editor, panel):
+    editor.escape()
+    assert editor.session.selected.chosen == {1}
+    assert child(panel, QLabel, "styleSubject").text() == "Stem"
+    editor.key(Qt.Key.Key_Delete)
+    assert [curve.name for curve in editor.session.document.curves] == ["Leaf", "Root"]
+    before = editor.session.document
+    assert child(panel, QLabel, "styleSubject").text() == "Nothing is chosen"
+    assert child(panel, QLabel, "styleNote").text() == "Click a curve, or press Ctrl+A for all."
+    entries = [*panel.findChildren(QLineEdit), *panel.findChildren(QSlider), *panel.findChildren(QComboBox)]
+    assert len(entries) > 5
+    assert not [entry.objectName() for entry in entries if entry.isEnabled()]
+    assert not [button.objectName() for button in panel.findChildren(QToolButton) if button.isEnabled()]
+    assert not editor.action("copyStyle").isEnabled()
+    assert not editor.action("pasteStyle").isEnabled()
+    assert editor.session.document is before
+    editor.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert child(panel, QLabel, "styleSubject").text() == "2 curves"
+    enter(editor, panel, "strokeWidth", "0.5")
+    assert [curve.style.width for curve in editor.session.document.curves] == [0.5, 0.5]

@@ -102,3 +102,20 @@ def test_nudges_on_the_grid_say_its_step(arch):
     fine = arch.window.canvas.tools.grid()
     arch.key(RIGHT)
     assert arch.status == f"Point 2 at {3 + fine:.4g}, 2 · step {fine:.4g}, 0"
+
+
+def test_the_place_is_never_cut_off(arch):
+    arch.window.resize(1280, 800)
+    arch.set_unit("mm")
+    label = arch.window.statusBar().findChild(QLabel, "pointerPlace")
+    for thousandths in range(10, 10_000, 111):
+        # Each from no room at all, so that it gets as much as it needs and no more.
+        arch.window.status_line.readouts.show_place(None)
+        arch.window.status_line.readouts.render()
+        arch.window.status_line.readouts.show_place((-7.265, -thousandths / 1000))
+        arch.window.status_line.readouts.render()
+        arch.settle()
+        room = label.contentsRect().width()
+        shown = label.fontMetrics().elidedText(label.text(), Qt.TextElideMode.ElideRight, room)
+        assert shown == label.text()
+        assert shown.endswith(" mm")

@@ -253,6 +253,20 @@ def test_with_none_chosen_the_keys_say_so(whole):
     assert whole.session.document is before
 
 
+def test_what_was_said_of_the_choice_goes_with_it(whole):
+    whole.hover((1.5, 4.4))
+    assert whole.status == "No curve is chosen."
+    whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert chosen(whole) == "ABC"
+    assert whole.status == whole.window.status_line.hint
+    whole.escape()
+    whole.key(Qt.Key.Key_G)
+    assert whole.status == "No curve is chosen; click one, or press Ctrl+A for all."
+    assert whole.window.status_line.is_refusal
+    whole.trigger("selectAll")
+    assert not whole.window.status_line.is_refusal
+
+
 def test_the_status_line_says_what_a_press_does(whole):
     line = whole.window.status_line
     whole.hover((1.5, 4.4))

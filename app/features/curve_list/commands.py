@@ -84,9 +84,8 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session, selected = self._session, self._session.selected
-        marked = selected.curves if selected.is_editing else selected.chosen
         self.panel.render_document(
-            session.document, session.active_index, marked, is_editing=selected.is_editing
+            session.document, session.active_index, selected.marked, is_editing=selected.is_editing
         )
 
     # Number

@@ -12,6 +12,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
+from ...actions.needs import Need
 from ...actions.sections import CURVE_COLOUR, EDIT_STYLE
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import Theme
@@ -40,8 +41,10 @@ STYLE = "application/x-curvebench-style"
 """MIME type of a style, as JSON."""
 
 _NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there."
+_HOW_TO_CHOOSE = "Click a curve, or press Ctrl+A for all."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 _MOST_REMEMBERED = 12
+_CHOSEN = Need("a curve that is chosen or edited", lambda now: bool(now.session.selected.marked))
 
 
 class StyleCommands:
@@ -87,11 +90,12 @@ class StyleCommands:
         if panel is None or not panel.isVisibleTo(self._context.window):
             return
         session = self._session
-        curves = sorted(whole_shapes(session.document, session.selected.curves))
+        curves = sorted(whole_shapes(session.document, session.selected.marked))
         styles = [session.document.curves[place].style for place in curves]
-        subject = named(session.document, session.selected.curves)
+        subject = named(session.document, session.selected.marked) if curves else "Nothing is chosen"
+        note = self._note(styles) if curves else _HOW_TO_CHOOSE
         panel.show_recent(self._recent())
-        panel.render_styles(subject, styles, session.document.unit, self._note(styles))
+        panel.render_styles(subject, styles, session.document.unit, note)
 
     def _note(self, styles: list[Style]) -> str:
         """Return how the canvas shows them, where it is not as they print."""
@@ -108,7 +112,7 @@ class StyleCommands:
     # Changes
 
     def _change(self, fields: dict[str, object]) -> None:
-        session, curves = self._session, self._session.selected.curves
+        session, curves = self._session, self._session.selected.marked
         self._remember(fields)
         words = self._words(fields)
         if session.is_previewing:
@@ -121,11 +125,11 @@ class StyleCommands:
 
     def _words(self, fields: dict[str, object]) -> str:
         what = " and ".join(STYLE_WORDS[name] for name in fields)
-        return f"{what} of {named(self._session.committed, self._session.selected.curves)}"
+        return f"{what} of {named(self._session.committed, self._session.selected.marked)}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
         session = self._session
-        session.preview(with_style(session.committed, session.selected.curves, **fields))
+        session.preview(with_style(session.committed, session.selected.marked, **fields))
 
     def _give_up(self) -> None:
         if self._session.is_previewing:
@@ -133,7 +137,7 @@ class StyleCommands:
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
-        return with_style(document, self._session.selected.curves, **{name: position / 100})
+        return with_style(document, self._session.selected.marked, **{name: position / 100})
 
     def _words_of_share(self, name: str, _position: int) -> str:
         return self._words({name: None})
@@ -175,6 +179,7 @@ class StyleCommands:
         "Ctrl+Alt+Shift+C",
         "style-copy",
         keywords="colour format painter",
+        needs=_CHOSEN,
     )
     def _copy(self) -> None:
         """Copy stroke and fill of the curve that is edited."""
@@ -190,6 +195,7 @@ class StyleCommands:
         "Ctrl+Shift+V",
         "style-paste",
         keywords="colour format painter",
+        needs=_CHOSEN,
     )
     def _paste(self) -> None:
         """Give the curve, or all that are selected, the stroke and the fill that were copied."""
@@ -197,7 +203,7 @@ class StyleCommands:
         if found is None:
             session.refuse(_NOTHING_TO_PASTE)
             return
-        curves = session.selected.curves
+        curves = session.selected.marked
         subject = named(session.document, curves)
         words = f"Paste style to {subject}"
         if session.change(words, lambda document: with_whole_style(document, curves, found)):

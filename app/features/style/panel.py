@@ -193,6 +193,8 @@ class StylePanel(FieldForm):
     def _enable(self, styles: Iterable[Style]) -> None:
         """Enable what makes a difference."""
         styles = list(styles)
+        for always in (self.fill, self.stroke, self.opacities["opacity"]):
+            always.setEnabled(bool(styles))
         has_fill = any(style.fill != NO_PAINT for style in styles)
         has_stroke = any(style.stroke != NO_PAINT for style in styles)
         of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash)
