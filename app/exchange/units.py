@@ -32,6 +32,13 @@ def known_unit(name: str) -> str:
     return next((each for each in (word, word.lower()) if each in MILLIMETRES), "")
 
 
+def note_of_unknown(name: str) -> str:
+    """Return what to know about a unit that no file knows; empty for a length, and for none at all."""
+    if not name or known_unit(name):
+        return ""
+    return f"“{name}” is no length that files know; pictures and exported files have no true size with it."
+
+
 def css_length(value: float, unit: str) -> str:
     """Return a length in one of the units as SVG takes it, with all digits."""
     if unit not in _IN_CSS:

@@ -18,7 +18,7 @@ import json
 import math
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from enum import Enum
 from pathlib import Path
 from typing import Any, Final, Generic, Protocol, TypeVar, overload
@@ -228,13 +228,23 @@ class Text(TextSetting[str]):
         Letters that it may have.
     usual
         Texts to choose from; the first stands for none.
+    note
+        What to know about a text, which is said beside it; empty where there is nothing.
     """
 
     def __init__(
-        self, key: str, label: str, tip: str, *, longest: int, usual: Sequence[str], widget: str = ""
+        self,
+        key: str,
+        label: str,
+        tip: str,
+        *,
+        longest: int,
+        usual: Sequence[str],
+        note: Callable[[str], str] = lambda _: "",
+        widget: str = "",
     ) -> None:
         super().__init__(key, "", label, tip, widget)
-        self.longest, self.usual = longest, usual
+        self.longest, self.usual, self.note = longest, usual, note
 
     def _parse(self, text: str) -> str:
         if not text.isprintable():

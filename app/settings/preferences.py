@@ -8,6 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QSettings
 
+from .. import exchange
 from ..appearance.theme import ThemeMode
 from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
@@ -32,6 +33,11 @@ _RECENT: Final = "files/recent"
 
 NO_UNIT: Final = "none"
 USUAL_UNITS: Final = (NO_UNIT, "mm", "cm", "m", "in", "px", "s")
+
+
+def _note_of_unit(name: str) -> str:
+    # Units are loaded when one is first shown.
+    return exchange.units.note_of_unknown(name)
 
 
 class Preferences:
@@ -61,6 +67,7 @@ class Preferences:
         "What a length of one is called in new documents; type any name (File > Document… for this one)",
         longest=12,
         usual=USUAL_UNITS,
+        note=_note_of_unit,
         widget="unitBox",
     )
     """The name of the unit that a new document has, such as "mm"; empty for none."""

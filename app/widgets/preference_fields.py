@@ -7,12 +7,15 @@ from collections.abc import Callable, Collection, Sequence
 from functools import singledispatch
 from typing import Any, Generic
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFocusEvent, QMouseEvent
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
 
 from ..appearance.theme import theme_of
 from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
 from ..qt.labels import Label
+from ..qt.overrides import Guarded
 from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
 from .controls import check_box, choice_box
 from .field_edit import NumberEdit, read_number
@@ -98,30 +101,59 @@ class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
             check.setChecked(each in value)
 
 
+class _WholeTextEdit(Guarded, QLineEdit):
+    """A line whose whole text is selected by the click that enters it: what is typed replaces it.
+
+    In a box, of which one word is chosen, typing would go on from the word that is there.
+    """
+
+    _is_entered = False
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._is_entered = event.reason() == Qt.FocusReason.MouseFocusReason
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        # What was dragged over is what is meant.
+        if self._is_entered and not self.hasSelectedText():
+            self.selectAll()
+        self._is_entered = False
+
+
 @field_of.register(Text)
 class TextPreference(PreferenceField[str]):
     """A box with the usual texts, in which others may be typed; the first of them stands for none."""
 
     def __init__(self, setting: Text, change: Change) -> None:
-        self._none, self._change, self._shown = setting.usual[0], change, ""
-        line = QLineEdit(maxLength=setting.longest)
+        self._setting, self._none, self._change, self._shown = setting, setting.usual[0], change, ""
+        line = _WholeTextEdit(maxLength=setting.longest)
         self._box = choice_box(setting.widget, setting.label, setting.tip, setting.usual)
         self._box.setEditable(True)
         self._box.setLineEdit(line)
         self._box.textActivated.connect(self._choose)
         line.editingFinished.connect(lambda: self._choose(line.text()))
-        self.rows = [(setting.label, self._box)]
+        self._note = Label(name=f"{setting.widget}Note", wordWrap=True)
+        self._note.hide()
+        self.rows = [(setting.label, self._box), ("", self._note)]
 
     def show(self, value: str) -> None:
-        """Show a value."""
+        """Show a value, and what to know about it."""
         self._shown = value
         self._box.setCurrentText(value or self._none)
+        self._show_note(value)
+
+    def _show_note(self, value: str) -> None:
+        note = self._setting.note(value)
+        self._note.setText(note)
+        self._note.setVisible(bool(note))
 
     def _choose(self, text: str) -> None:
         name = text.strip()
         name = "" if name == self._none else name
         if name != self._shown:
             self._shown = name
+            self._show_note(name)
             self._change(name)
 
 

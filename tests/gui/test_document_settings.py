@@ -55,6 +55,33 @@ def test_the_unit_is_a_step_of_the_history_and_the_numbers_stay(editor, panel):
     assert unit_line(panel).text() == "none"
 
 
+def test_a_click_selects_the_unit_so_that_typing_replaces_it(editor, panel):
+    line = unit_line(panel)
+    assert line.text() == "none"
+    QTest.mouseClick(line, Qt.MouseButton.LeftButton)
+    assert line.selectedText() == "none"
+    editor.type_text(line, "mm")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    editor.settle()
+    assert (line.text(), editor.session.document.unit) == ("mm", "mm")
+    # In a line that has the cursor a click puts it elsewhere.
+    QTest.mouseClick(line, Qt.MouseButton.LeftButton)
+    assert not line.hasSelectedText()
+
+
+def test_a_unit_that_no_file_knows_is_taken_and_told(editor, panel):
+    note = panel.findChild(QLabel, "documentUnitNote")
+    retype(editor, unit_line(panel), "mm")
+    assert not note.isVisible()
+    retype(editor, unit_line(panel), "nonemm")
+    assert editor.session.document.unit == "nonemm"
+    assert note.isVisible()
+    assert note.text().startswith("“nonemm” is no length that files know")
+    assert note.text() in editor.status
+    editor.trigger("undo")
+    assert not note.isVisible()
+
+
 def test_the_grid_is_a_step_of_the_history(editor, panel):
     line = panel.findChild(QLineEdit, "documentGrid")
     retype(editor, line, "1/4")

@@ -91,6 +91,18 @@ def test_the_unit_is_that_of_new_documents(editor, dialog):
     assert place(editor).count(" mm") == 2
 
 
+def test_a_click_selects_the_unit_and_one_that_no_file_knows_is_told(editor, dialog):
+    line, note = units(dialog).lineEdit(), dialog.findChild(QLabel, "unitBoxNote")
+    for typed, is_told in (("parsec", True), ("cm", False)):
+        spacing(dialog).setFocus()
+        QTest.mouseClick(line, Qt.MouseButton.LeftButton)
+        QTest.keyClicks(line, typed)
+        QTest.keyClick(line, Qt.Key.Key_Return)
+        assert editor.window.preferences.unit_name == typed
+        assert note.isVisible() is is_told
+    assert not note.text()
+
+
 def test_a_grid_spacing_is_typed_as_an_expression_and_can_be_adaptive_again(editor, dialog):
     retype(spacing(dialog), "1/4")
     assert editor.window.preferences.grid_spacing == 0.25
@@ -134,9 +146,10 @@ def rows_of(dialog):
 
 def test_the_rows_stand_in_the_order_of_the_settings(dialog):
     kinds = [("Snap to" if kind is next(iter(SnapKind)) else "", f"snap_{kind.value}") for kind in SnapKind]
-    assert rows_of(dialog)[: 4 + len(kinds)] == [
+    assert rows_of(dialog)[: 5 + len(kinds)] == [
         ("Theme", "themeBox"),
         ("Unit when new", "unitBox"),
+        ("", "unitBoxNote"),
         ("Grid when new", "gridSpacing"),
         ("", "preferencesProblem"),
         *kinds,

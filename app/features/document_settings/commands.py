@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
 
+from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import FILE_SAVE
 from ...features import document_settings
@@ -51,7 +52,8 @@ class DocumentSettingsCommands:
             self._context.status_line.readouts.unit = document.unit
             if before is not None and before[0] != document.unit and self._panel is not None:
                 name = f"are in {document.unit}" if document.unit else "have no unit"
-                self._session.say(f"Lengths {name} now; the numbers stay as they are.")
+                note = exchange.units.note_of_unknown(document.unit)
+                self._session.say(f"Lengths {name} now; the numbers stay as they are. {note}".rstrip())
         self._render_panel()
 
     def _render_panel(self) -> None:

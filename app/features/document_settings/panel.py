@@ -12,6 +12,7 @@ from ...appearance.theme import Theme
 from ...document.model import Document
 from ...document.plane_edits import set_grid_spacing, set_unit
 from ...document.style import Style
+from ...exchange.units import note_of_unknown
 from ...qt.labels import Label
 from ...settings.kinds import Distance, Text
 from ...settings.preferences import NO_UNIT, USUAL_UNITS
@@ -28,6 +29,7 @@ _UNIT = Text(
     "What a length of one is called in this document; type any name. Numbers stay as they are",
     longest=LONGEST_UNIT,
     usual=USUAL_UNITS,
+    note=note_of_unknown,
     widget="documentUnit",
 )
 _GRID = Distance(
