@@ -79,6 +79,7 @@ def points(editor):
 def test_the_key_leads_to_the_width(leaf):
     assert QApplication.focusWidget() is field(leaf, "Width")
     assert field(leaf, "Width").selectedText() == field(leaf, "Width").text()
+    assert field(leaf, "Width").cursorPosition() == 0, "the first digits are seen"
 
 
 def test_it_shows_the_curve_and_not_its_points(leaf):

@@ -85,8 +85,10 @@ class TransformPanelCommands(QObject):
         if self._panel is not None:
             self._is_seen = True
             self._render()
-            self._panel.width_edit.setFocus()
-            self._panel.width_edit.selectAll()
+            width = self._panel.width_edit
+            width.setFocus()
+            # Backwards: the first digits are seen.
+            width.setSelection(len(width.text()), -len(width.text()))
 
     # What is shown
 
