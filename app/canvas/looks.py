@@ -1,4 +1,4 @@
-"""How curves look on the canvas: as they print, or as thin lines to edit."""
+"""Looks of curves on the canvas: as they print, or as thin lines to edit."""
 
 from __future__ import annotations
 

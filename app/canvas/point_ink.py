@@ -13,7 +13,7 @@ _LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 
 
 class PointInk:
-    """What points are drawn with under one theme, in one scale: it stays from frame to frame."""
+    """Pens and fonts of points under one theme, in one scale: they stay from frame to frame."""
 
     def __init__(self, theme: Theme, scale: float, fonts: Sizes, *, over_picture: bool) -> None:
         self.scale, self.over_picture = scale, over_picture

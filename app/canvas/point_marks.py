@@ -16,7 +16,7 @@ _PICTURE = 16
 """Pixels along the sides of the picture of a mark: headers scale what is smaller than their icons are."""
 
 REACH = max(abs(coordinate) for kind in POINT_KINDS for corner in kind.outline for coordinate in corner)
-"""How far a mark of radius 1 reaches at most."""
+"""Largest reach of a mark of radius 1."""
 
 
 def paint_mark(painter: QPainter, place: QPointF, radius: float, kind: int, paper: QColor) -> None:

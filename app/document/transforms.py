@@ -157,7 +157,7 @@ class Edge(Enum):
 
 
 class Reference(NamedEnum):
-    """What curves are aligned to.
+    """Thing that curves are aligned to.
 
     Attributes
     ----------
@@ -182,7 +182,7 @@ class Reference(NamedEnum):
 
 
 class Spacing(NamedEnum):
-    """What is the same between neighbours of curves that are distributed."""
+    """Distance that is the same between neighbours of curves that are distributed."""
 
     CENTRES = "centres", "Centres"
     GAPS = "gaps", "Gaps"

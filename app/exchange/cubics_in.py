@@ -108,7 +108,7 @@ class Imported:
 
 @dataclass(frozen=True)
 class Look:
-    """What a path shares with all others of its shape; see `Curve`."""
+    """Look that a path shares with all others of its shape; see `Curve`."""
 
     style: Style = PLAIN_STYLE
     shape: str = ""

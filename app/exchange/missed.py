@@ -35,5 +35,5 @@ class Missed(msgspec.Struct, frozen=True):
 
     @property
     def called(self) -> str:
-        """What to find it by: its name, or its place."""
+        """Words to find it by: its name, or its place."""
         return f"“{self.name}”" if self.name else f"(element {self.number})"

@@ -110,7 +110,7 @@ class TransformTarget:
 
     @property
     def centre(self) -> Vector:
-        """What keys turn, scale and mirror about: the pivot, or else the middle."""
+        """Place that keys turn, scale and mirror about: the pivot, or else the middle."""
         return self.pivot or self.bounds.centre
 
     # Pivot

@@ -64,7 +64,7 @@ class Toolbox:
 
     @property
     def target(self) -> TransformTarget:
-        """What transforms act on, and their pivot."""
+        """Subject of the transforms, and their pivot."""
         return self._target
 
     @property

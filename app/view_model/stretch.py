@@ -16,7 +16,7 @@ from .bounds import Bounds, bounds_of, is_whole
 from .curve_view import CurveView, view_of
 
 Corners = tuple[Vector, Vector]
-"""What becomes of the lower left and of the upper right corner of a box; they may have changed places."""
+"""Images of the lower left and of the upper right corner of a box; they may have changed places."""
 
 _ROUNDS = 40
 _ROUNDING = 2.0**-50

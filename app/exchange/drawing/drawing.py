@@ -103,7 +103,7 @@ class Outline(msgspec.Struct, frozen=True):
 
     @property
     def reach(self) -> float:
-        """How far the stroke reaches beyond the curve, but for miters; 0 for a line of the usual width."""
+        """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
         return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
 
 

@@ -21,7 +21,7 @@ _FROM_FONTS = ("em", "ex", "ch", "rem", "vw", "vh", "auto")
 
 @dataclass(frozen=True)
 class Viewport:
-    """What lengths in percent are parts of, in user units; None where nobody says."""
+    """Lengths that those in percent are parts of, in user units; None where nobody says."""
 
     width: float | None = None
     height: float | None = None

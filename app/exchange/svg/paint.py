@@ -20,7 +20,7 @@ _LONGEST_CHAIN = 20
 
 @dataclass(frozen=True)
 class Paint:
-    """What fills an area or a stroke.
+    """Paint of an area or a stroke.
 
     Attributes
     ----------

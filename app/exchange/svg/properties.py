@@ -23,7 +23,7 @@ _Kind = TypeVar("_Kind", bound=Enum)
 
 @dataclass(frozen=True)
 class Flaw:
-    """What of a style is not taken over: why, and what is done instead."""
+    """Part of a style that is not taken over: why, and what is done instead."""
 
     why: str
     instead: str
@@ -31,7 +31,7 @@ class Flaw:
 
 @dataclass(frozen=True, eq=False)
 class Properties:
-    """What an element has inherited, as the file writes it.
+    """Properties that an element has inherited, as the file writes them.
 
     Attributes
     ----------

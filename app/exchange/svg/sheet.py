@@ -20,7 +20,7 @@ _ROUNDING = 1e-5
 
 @dataclass(frozen=True, eq=False)
 class Sheet:
-    """How the user units of a file become those of a document.
+    """Map of the user units of a file to those of a document.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What an SVG element passes on to those in it."""
+"""State that an SVG element passes on to those in it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where dragged curves would fall in the list: between which rows, and in which shape or group."""
+"""Place where dragged curves would fall in the list: between rows, and in a shape or group."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ class Entry(NamedTuple):
 
     @property
     def key(self) -> _Key:
-        """What it is known by from one document to the next."""
+        """Key that it keeps from one document to the next."""
         return self.node.kind, self.node.around, self.node.name
 
 

@@ -1,4 +1,4 @@
-"""What belongs to a document as a whole: its unit and its grid, and what a new one begins with.
+"""Settings of a document as a whole: its unit and its grid, and those that a new one begins with.
 
 - ``commands``: the panel in the window, and what is drawn in the unit and on the grid of the document.
 - ``panel``: the form.

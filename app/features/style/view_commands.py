@@ -1,4 +1,4 @@
-"""How the canvas shows styles: as thin lines to edit, on paper as it prints."""
+"""Display modes of the canvas: thin lines to edit, paper as it prints."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ _DIGITS, _CERTAIN = 7, 12
 
 
 class Situated(msgspec.Struct, frozen=True):
-    """What transforms act on.
+    """Subject of the transforms.
 
     Attributes
     ----------
