@@ -205,15 +205,9 @@ def _convert(options: argparse.Namespace) -> int:
     off = max((fit.deviation for fit in fits), default=0.0)
     total = exchange.parts.rounded_up(source.deviation + off + written.deviation)
     if options.json:
-        missed = [asdict(each) for each in source.missed]
-        _say_json(
-            {
-                "output": options.output,
-                "deviation": total,
-                "missed": missed,
-                "remarks": [*source.remarks, *said],
-            }
-        )
+        missed, remarks = [asdict(each) for each in source.missed], [*source.remarks, *said]
+        found = {"output": options.output, "deviation": total, "missed": missed, "remarks": remarks}
+        _say_json(found)
     else:
         _tell([*source.sentences, *said])
         say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")

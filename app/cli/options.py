@@ -57,6 +57,11 @@ def _unit(text: str) -> str:
 
 def add_picture_options(parser: argparse.ArgumentParser) -> None:
     """Let a command take the options of pictures."""
+    _add_size_options(parser)
+    _add_look_options(parser)
+
+
+def _add_size_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add(
         "--only",
@@ -88,6 +93,10 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
         metavar="X",
         help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
     )
+
+
+def _add_look_options(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
     add("--theme", choices=STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)")
     add("--transparent", action="store_true", help="leave the paper out")
     add(
