@@ -187,9 +187,8 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
 
 def _why_open(family: Family) -> str:
     """Return the reason for its curves not to return to their first point; the status line has little room."""
-    if family.curve_class.is_one_polynomial:
-        return "one polynomial never returns"
-    return f"{family.a_curve} does not return smoothly"
+    reason = "is one polynomial" if family.curve_class.is_one_polynomial else "does not return smoothly"
+    return f"{family.a_curve} {reason}"
 
 
 def _why_too_few(family: Family) -> str:
