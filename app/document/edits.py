@@ -186,7 +186,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
 
 
 def _why_open(family: Family) -> str:
-    """Return the reason for its curves not to return to their first point; the status line has little room."""
+    """Return the reason for its curves not to return to their first point, in few words."""
     reason = "is one polynomial" if family.curve_class.is_one_polynomial else "does not return smoothly"
     return f"{family.a_curve} {reason}"
 
