@@ -84,6 +84,11 @@ class Style(Value, frozen=True):
         """Whether the inside is painted."""
         return self.fill != NO_PAINT
 
+    @property
+    def dashes_and_gaps(self) -> tuple[float, ...]:
+        """The dashes as they are drawn, an even number: of an odd one, dashes and gaps change their roles."""
+        return self.dash if len(self.dash) % 2 == 0 else self.dash * 2
+
     def in_colour(self, paint: str) -> Style:
         """Return the style with another colour: of its line, or of its inside where it has no line."""
         is_inside = self.has_fill and not self.has_stroke
