@@ -28,8 +28,8 @@ from PySide6.QtCore import QByteArray
 
 from ..document.style import PLAIN_STYLE, Style
 from ..document.words import enumerated
+from ..storage.field_check import check_fields
 from ..storage.format_error import FormatError
-from ..storage.style_check import validate_style
 from .file import SettingsFile
 
 Value = TypeVar("Value")
@@ -210,7 +210,7 @@ class SavedStyle(TextSetting[Style]):
     def _parse(self, text: str) -> Style:
         try:
             style = msgspec.json.decode(text, type=Style)
-            validate_style(style, "style")
+            check_fields(style, "style")
         except (msgspec.DecodeError, FormatError):
             raise _UnusableError("it is no style") from None
         return style

@@ -392,6 +392,16 @@ def test_dashes_begin_at_the_start_wherever_one_looks(editor):
         assert found == [x % 4 < 2 for x in places if x % 2 == 1]
 
 
+def test_dashes_that_cannot_be_told_apart_are_as_pale_as_their_share(editor):
+    """Of an odd number of lengths, dashes and gaps change their roles: half of all is drawn."""
+    lines = [
+        replace(make_curve([(0, y), (9, y)], family=HERMITE), style=Style(stroke=RED, width=1.0, dash=dash))
+        for y, dash in ((0, (1e-4, 1e-4)), (3, (1e-4, 2e-4, 3e-4)))
+    ]
+    begin(editor, *lines, make_curve([(0, 6), (9, 6)], name="Other"), active=2)
+    assert seen(editor, 4, 0) == seen(editor, 4, 3) not in (RED, LIGHT.paper.name())
+
+
 # Views
 
 

@@ -22,9 +22,9 @@ from ...document.shapes import whole_shapes
 from ...document.style import Style
 from ...document.style_edits import STYLE_WORDS, with_style, with_whole_style
 from ...features import style
+from ...storage.field_check import check_fields
 from ...storage.format import decode
 from ...storage.format_error import FormatError
-from ...storage.style_check import validate_style
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...view_model.palette import adjustment_of
@@ -216,7 +216,7 @@ def _style_on_clipboard() -> Style | None:
     try:
         if data.hasFormat(STYLE):
             found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
-            validate_style(found, "style")
+            check_fields(found, "style")
             return found
         for kind in filter(data.hasFormat, (CURVES, POINTS)):
             return decode(bytes(data.data(kind).data())).curves[0].style

@@ -12,7 +12,7 @@ from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...document.style_edits import common_values
-from ...qt.labels import Label
+from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.choice_row import ChoiceRow
 from ...widgets.field_edit import NumberEdit
@@ -163,7 +163,7 @@ class StylePanel(FieldForm):
         self._shown, self._unit = wanted, unit
         values = common_values(styles)
         self._subject.setText(subject)
-        self._subject.setToolTip(subject)
+        self._subject.setToolTip(tip_of(subject))
         self.fill.render_value(values.get("fill"))
         self.stroke.render_value(values.get("stroke"))
         self._rule.render_value(values.get("fill_rule"))
