@@ -35,6 +35,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether two or more selected points, or several selected curves, get a box with grips.
     scale_strokes
         Whether strokes get wider with the curve that they are of.
+    guides_stay
+        Whether no key moves or removes a guide: they are locked, or not seen.
     pencil
         How near a curve comes to what the pencil draws.
     """
@@ -43,6 +45,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     unit: str = ""
     shows_box: bool = True
     scale_strokes: bool = True
+    guides_stay: bool = False
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 

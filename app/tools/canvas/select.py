@@ -16,7 +16,7 @@ from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
 from ..parts import GESTURES, press_on_part, toggling, unless_locked
-from ..pointer import Cursor, Hint, Hit, Part
+from ..pointer import Cursor, Hint, Hit, Part, Stride
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
@@ -35,6 +35,7 @@ class SelectTool(Tool):
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means."""
+        self._guides.let_go()
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
             return
@@ -85,7 +86,7 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove the guide under the pointer with Delete; edit the curve that is chosen with Enter."""
+        """Remove a guide with Delete; edit the curve that is chosen with Enter."""
         if self._guides.key(context, key):
             return True
         selected = context.host.selected
@@ -93,6 +94,18 @@ class SelectTool(Tool):
             return False
         edit_curve(context, context.host.active_index)
         return True
+
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+        """Move the guide that was clicked, or else what is selected."""
+        return self._guides.nudge(context, direction, stride) or super().nudge(context, direction, stride)
+
+    def dismiss(self) -> bool:
+        """Let go of the guide that was clicked."""
+        return self._guides.let_go()
+
+    def reset(self) -> None:
+        """Forget the guide of another document."""
+        self._guides.let_go()
 
     def walk(self, context: ToolContext, step: int) -> bool:
         """Select the next point; while no curve is edited, choose the next curve."""
@@ -125,7 +138,7 @@ class SelectTool(Tool):
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
     def claims(self, key: str) -> bool:
-        """Whether a key is for the guide under the pointer."""
+        """Whether a key is for a guide."""
         return self._guides.claims(key)
 
     def end(self) -> None:
@@ -172,7 +185,7 @@ class SelectTool(Tool):
             pivot=self._pivot(context) if not is_banding else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
-            guide=self._guides.lit,
+            guide=self._guides.shown,
         )
 
     @staticmethod
@@ -240,6 +253,7 @@ SELECT = ToolRecord(
             curves=True,
         ),
         GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
+        GestureRow("Click a guide", "choose it: arrow keys move it, Del removes it"),
         GestureRow(
             "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
         ),
