@@ -57,6 +57,7 @@ class Canvas(ToolPlot):
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self._move_again)
+        tools.curves_at = self.drawing.curves_at
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import msgspec
 from msgspec.structs import replace
@@ -68,8 +68,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         Makes what a drag snaps with.
     target
         The selected points or curves that transforms act on.
-    hit_test
-        Finds what lies under a pointer.
+    hit_test, curves_at
+        Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
     background
         Does what takes longer than a moment.
     """
@@ -82,6 +82,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     snappers: Snappers
     target: TransformTarget
     hit_test: Callable[[Pointer], Hit | None]
+    curves_at: Callable[[Pointer], Sequence[int]]
     background: Background
 
     @property

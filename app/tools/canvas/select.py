@@ -9,6 +9,7 @@ from ...document.model import Vector
 from ...document.several_curves import PointGroup
 from ...document.shape_edits import next_pressed
 from .. import hints
+from ..below import click_below, find_below, words_below
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
 from ..guides import GuidePicker
@@ -34,8 +35,16 @@ class SelectTool(Tool):
         self._drags_grip = False
 
     def press(self, context: ToolContext) -> None:
-        """Begin what a press here means."""
+        """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
         self._guides.let_go()
+        below = find_below(context)
+        self._press(context)
+        if below is not None:
+            context.drags.mean_by_click(lambda: click_below(context, below))
+            if isinstance(self.gesture, Marquee):
+                self.gesture.mean_by_click(lambda context: click_below(context, below))
+
+    def _press(self, context: ToolContext) -> None:
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
             return
@@ -150,6 +159,12 @@ class SelectTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
+        hint, below = self._hint(context), find_below(context)
+        if below is None:
+            return hint
+        return replace(hint, text=" · ".join(filter(None, (words_below(context, below), hint.text))))
+
+    def _hint(self, context: ToolContext) -> Hint:
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
         snaps = context.settings.snapping.on
         takes_pivot = self._is_on_pivot(context)
@@ -261,6 +276,7 @@ SELECT = ToolRecord(
         GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
         GestureRow("Drag another curve", "move it whole; Shift keeps to one axis"),
         GestureRow("Click another curve", "edit it"),
+        GestureRow("Alt+click", "the curve below the topmost one there; again: the next below"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),
         GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
         GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),
