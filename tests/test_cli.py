@@ -684,10 +684,22 @@ def test_a_dark_svg_without_paper(tmp_path):
     assert 'id="paper"' in rendered(tmp_path, "--theme", "dark").read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("ending", ["png", "svg"])
+def test_a_picture_has_no_paper_unless_a_theme_is_asked_for(ending, tmp_path):
+    images = pytest.importorskip("PySide6.QtGui")
+    # As the window exports it; a PNG had light paper.
+    for words, alpha in (((), 0), (("--theme", "light"), 255), (("--theme", "light", "--transparent"), 0)):
+        path = rendered(tmp_path, "--width", "100", *words, ending=ending)
+        if ending == "png":
+            assert images.QImage(str(path)).pixelColor(0, 0).alpha() == alpha
+        else:
+            assert ('id="paper"' in path.read_text(encoding="utf-8")) is bool(alpha)
+
+
 def test_a_sharper_png_without_paper(tmp_path):
     images = pytest.importorskip("PySide6.QtGui")
-    plain = images.QImage(str(rendered(tmp_path, "--width", "300", ending="png")))
-    sharp = rendered(tmp_path, "--width", "300", "--scale", "2", "--transparent", ending="png")
+    plain = images.QImage(str(rendered(tmp_path, "--width", "300", "--theme", "light", ending="png")))
+    sharp = rendered(tmp_path, "--width", "300", "--scale", "2", ending="png")
     image = images.QImage(str(sharp))
     assert (plain.width(), image.width()) == (300, 600)
     assert image.dotsPerMeterX() == pytest.approx(2 * plain.dotsPerMeterX(), abs=2)

@@ -251,6 +251,14 @@ class _Outline:
         return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
 
 
+def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
+    """Whether the line of a curve that is seen lies within reach of a pixel."""
+    if not (view.source.visible and view.has_curve):
+        return False
+    nearest = PixelOutline([pixels_of(view, shown)]).nearest(pixel)
+    return nearest is not None and nearest.distance <= CURVE_REACH
+
+
 def _changed(before: list[Shape], after: list[Shape]) -> range:
     """Return the places where two lists of shapes differ, as far as they are few and the rest is the same."""
     if len(before) != len(after):

@@ -215,6 +215,10 @@ class CanvasScene:
             hit = self.guides.hit(pixel, shown) or hit
         return hit
 
+    def curves_at(self, pointer: Pointer) -> list[int]:
+        """Return the places of all curves at the pointer, the topmost first, one of each shape."""
+        return self.curves.all_at(pointer.pixel, self._plot.pixel_map)
+
     @property
     def area(self) -> QRect:
         """The drawing in pixels of the viewport."""

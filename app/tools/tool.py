@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import msgspec
 from msgspec.structs import replace
@@ -35,6 +35,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether two or more selected points, or several selected curves, get a box with grips.
     scale_strokes
         Whether strokes get wider with the curve that they are of.
+    guides_stay
+        Whether no key moves or removes a guide: they are locked, or not seen.
     pencil
         How near a curve comes to what the pencil draws.
     """
@@ -43,6 +45,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     unit: str = ""
     shows_box: bool = True
     scale_strokes: bool = True
+    guides_stay: bool = False
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 
@@ -65,8 +68,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         Makes what a drag snaps with.
     target
         The selected points or curves that transforms act on.
-    hit_test
-        Finds what lies under a pointer.
+    hit_test, curves_at
+        Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
     background
         Does what takes longer than a moment.
     """
@@ -79,6 +82,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     snappers: Snappers
     target: TransformTarget
     hit_test: Callable[[Pointer], Hit | None]
+    curves_at: Callable[[Pointer], Sequence[int]]
     background: Background
 
     @property

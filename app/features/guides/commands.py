@@ -49,6 +49,7 @@ class GuideCommands:
             self._context.central.message_bar.place()
         self._guides.set_visible(state.guides_shown)
         self._guides.locked = state.guides_locked
+        self._canvas.change_tool_settings(guides_stay=state.guides_locked or not state.guides_shown)
 
     # The field
 

@@ -28,6 +28,9 @@ from .zoom_commands import ZoomCommands
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
 
+_AROUND = {"basis": True, "side_panel": True}
+"""What stands around the canvas in a new window, by field of the window's state."""
+
 _THEMES = (
     (ThemeMode.SYSTEM, "Theme: as the System", "Light or dark, as the system is"),
     (ThemeMode.LIGHT, "Theme: Light", "Light colours"),
@@ -43,6 +46,7 @@ class ViewCommands:
         self._session, self._store = context.session, context.store
         self._before_presentation = b""
         self._before_folding = b""
+        self._before_canvas_only = _AROUND
         self._store.changed.connect(self._show_state)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
@@ -181,6 +185,24 @@ class ViewCommands:
     )
     def _toggle_side_panel(self) -> None:
         """Show or hide the panels at the side."""
+
+    @action(
+        "toggleCanvasOnly",
+        "Canvas Only",
+        VIEW_SHOWN,
+        "F12",
+        "canvas-only",
+        checked=lambda now: not (now.state.basis or now.state.side_panel),
+        keywords="hide panels dialogs docks focus distraction",
+    )
+    def _toggle_canvas_only(self) -> None:
+        """Hide side panel and basis functions, or bring back what there was of them."""
+        now = {name: getattr(self._store.state, name) for name in _AROUND}
+        if any(now.values()):
+            self._before_canvas_only = now
+            self._store.change(**dict.fromkeys(_AROUND, False))
+        else:
+            self._store.change(**self._before_canvas_only)
 
     def _show_side_panel(self, state: WindowState) -> None:
         window, shown = self._context.window, state.side_panel
