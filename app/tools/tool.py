@@ -108,6 +108,11 @@ class ToolContext(msgspec.Struct, frozen=True):
         if self.settings.snapping.is_active(self.pointer) and math.isfinite(self.pointer.position[0]):
             self.snappers.show_before_press(self.pointer, place)
 
+    def step_of(self, stride: Stride) -> float:
+        """Return how far an arrow key goes: a step of the grid or, not snapping, a round number."""
+        snapping = self.settings.snapping
+        return stride.length(self.grid() if snapping.on and SnapKind.GRID in snapping.kinds else None)
+
     def progress(self) -> str:
         """Return how far the drag in flight has come, and what it has snapped to."""
         return with_snap(self.drags.progress_at(self.pointer), self.snappers.caught)
@@ -202,11 +207,10 @@ class Tool:
 
         Return whether the arrow key meant something.
         """
-        group, snapping = context.target.group, context.settings.snapping
+        group = context.target.group
         if group is None:
             return True
-        snaps = snapping.on and SnapKind.GRID in snapping.kinds
-        step = stride.length(context.grid() if snaps else None)
+        step = context.step_of(stride)
         drag = NudgePoints(context.host.document, group, (direction[0] * step, direction[1] * step))
         context.drags.nudge(drag, ("points", group))
         return True

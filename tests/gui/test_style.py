@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QSlider, QToolButton, QWidget
 
@@ -158,6 +158,52 @@ def test_widths_are_typed_with_any_unit_of_length(editor, panel, typed, width):
     enter(editor, panel, "strokeWidth", "7")
     enter(editor, panel, "strokeWidth", typed)
     assert styles(editor)[1].width == (width if width is None else pytest.approx(width, rel=1e-15))
+
+
+def turn(field, notches):
+    """Turn the wheel over a field."""
+    place = QPointF(field.rect().center())
+    event = QWheelEvent(
+        place, field.mapToGlobal(place), QPoint(), QPoint(0, 120 * notches), Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(field, event)
+
+
+@pytest.mark.parametrize(
+    ("name", "field", "begin", "ups", "lowest"),
+    [
+        ("width", "strokeWidth", "1.8", (1.9, 2.0, 2.2), None),
+        ("width", "strokeWidth", "0.05", (0.055, 0.06, 0.065), None),
+        ("width", "strokeWidth", "0", (0.1, 0.11, 0.12), None),
+        ("opacity", "styleOpacity", "87", (0.92, 0.97, 1.0), None),
+        ("opacity", "styleOpacity", "12", (0.17, 0.22, 0.27), 0.0),
+    ],
+)
+def test_arrow_keys_and_the_wheel_step_a_number_and_a_held_key_is_one_step(
+    editor, panel, name, field, begin, ups, lowest
+):
+    enter(editor, panel, field, begin)
+    edit, first = child(panel, QLineEdit, field), getattr(styles(editor)[1], name)
+    steps = editor.session.undo_stack.count()
+    for value in ups:
+        QTest.keyClick(edit, Qt.Key.Key_Up)
+        assert getattr(styles(editor)[1], name) == value
+    assert edit.text().startswith(f"{100 * value:g}" if name == "opacity" else f"{value:g}")
+    assert editor.session.undo_stack.count() == steps + 1
+    editor.trigger("undo")
+    assert getattr(styles(editor)[1], name) == first
+    edit.setFocus()
+    turn(edit, 2)
+    assert getattr(styles(editor)[1], name) == ups[1]
+    for _ in range(9 if lowest is not None else 0):
+        QTest.keyClick(edit, Qt.Key.Key_Down)
+    assert lowest is None or getattr(styles(editor)[1], name) == lowest
+    # Without the focus the wheel scrolls what lies around.
+    before = styles(editor)
+    editor.window.canvas.setFocus()
+    turn(edit, 1)
+    assert styles(editor) == before
 
 
 def test_a_width_is_shown_with_the_unit_of_the_document(editor, panel):

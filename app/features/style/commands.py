@@ -64,6 +64,7 @@ class StyleCommands:
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
         panel = self._panel = style.panel.StylePanel(buttons, parent)
         panel.wanted.connect(self._change)
+        panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
         panel.given_up.connect(self._give_up)
         panel.shown.connect(self._render)
@@ -111,14 +112,15 @@ class StyleCommands:
 
     # Changes
 
-    def _change(self, fields: dict[str, object]) -> None:
+    def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
         session, curves = self._session, self._session.selected.marked
         self._remember(fields)
         words = self._words(fields)
         if session.is_previewing:
             # The document before what was looked at, which locked curves may have refused.
             session.cancel()
-        change = session.change(words, lambda document: with_style(document, curves, **fields))
+        run = ("style", curves, *fields) if is_step else None
+        change = session.change(words, lambda document: with_style(document, curves, **fields), run=run)
         if change.refusal and self._panel is not None:
             self._panel.refuse(change.refusal)
         self._render()
