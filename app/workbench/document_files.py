@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.model import Document, empty_document
 from ..document.plain import plain
+from ..exchange.formats import can_import, file_filters
 from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
@@ -64,6 +65,8 @@ class DocumentFiles:
         """Says why a document was not saved, and what can be done about it."""
         self.beside: StartWork | None = None
         """Does work beside the window; without it every document is opened at once."""
+        self.open_foreign: Callable[[Path], object] | None = None
+        """Opens a file of another format as a new document."""
         self._after_opening: list[Callable[[str], object]] | None = None
         session.files.blank = self._blank
         self._prepare_sketch()
@@ -78,7 +81,7 @@ class DocumentFiles:
         session, sketch = self._session, plain(first_sketch())
         is_begun = session.files.path is not None or session.undo_stack.count()
         if not is_begun and session.document == sketch != self._as_usual(sketch):
-            session.files.replace(self._as_usual(sketch), None)
+            session.files.begin(self._as_usual(sketch))
 
     def _as_usual(self, document: Document) -> Document:
         preferences = self._preferences
@@ -90,15 +93,20 @@ class DocumentFiles:
             self._session.new()
 
     def ask_and_open(self) -> None:
-        """Let the person choose a document and open it."""
+        """Let the person choose a document, or a file of another format, and open it."""
         folder = str(self._preferences.last_folder)
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, _DOCUMENTS)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, file_filters())
         if name:
             self.open(Path(name))
 
     def open(self, path: Path) -> None:
-        """Open the document at `path`, after asking about unsaved changes; a large one beside the window."""
-        if self.beside is not None and is_large(path) and not is_resource(path):
+        """Open the document at `path`, after asking about unsaved changes; a large one beside the window.
+
+        A file of another format becomes a new document.
+        """
+        if self.open_foreign is not None and can_import(path):
+            self.open_foreign(path)
+        elif self.beside is not None and is_large(path) and not is_resource(path):
             self._open_large(path, self.beside)
         else:
             self._open(path, self._session.open, remember=not is_resource(path))
@@ -303,7 +311,8 @@ def file_stem(session: Session) -> str:
     """Return a file name for the document, without ending."""
     if session.files.path is not None:
         return session.files.path.name.removesuffix(SUFFIX)
-    name = "".join(character for character in session.document.curves[0].name if character.isprintable())
+    name = session.files.beginning.file_stem or session.document.curves[0].name
+    name = "".join(character for character in name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
 
