@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QLineEdit
 
 from ..document.expression import ExpressionError, parse_number
@@ -96,6 +96,14 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     def claims(self, event: QKeyEvent) -> bool:
         # Escape is the window's key, too; while somebody types here it takes back what was typed.
         return event.key() == Qt.Key.Key_Escape and self.isModified()
+
+    def event(self, event: QEvent) -> bool:
+        is_asked = event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent)
+        if is_asked and event.matches(QKeySequence.StandardKey.Copy) and not self.hasSelectedText():
+            # There is nothing to copy here; the window copies what is chosen.
+            event.ignore()
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self.claims(event):

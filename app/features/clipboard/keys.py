@@ -1,4 +1,4 @@
-"""Keys that the point table and the fields of panels have, too, for what they show."""
+"""Keys that the point table and fields have, too, for what they show."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from ...workbench.context import WindowContext
 
 
 def give_keys_to_drawing(context: WindowContext, commands: type) -> None:
-    """Let the keys of a command set act with the focus on the canvas, or in the list of curves."""
+    """Let the keys of a command set act with the focus on the canvas, or in a panel that has none such."""
+    panels = [dock for dock in context.docks.all if dock is not context.docks["pointsDock"]]
     for each in context.actions.declared_by(commands):
         each.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        context.central.canvas.addAction(each)
-        context.docks["curvesDock"].addAction(each)
+        for widget in (context.central.canvas, *panels):
+            widget.addAction(each)
