@@ -72,7 +72,8 @@ class Files:
     @property
     def is_untouched(self) -> bool:
         """Whether this is the first sketch or an empty document, as it came."""
-        return self.beginning.gives_way and self.path is None and not self.is_modified
+        is_as_it_came = not self._session.undo_stack.canUndo() and not self.is_modified
+        return self.beginning.gives_way and self.path is None and is_as_it_came
 
     @property
     def last_export(self) -> Export:

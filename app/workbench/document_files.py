@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from ..document.curve_edits import unstyled_model
 from ..document.model import Document, empty_document
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
@@ -73,8 +74,8 @@ class DocumentFiles:
 
     def _blank(self) -> Document:
         """Return what a new document is."""
-        document = self._as_usual(empty_document())
-        return document.with_curve(0, replace(document.curves[0], style=self._preferences.new_style))
+        preferences = self._preferences
+        return self._as_usual(Document((replace(preferences.new_curve, style=preferences.new_style),)))
 
     def _prepare_sketch(self) -> None:
         """Give the sketch that a session begins with the unit and the grid of new documents."""
@@ -90,7 +91,17 @@ class DocumentFiles:
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""
         if self.may_discard():
+            self.remember_rules()
             self._session.new()
+
+    def remember_rules(self) -> None:
+        """Let new documents begin with the family and the rules of the curve that is edited.
+
+        Those of the first sketch, of examples and of lessons were no choice of the person's.
+        """
+        files = self._session.files
+        if files.beginning.copied is None and not files.is_untouched:
+            self._preferences.new_curve = unstyled_model(self._session.active_curve)
 
     def ask_and_open(self) -> None:
         """Let the person choose a document, or a file of another format, and open it."""
