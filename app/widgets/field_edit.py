@@ -98,8 +98,8 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         return event.key() == Qt.Key.Key_Escape and self.isModified()
 
     def event(self, event: QEvent) -> bool:
-        is_asked = event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent)
-        if is_asked and event.matches(QKeySequence.StandardKey.Copy) and not self.hasSelectedText():
+        is_asked = event.type() == QEvent.Type.ShortcutOverride and not self.hasSelectedText()
+        if is_asked and isinstance(event, QKeyEvent) and event.matches(QKeySequence.StandardKey.Copy):
             # There is nothing to copy here; the window copies what is chosen.
             event.ignore()
             return True

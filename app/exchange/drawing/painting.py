@@ -22,7 +22,8 @@ from curvecore.arrays import FloatArray
 
 from ...document.style import FillRule, LineCap, LineJoin, Style
 from ...tasks.progress import Report, told
-from .drawing import POINT_RADIUS, Annotation, Drawing, Outline
+from .drawing import POINT_RADIUS, Annotation, Drawing
+from .outlines import Outline
 from .styles import PictureStyle
 
 _CAPS = {
