@@ -153,6 +153,19 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     assert Path(saved[0]).name == "badge.curve.json"
 
 
+def test_very_many_shapes_without_a_group_come_together(editor, tmp_path):
+    """From 501 paths on, a file without groups ended in a KeyError in place of the dialog."""
+    blank(editor)
+    path = tmp_path / "many.svg"
+    lines = "".join(f'<path d="M{k} 0V1"/>' for k in range(501))
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{lines}</svg>', encoding="utf-8")
+    dialog = opened(editor, path)
+    assert dialog.groups.topLevelItemCount() == 1
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.wait_for_work()
+    assert len(editor.session.document.curves) == 501
+
+
 def test_an_inch_is_an_inch_in_a_document_of_millimetres(editor, tmp_path):
     blank(editor)
     begun = Document((make_curve([(0.0, 0.0), (9.0, 9.0)]),), unit="mm")
