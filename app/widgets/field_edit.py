@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QWheelEvent
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import QLineEdit
 
 from ..document.expression import ExpressionError, parse_number
@@ -103,6 +103,14 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     def claims(self, event: QKeyEvent) -> bool:
         # Escape is the window's key, too; while somebody types here it takes back what was typed.
         return event.key() == Qt.Key.Key_Escape and self.isModified()
+
+    def event(self, event: QEvent) -> bool:
+        is_asked = event.type() == QEvent.Type.ShortcutOverride and not self.hasSelectedText()
+        if is_asked and isinstance(event, QKeyEvent) and event.matches(QKeySequence.StandardKey.Copy):
+            # There is nothing to copy here; the window copies what is chosen.
+            event.ignore()
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self.claims(event):

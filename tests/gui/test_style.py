@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QGuiApplication, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QSlider, QToolButton, QWidget
 
@@ -350,6 +350,32 @@ def test_a_style_is_copied_and_pasted_to_all_chosen_curves(editor, panel):
     assert styles(editor) == [Style(fill=BLUE, width=0.5)] * 3
     assert editor.session.undo_stack.undoText() == "Paste style to 2 curves"
     editor.paste_text("words")
+    editor.trigger("pasteStyle")
+    assert "no style on the clipboard" in editor.status
+
+
+@pytest.mark.usefixtures("drawings_read_here")
+def test_the_style_of_svg_that_was_copied_elsewhere_is_pasted(editor, panel):
+    """Inkscape's clipboard was "no style", for all that Inkscape itself pastes styles from it."""
+    editor.session.change("Unit", lambda document: replace(document, unit="cm"))
+    data = QMimeData()
+    look = "fill:#0072b2;stroke:#d55e00;stroke-width:0.5;stroke-linejoin:round"
+    size = 'width="40mm" height="40mm" viewBox="0 0 40 40"'
+    data.setData(
+        "image/x-inkscape-svg",
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size}><g style="{look}"><path d="M0 0H9"/></g>'
+        '<path d="M0 0V9" fill="#123456"/></svg>'.encode(),
+    )
+    QGuiApplication.clipboard().setMimeData(data)
+    editor.session.selected.set_curves([0, 2])
+    QTest.keyClick(
+        editor.window, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    )
+    editor.wait_for_work()
+    wanted = Style("#d55e00", 0.05, LineCap.BUTT, LineJoin.ROUND, fill="#0072b2")
+    assert [styles(editor)[place] for place in (0, 2)] == [wanted] * 2
+    assert editor.session.undo_stack.undoText() == "Paste style to 2 curves"
+    editor.paste_text("M 0 0 L 4 4")
     editor.trigger("pasteStyle")
     assert "no style on the clipboard" in editor.status
 

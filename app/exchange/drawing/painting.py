@@ -23,7 +23,8 @@ from curvecore.arrays import FloatArray
 from ...document.style import Style
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
-from .drawing import POINT_RADIUS, Annotation, Drawing, Outline
+from .drawing import POINT_RADIUS, Annotation, Drawing
+from .outlines import Outline
 from .styles import PictureStyle
 
 _MOST_DASHES = 100_000
