@@ -17,12 +17,12 @@ class Below(NamedTuple):
     curve: int
     meant: frozenset[int]
     number: int
-    count: int
+    among: int
 
     @property
     def words(self) -> str:
         """Which of how many it is, as a person counts from the top."""
-        return f"{self.number} of {self.count} here"
+        return f"{self.number} of {self.among} here"
 
 
 def find_below(context: ToolContext) -> Below | None:

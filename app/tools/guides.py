@@ -124,7 +124,7 @@ class _Choice(NamedTuple):
     """The guide that was clicked, and what there was then: it is chosen as long as that is so."""
 
     place: int
-    count: int
+    guides: int
     points: Collection[int]
     curves: Collection[int]
 

@@ -119,3 +119,16 @@ def test_the_canvas_is_dominant_in_the_first_window(new_editor, size):
     new_editor.settle()
     assert window.canvas.height() == pytest.approx(2 / 3 * window.height(), rel=0.06)
     assert 300 <= window.width() - window.canvas.width() <= 360
+
+
+@pytest.mark.parametrize("height", [540, 700, 1000])
+def test_the_values_of_the_basis_functions_end_where_the_rail_begins(new_editor, height):
+    window = new_editor.window
+    window.resize(1024, height)
+    new_editor.settle()
+    panel = window.basis_panel
+    places = [place for place, _text in panel.getAxis("left").ticks_in(panel.pixel_map).labels]
+    # −0.8 and −1.6 stood beside the rail of a low window.
+    assert min(places) >= -0.5
+    assert 0.0 in places
+    assert max(places) >= 0.8
