@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -11,6 +13,7 @@ from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImag
 from app.document.plain import plain
 from app.document.style import Style
 from app.document.value import Value
+from app.exchange.rescaled import enlarged
 from app.families import HERMITE
 from app.storage.format_error import FormatError
 from app.storage.validation import validate, validate_changes
@@ -97,6 +100,21 @@ def test_what_is_no_number_is_refused_with_its_place(way):
         with pytest.raises(FormatError) as refusal:
             check(given)
         assert str(refusal.value).startswith(f"{name_of(way)} must lie between")
+
+
+def test_every_length_goes_with_the_unit():
+    """What is added to the document is a length, which another unit scales, or stands here."""
+    twice = enlarged(FULL, 2.0)
+    stays = {
+        re.sub(r"\[\d+\]", "", name_of(way))
+        for way in NUMBERS
+        if value_at(FULL, way) and value_at(twice, way) != 2.0 * value_at(FULL, way)
+    }
+    of_styles = {"miter_limit", "dash", "stroke_opacity", "fill_opacity", "opacity"}
+    of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
+    of_curves |= {f"style.{name}" for name in of_styles}
+    of_pictures = {"image.width", "image.height", "image.opacity"}
+    assert stays == {f"curves.{name}" for name in of_curves} | of_pictures
 
 
 def test_every_field_of_a_style_has_words():
