@@ -6,16 +6,16 @@ from msgspec.structs import replace
 
 from ...document import words
 from ...document.model import Vector
-from ...document.several_curves import PointGroup
+from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
 from .. import hints
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
 from ..guides import GuidePicker
 from ..marks import GestureMarks
-from ..marquee import CurveMarquee, Marquee
+from ..marquee import Band, CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
-from ..parts import GESTURES, press_on_part, toggling, unless_locked
+from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
@@ -38,8 +38,7 @@ class SelectTool(Tool):
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
             return
-        if self._picker.enter(context):
-            context = context.with_hit()
+        context = self._picker.entered(context)
         hit, grip = context.hit, self._grip_at(context)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
@@ -81,7 +80,7 @@ class SelectTool(Tool):
         return is_choosing or self._inside(context) is None
 
     @staticmethod
-    def _band(context: ToolContext) -> type[Marquee]:
+    def _band(context: ToolContext) -> type[Band]:
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
@@ -152,7 +151,10 @@ class SelectTool(Tool):
             return on_guide
         if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
-        return hints.to_select(hit, context.view, context.host.selected.points, context.pointer, snaps=snaps)
+        view, dragged = context.view, dragged_with(context, hit) if hit is not None else ""
+        if hit is not None and hit.part is Part.OTHER_POINT:
+            view, hit = context.host.views[hit.curve], replace(hit, part=Part.POINT)
+        return hints.to_select(hit, view, dragged, context.pointer, snaps=snaps)
 
     def _idle_hint(self, context: ToolContext) -> Hint | None:
         """Return what a press beside everything would do, None for nothing in particular."""
@@ -164,9 +166,9 @@ class SelectTool(Tool):
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
         is_idle, box = self.gesture is None and not context.drags.is_pressed, self._box(context)
-        is_banding = isinstance(self.gesture, Marquee)
+        is_banding = isinstance(self.gesture, Band)
         return GestureMarks(
-            band=self.gesture.band if isinstance(self.gesture, Marquee) else None,
+            band=self.gesture.band if isinstance(self.gesture, Band) else None,
             box=box if is_idle else None,
             frame=None if is_idle or is_banding else box,
             pivot=self._pivot(context) if not is_banding else None,
