@@ -290,9 +290,10 @@ class Selection:
         """Return where the selected points are in the document that is shown."""
         after, active = self._session.document.curves, self._session.active_index
         places = followed_places(self.group.curves, before, after)
-        if active in self.group.curves and active not in places.values():
-            # One that was changed is still the one that is edited.
-            places.setdefault(active, active)
+        is_lost = active in self.group.curves and active not in places
+        if is_lost and not any(curve is after[active] for curve in before):
+            # It was changed, and others added beside it: it is still the one that is edited.
+            places[active] = active
         return some_points(
             (places[curve], followed_points(indices, before[curve].points, after[places[curve]].points))
             for curve, indices in self.group.parts

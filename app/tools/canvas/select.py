@@ -32,6 +32,7 @@ class SelectTool(Tool):
     def __init__(self) -> None:
         self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
+        self._lit: Vector | None = None
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means."""
@@ -140,6 +141,7 @@ class SelectTool(Tool):
         snaps = context.settings.snapping.on
         takes_pivot = self._is_on_pivot(context)
         self._guides.hover(context, hit if grip is None and not takes_pivot else None)
+        self._lit = _unselected_place(context, hit)
         if takes_pivot:
             return PIVOT_HINT
         if grip is not None and group is not None and _is_below_grips(hit):
@@ -174,6 +176,7 @@ class SelectTool(Tool):
             pivot=self._pivot(context) if not is_banding else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
+            spot=self._lit if is_idle else None,
             guide=self._guides.lit,
         )
 
@@ -216,6 +219,13 @@ def _is_below_grips(hit: Hit | None) -> bool:
     return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
+def _unselected_place(context: ToolContext, hit: Hit | None) -> Vector | None:
+    """Return where the point of another curve is that is hit; None for one that is selected."""
+    if hit is None or hit.part is not Part.OTHER_POINT:
+        return None
+    return hit.position if hit.index not in context.host.selected.group.of(hit.curve) else None
+
+
 SELECT = ToolRecord(
     name="select",
     make=SelectTool,
@@ -229,6 +239,7 @@ SELECT = ToolRecord(
         GestureRow("Click a point", "select it alone"),
         GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
+        GestureRow("Click a small ring", "a point of another curve of the shape; drag, Shift as ever"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
         GestureRow("Click the curve", "tell t and c(t) there"),
