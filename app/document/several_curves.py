@@ -17,7 +17,7 @@ from .edits import move_points
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
-from .shapes import tidy_shapes, whole_shapes
+from .shapes import shape_of, tidy_shapes, whole_shapes
 from .transforms import Affine, transform_points
 
 
@@ -52,13 +52,14 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 
 def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:
-    """Scale the strokes of those curves of a group that are in it with all their points.
+    """Scale the strokes of those shapes of a group that are in it with all their points.
 
     Their widths grow by the mean of the factors along x and y, as if nothing but the area had changed.
     """
     curves, factor = document.curves, math.sqrt(abs(x * y))
     whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
-    styled = {curve for curve in whole if curves[curve].style.width is not None}
+    shapes = {curve for curve in whole if whole.issuperset(shape_of(document, curve))}
+    styled = {curve for curve in shapes if curves[curve].style.width is not None}
     if not styled or not factor:
         return document
     return with_each(document, styled, lambda curve: _with_stroke_scaled(curve, factor))

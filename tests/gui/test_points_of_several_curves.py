@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 
 from app.document.model import Document, make_curve
 from app.document.style import Style
+from app.document.style_edits import with_whole_style
 from app.families import HERMITE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -246,3 +247,23 @@ def test_points_of_both_contours_are_copied_and_doubled_as_curves(letter):
     assert letter.status == "Copied 4 points in 2 curves."
     letter.trigger("pasteInPlace")
     assert [len(curve.points) for curve in letter.session.document.curves] == [4, 4, 4, 2, 2]
+
+
+def test_tab_walks_through_the_points_of_both_contours(letter):
+    letter.click((0.0, -3.0))
+    letter.key(Key.Key_Tab)
+    assert (selected(letter), letter.curve.name) == ({1: {0}}, "Inner")
+    letter.key(Key.Key_Tab, SHIFT)
+    assert (selected(letter), letter.curve.name) == ({0: {3}}, "Outer")
+
+
+def test_the_stroke_is_scaled_with_the_whole_shape_alone(letter):
+    letter.session.change("Wide", lambda document: with_whole_style(document, [0], Style(width=2.0)))
+    letter.drag((-1.7, 1.7), (1.7, -1.8))
+    for keys, width in (([], 2.0), ([(Key.Key_A, CTRL)], 4.0)):
+        for key in keys:
+            letter.key(*key)
+        letter.key(Key.Key_S)
+        letter.type_amount("2")
+        letter.key(Key.Key_Return)
+        assert {curve.style.width for curve in letter.session.document.curves[:2]} == {width}
