@@ -96,13 +96,11 @@ class PixelPoints:
     """
 
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
-        self.shown = shown
+        self.shown, self._views = shown, dict(views)
         self._pixels = shown.points(np.concatenate([view.points for _, view in views]))
-        self._points = [
-            (place, index, point.position)
-            for place, view in views
-            for index, point in enumerate(view.source.points)
-        ]
+        counts = [len(view.points) for _, view in views]
+        self._curves = np.repeat([place for place, _ in views], counts)
+        self._indices = np.concatenate([np.arange(count) for count in counts])
 
     def nearest(self, pixel: Vector, preferred: PointGroup) -> PointFound | None:
         """Return the point within reach that is nearest to `pixel`; of coincident ones a preferred one."""
@@ -111,8 +109,10 @@ class PixelPoints:
         # Written so that NaN fails.
         if not least <= POINT_REACH:
             return None
-        nearest = [self._points[row] for row in np.flatnonzero(distances == least).tolist()]
-        curve, index, position = next((at for at in nearest if at[1] in preferred.of(at[0])), nearest[-1])
+        rows = np.flatnonzero(distances == least)
+        nearest = list(zip(self._curves[rows].tolist(), self._indices[rows].tolist(), strict=True))
+        curve, index = next((at for at in nearest if at[1] in preferred.of(at[0])), nearest[-1])
+        position = self._views[curve].source.points[index].position
         return PointFound(Hit(Part.OTHER_POINT, index, position, curve=curve), least)
 
 
