@@ -104,5 +104,9 @@ def points_of(curve: int, indices: Collection[int]) -> PointGroup:
 
 
 def some_points(parts: Iterable[tuple[int, frozenset[int]]]) -> PointGroup:
-    """Return points of several curves, as far as there are any."""
-    return PointGroup(tuple(sorted((part for part in parts if part[1]), key=lambda part: part[0])))
+    """Return points of several curves, as far as there are any; a curve may be there more than once."""
+    found: dict[int, frozenset[int]] = {}
+    for curve, indices in parts:
+        if indices:
+            found[curve] = found[curve] | indices if curve in found else indices
+    return PointGroup(tuple(sorted(found.items())))

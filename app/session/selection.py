@@ -105,18 +105,17 @@ class Selection:
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select points of the active curve alone, those that exist; it is edited with any."""
-        active, count = self._session.active_index, len(self._session.active_curve.points)
-        points = frozenset(int(index) for index in indices if 0 <= index < count)
-        if points and not self.is_editing:
-            self.activate(active)
-        self.set_group(some_points([(active, points)]))
+        self.set_group(some_points([(self._session.active_index, frozenset(map(int, indices)))]))
 
     def set_group(self, group: PointGroup) -> None:
         """Select points of the curves that are edited, those that exist.
 
-        The active curve is one of those with any: the one so far, or the nearest to it.
+        The active curve is edited with any, and one of those with some: the one so far, or the nearest to it.
         """
-        active, existing = self._session.active_index, self._existing(group)
+        active, count = self._session.active_index, len(self._session.active_curve.points)
+        if not self.is_editing and _within(group.of(active), count):
+            self.activate(active)
+        existing = self._existing(group)
         if existing.parts and not existing.of(active):
             self._turn_to(min(existing.curves, key=lambda curve: abs(curve - active)))
         self._put(existing)

@@ -267,3 +267,13 @@ def test_the_stroke_is_scaled_with_the_whole_shape_alone(letter):
         letter.type_amount("2")
         letter.key(Key.Key_Return)
         assert {curve.style.width for curve in letter.session.document.curves[:2]} == {width}
+
+
+def test_the_menu_of_another_contours_point_is_about_what_is_selected(letter):
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    menu = letter.open_menu((-1.5, 0.0))
+    assert "tangentCorner" in {entry.objectName() for entry in menu.actions()}
+    menu.close()
+    assert (selected(letter), letter.curve.name) == ({0: {2}, 1: {2}}, "Inner")
+    letter.open_menu((0.0, 3.0)).close()
+    assert (selected(letter), letter.curve.name) == ({0: {1}}, "Outer")
