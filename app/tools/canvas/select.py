@@ -239,7 +239,7 @@ SELECT = ToolRecord(
         GestureRow("Click a point", "select it alone"),
         GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
-        GestureRow("Click a small ring", "a point of another curve of the shape; drag, Shift as ever"),
+        GestureRow("Click a small ring", "select a point of another curve of the shape, as any other"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
         GestureRow("Click the curve", "tell t and c(t) there"),
