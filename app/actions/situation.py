@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..document.point_group import PointGroup
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
 from ..view_model.curve_view import CurveView
@@ -32,8 +33,13 @@ class Situation:
 
     @property
     def selection(self) -> frozenset[int]:
-        """The selected points."""
+        """The selected points of the active curve; there are some where any are selected."""
         return self.session.selection
+
+    @property
+    def group(self) -> PointGroup:
+        """The selected points, of all curves that are edited."""
+        return self.session.selected.group
 
     @property
     def selected(self) -> frozenset[int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from ..document.model import Vector
-from ..document.shapes import shape_around, shapes
+from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..tools.pointer import Hit
@@ -34,7 +34,7 @@ class DrawnCurves:
     siblings
         The points of the other curves of the shape that is edited.
     edited, curve
-        The shape that is edited, as it prints; the line of the curve that is edited.
+        The shape that is edited, as it prints; the line of the active curve.
     areas
         The insides of what is filled.
     """
@@ -48,15 +48,22 @@ class DrawnCurves:
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
         self._is_thin = False
-        self._shown: tuple[Sequence[CurveView], int | None, frozenset[int]] = ((), 0, frozenset())
+        self._shown: tuple[Sequence[CurveView], int | None, frozenset[int], frozenset[int]]
+        self._shown = ((), 0, frozenset(), frozenset())
 
-    def render(self, views: Sequence[CurveView], edited: int | None, selected: frozenset[int]) -> None:
-        """Show the curves of a document, of which one is edited, or none is, and some are selected."""
-        self._shown = (views, edited, selected)
+    def render(
+        self,
+        views: Sequence[CurveView],
+        active: int | None,
+        selected: frozenset[int],
+        edited: frozenset[int],
+    ) -> None:
+        """Show the curves of a document: the active one if it is edited, those selected and those edited."""
+        self._shown = (views, active, selected, edited)
         self.areas.render(views)
         # Points are shown of what is edited, and of what is worked on together with it.
-        self.selected.set_rings(edited is not None)
-        active = -1 if edited is None else edited
+        self.selected.set_rings(active is not None)
+        active = -1 if active is None else active
         other = [place for place in range(len(views)) if place != active]
         found = [
             (place, views[place])
@@ -68,7 +75,8 @@ class DrawnCurves:
         self.edited.render(shape)
         self.above.render_shapes(above, [])
         self.selected.render(views, [place for place in other if place in selected])
-        self.siblings.render_shapes(self._siblings(views, edited, selected), [])
+        siblings = [place for place in other if place in edited and place not in selected]
+        self.siblings.render_shapes([(views[place],) for place in siblings], [])
         self.curve.set_covered(bool(above))
 
     def _in_order(
@@ -98,20 +106,9 @@ class DrawnCurves:
                 (above if is_over else below).append(shape)
         return (below, edited, above) if is_layered else ([*below, *above], edited, [])
 
-    @staticmethod
-    def _siblings(views: Sequence[CurveView], edited: int | None, selected: Collection[int]) -> list[Shape]:
-        if edited is None or not views or not views[edited].source.shape:
-            return []
-        places = shape_around([view.source for view in views], edited)
-        return [
-            (views[place],)
-            for place in places
-            if place != edited and place not in selected and views[place].source.visible
-        ]
-
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve that is not edited at `pixel`; lines that are thin have no insides."""
-        _, active, _ = self._shown
+        _, active, *_ = self._shown
         line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
         return line if self._is_thin else self.areas.hit(pixel, shown, active, line)
 
@@ -120,7 +117,7 @@ class DrawnCurves:
 
         It is the one whose line is hit, or else the first.
         """
-        views, _, _ = self._shown
+        views, *_ = self._shown
         areas = set() if self._is_thin else {each.start for each in self.areas.all_at(pixel, shown)}
         found = []
         for places in reversed([*shapes([view.source for view in views])]):

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..document.model import Vector
+from ..document.point_group import PointGroup
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve_view import CurveView, ParametricCurve, Polyline
@@ -84,6 +85,52 @@ def _nearest_handle(pixel: Vector, shown: PixelMap, handles: Handles) -> tuple[H
     nearest = handles[best]
     hit = Hit(Part.HANDLE, nearest.index, nearest.position, ahead=nearest.ahead, kind=nearest.kind)
     return hit, float(distances[best])
+
+
+class PointFound(NamedTuple):
+    """A point under the pointer, and how many pixels away it is."""
+
+    hit: Hit
+    distance: float
+
+
+class PixelPoints:
+    """The points of some curves, each with its place in the document, in pixels: one pass finds the nearest.
+
+    Attributes
+    ----------
+    shown
+        The part of the plane that the pixels are of.
+    """
+
+    def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
+        self.shown, self._views = shown, dict(views)
+        self._pixels = shown.points(np.concatenate([view.points for _, view in views]))
+        counts = [len(view.points) for _, view in views]
+        self._curves = np.repeat([place for place, _ in views], counts)
+        self._indices = np.concatenate([np.arange(count) for count in counts])
+
+    def nearest(self, pixel: Vector, preferred: PointGroup) -> PointFound | None:
+        """Return the point within reach that is nearest to `pixel`; of coincident ones a preferred one."""
+        distances = np.hypot(*(self._pixels - pixel).T)
+        least = float(distances.min(initial=math.inf))
+        # Written so that NaN fails.
+        if not least <= POINT_REACH:
+            return None
+        rows = np.flatnonzero(distances == least)
+        nearest = list(zip(self._curves[rows].tolist(), self._indices[rows].tolist(), strict=True))
+        curve, index = next((at for at in nearest if at[1] in preferred.of(at[0])), nearest[-1])
+        position = self._views[curve].source.points[index].position
+        return PointFound(Hit(Part.OTHER_POINT, index, position, curve=curve), least)
+
+
+def nearer(found: PointFound | None, hit: Hit | None, pixel: Vector, shown: PixelMap) -> Hit | None:
+    """Return a point of another curve, where it is nearer than the point or handle that is hit."""
+    if found is None:
+        return hit
+    is_part = hit is not None and hit.part is not Part.CURVE
+    away = math.dist(shown.point(*hit.position), pixel) if hit is not None and is_part else math.inf
+    return found.hit if found.distance < away else hit
 
 
 def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:

@@ -206,7 +206,7 @@ class MarksLayer(Layer):
         self._write_beyond(painter, shown, middle, (way, -way), ruler.text)
 
     def _paint_spot(self, painter: QPainter, x: float, y: float) -> None:
-        """Draw a ring on the curve, where the pen would insert a point."""
+        """Draw a ring where the pen would insert a point, or over the small one of another curve's point."""
         if _is_drawable(x, y):
             painter.setBrush(self.theme.paper)
             painter.setPen(self._pen(1.5))

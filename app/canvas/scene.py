@@ -14,6 +14,7 @@ from curvecore.arrays import FloatArray
 from .. import canvas
 from ..document.curve_edits import without_looks
 from ..document.model import ReferenceImage, Vector
+from ..document.point_group import PointGroup
 from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
@@ -26,10 +27,11 @@ from .control_polygon_layer import ControlPolygonLayer
 from .drawn_curves import DrawnCurves
 from .grid_layer import GridLayer
 from .guides_layer import GuidesLayer
-from .hit_test import hit_test
+from .hit_test import hit_test, nearer
 from .image_layer import ImageLayer
 from .label_place import Surroundings, number_box, segments_near
 from .marks_layer import MarksLayer
+from .other_points_layer import OtherPointsLayer
 from .page_layer import PageLayer
 from .pen_layer import PenLayer
 from .point_layer import PointLayer
@@ -62,7 +64,9 @@ class CanvasScene:
     others, selected
         The curves that are not edited; those of them that are selected together with it.
     polygon, curve, points
-        The curve that is edited, and its control polygon if it does not pass its points.
+        The active curve, and its control polygon if it does not pass its points.
+    other_points
+        Selected points of the curves that are edited with it.
     guides
         The guides.
     annotations
@@ -90,6 +94,7 @@ class CanvasScene:
         self.polygon = ControlPolygonLayer(plot)
         self.annotations = Annotations(plot, self)
         self.guides = GuidesLayer(plot)
+        self.other_points = OtherPointsLayer(plot)
         self.points = PointLayer(plot)
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
@@ -108,18 +113,26 @@ class CanvasScene:
         self.annotations.make_way()
         self._show_marks_now()
 
-    def render_others(self, views: Sequence[CurveView], edited: int | None, chosen: frozenset[int]) -> None:
-        """Show all curves of the document: the one that is edited, if one is, and others, some chosen."""
-        self.views, self.is_editing = views, edited is not None
+    def render_others(
+        self,
+        views: Sequence[CurveView],
+        active: int | None,
+        chosen: frozenset[int],
+        edited: frozenset[int],
+    ) -> None:
+        """Show all curves of the document: the active one if it is edited, those chosen and those edited."""
+        self.views, self.is_editing = views, active is not None
         for layer in (self.curve, self.points, self.polygon):
             layer.set_shown(self.is_editing)
-        self.curves.render(views, edited, chosen)
+        self.curves.render(views, active, chosen, edited)
+        self.other_points.render(views, sorted(edited - {active}))
         self._show_marks_now()
 
-    def set_selection(self, selection: frozenset[int]) -> None:
-        """Show which points are selected."""
+    def set_selection(self, selection: frozenset[int], group: PointGroup) -> None:
+        """Show which points are selected: of the active curve, and of all that are edited."""
         self.points.selection = selection
         self.points.refresh()
+        self.other_points.set_group(group)
         self._plot.show_marks()
 
     def set_hovered(self, index: int) -> None:
@@ -211,6 +224,8 @@ class CanvasScene:
             handles = points.shown_handles
             found = handles.of_selected(shown), handles.facing(shown)
             hit = hit_test(pixel, shown, self.view, polyline, points.selection, *found)
+            if tool.finds_other_curves:
+                hit = nearer(self.other_points.nearest(pixel, shown), hit, pixel, shown)
         if hit is None and tool.finds_other_curves:
             hit = self.curves.hit(pixel, shown)
         if tool.finds_guides and (hit is None or hit.inside):

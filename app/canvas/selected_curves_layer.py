@@ -97,7 +97,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 class SiblingCurvesLayer(SelectedCurvesLayer):
     """Layer of the points of the other curves of the shape that is edited: a press takes them, too."""
 
-    radius, rim = 2.5, 1.0
+    radius, rim = 3.0, 1.2
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint small rings into the picture."""

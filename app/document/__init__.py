@@ -10,7 +10,8 @@
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
-- ``several_curves``: of several curves at once, and curves from elsewhere.
+- ``several_curves``: of several curves at once, and curves from elsewhere.  ``point_group``: points of
+  several that change together.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``style_edits``: how curves look, and what several have in common.

@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 import msgspec
 
 from .model import Curve, Point, Vector
+from .point_group import PointGroup
 
 
 class Choice(msgspec.Struct, frozen=True):
@@ -17,7 +18,7 @@ class Choice(msgspec.Struct, frozen=True):
     active
         The active curve.
     points
-        Its selected points.
+        The selected points, of all curves that are edited.
     curves, chosen
         The curves that are worked on together, and those acted on as wholes.
     is_editing
@@ -25,7 +26,7 @@ class Choice(msgspec.Struct, frozen=True):
     """
 
     active: int
-    points: frozenset[int]
+    points: PointGroup
     curves: frozenset[int]
     chosen: frozenset[int]
     is_editing: bool
@@ -34,24 +35,31 @@ class Choice(msgspec.Struct, frozen=True):
 def followed_curves(
     selected: Collection[int], before: Sequence[Curve], after: Sequence[Curve]
 ) -> frozenset[int]:
-    """Return where selected curves are after a change: the same values, or else the same places.
+    """Return where selected curves are after a change, as far as they are there."""
+    return frozenset(followed_places(selected, before, after).values())
+
+
+def followed_places(
+    selected: Collection[int], before: Sequence[Curve], after: Sequence[Curve]
+) -> dict[int, int]:
+    """Return for selected curves where each is after a change: the same value, or else in the same place.
 
     An edit hands on what it does not change, so that a curve elsewhere in the order is the same object. One
     that was changed is looked for in its place, where the number of curves is what it was.
     """
-    if before is after:
-        return frozenset(selected)
-    places = {id(curve): place for place, curve in enumerate(after)}
     same_number = len(before) == len(after)
-    found = set()
+    if before is after or (same_number and all(after[place] is before[place] for place in selected)):
+        return {place: place for place in selected}
+    places = {id(curve): place for place, curve in enumerate(after)}
+    found = {}
     for place in selected:
         if same_number and after[place] is before[place]:
-            found.add(place)
+            found[place] = place
         elif id(before[place]) in places:
-            found.add(places[id(before[place])])
+            found[place] = places[id(before[place])]
         elif same_number:
-            found.add(place)
-    return frozenset(found)
+            found[place] = place
+    return found
 
 
 def followed_points(

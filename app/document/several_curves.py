@@ -1,4 +1,4 @@
-"""Several curves at once: edits of all of them, and points that change together.
+"""Several curves at once: edits of all of them, and of points that change together.
 
 `curves` are indices of curves. Like all edits these are pure, and change all or nothing.
 """
@@ -6,20 +6,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-import msgspec
 from msgspec.structs import replace
 
-from .curve_edits import free_copy_name, locked_sentence, refuse_locked, remove_curve, with_each
+from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, whole_nodes
-from .edits import EditError, move_points
+from .edits import move_points
 from .model import Curve, Document, Vector
+from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
 from .transforms import Affine, transform_points
-from .words import points
 
 
 class Added(NamedTuple):
@@ -29,81 +28,13 @@ class Added(NamedTuple):
     places: range
 
 
-PointsEdit = Callable[[Document, int, Collection[int]], Document]
-"""An edit of some points of one curve."""
-
-
-class PointGroup(msgspec.Struct, frozen=True):
-    """Points that change together: some of one curve, or all of whole curves.
-
-    Attributes
-    ----------
-    parts
-        The curves, each with the indices of its points.
-    name
-        The name of the curve, shape or group where it is a single one, whole.
-    """
-
-    parts: tuple[tuple[int, frozenset[int]], ...]
-    name: str | None = None
-
-    @property
-    def is_whole(self) -> bool:
-        """Whether it is whole curves."""
-        return self.name is not None or len(self.parts) > 1
-
-    @property
-    def words(self) -> str:
-        """The words "point 3", "4 points", "Leaf" or "3 curves"."""
-        if self.name is not None:
-            return self.name or "curve"
-        return f"{len(self.parts)} curves" if self.is_whole else points(self.parts[0][1])
-
-    @property
-    def quoted(self) -> str:
-        """The same words within a sentence: a name in quotation marks."""
-        return f"“{self.name}”" if self.name else self.words
-
-    @property
-    def first_point(self) -> tuple[int, int]:
-        """A curve and one of its points; there must be one."""
-        return next((curve, min(indices)) for curve, indices in self.parts if indices)
-
-    @property
-    def only_point(self) -> tuple[int, int] | None:
-        """The curve and the point where it is a single one."""
-        return self.first_point if not self.is_whole and len(self.parts[0][1]) == 1 else None
-
-    @property
-    def curves(self) -> frozenset[int]:
-        """The curves that it is of."""
-        return frozenset(curve for curve, _ in self.parts)
-
-    def changed(self, document: Document, edit: PointsEdit) -> Document:
-        """Return `document` with `edit` done to all of it; locked curves refuse, named together."""
-        self.refuse_locked(document)
-        for curve, indices in self.parts:
-            document = edit(document, curve, indices)
-        return document
-
-    def refuse_locked(self, document: Document) -> None:
-        """Raise EditError if curves that it is of are locked."""
-        names = [document.curves[curve].name for curve, _ in self.parts if document.curves[curve].locked]
-        if names:
-            raise EditError(locked_sentence(names))
-
-
-def points_of(curve: int, indices: Collection[int]) -> PointGroup:
-    """Return some points of one curve."""
-    return PointGroup(((curve, frozenset(indices)),))
-
-
 def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
     """Return all points of some curves."""
     places = sorted(curves)
     return PointGroup(
         tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in places),
-        name_of(document, places),
+        is_whole=True,
+        name=name_of(document, places),
     )
 
 
@@ -121,13 +52,14 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 
 def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:
-    """Scale the strokes of those curves of a group that are in it with all their points.
+    """Scale the strokes of those shapes of a group that are in it with all their points.
 
     Their widths grow by the mean of the factors along x and y, as if nothing but the area had changed.
     """
     curves, factor = document.curves, math.sqrt(abs(x * y))
     whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
-    styled = {curve for curve in whole if curves[curve].style.width is not None}
+    shapes = {curve for curve in whole if whole.issuperset(shape_of(document, curve))}
+    styled = {curve for curve in shapes if curves[curve].style.width is not None}
     if not styled or not factor:
         return document
     return with_each(document, styled, lambda curve: _with_stroke_scaled(curve, factor))

@@ -19,6 +19,7 @@ from .derivatives import VECTORS
 from .edits import EditError, placed, with_each_changed, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector
+from .point_group import PointGroup
 from .ties import tied
 from .words import NamedEnum
 
@@ -195,28 +196,37 @@ class Spacing(NamedEnum):
     GAPS = "gaps", "Gaps"
 
 
-def align_points(document: Document, curve: int, indices: Collection[int], edge: Edge) -> Document:
-    """Give the points at `indices` one x (left, centre, right) or one y (top, middle, bottom)."""
-    if len(indices) < 2:
+def align_points(document: Document, group: PointGroup, edge: Edge) -> Document:
+    """Give the points of a group one x (left, centre, right) or one y (top, middle, bottom)."""
+    if group.count < 2:
         raise EditError("Select at least two points to align them.")
-    points, axis = document.curves[curve].points, edge.axis
-    values = [points[index].position[axis] for index in indices]
-    target = edge.place(values)
-    return with_coordinates(document, curve, dict.fromkeys(indices, target), axis)
+    curves, axis = document.curves, edge.axis
+    target = edge.place(
+        [curves[curve].points[index].position[axis] for curve, indices in group.parts for index in indices]
+    )
+    return group.changed(
+        document,
+        lambda each, curve, indices: with_coordinates(each, curve, dict.fromkeys(indices, target), axis),
+    )
 
 
-def distribute_points(document: Document, curve: int, indices: Collection[int], axis: int) -> Document:
+def distribute_points(document: Document, group: PointGroup, axis: int) -> Document:
     """Space the points evenly between the outer two, along x (axis 0) or y (axis 1)."""
-    if len(indices) < 3:
+    if group.count < 3:
         raise EditError("Select at least three points to distribute them.")
-    points = document.curves[curve].points
-    order = sorted(indices, key=lambda index: (points[index].position[axis], index))
-    first, last = (points[order[end]].position[axis] for end in (0, -1))
-    count = len(order) - 1
-    values = {
-        index: first * ((count - place) / count) + last * (place / count) for place, index in enumerate(order)
-    }
-    return with_coordinates(document, curve, values, axis)
+    curves = document.curves
+    order = sorted(
+        (curves[curve].points[index].position[axis], curve, index)
+        for curve, indices in group.parts
+        for index in indices
+    )
+    first, last, count = order[0][0], order[-1][0], len(order) - 1
+    values: dict[int, dict[int, float]] = {}
+    for place, (_, curve, index) in enumerate(order):
+        values.setdefault(curve, {})[index] = first * ((count - place) / count) + last * (place / count)
+    return group.changed(
+        document, lambda each, curve, _indices: with_coordinates(each, curve, values[curve], axis)
+    )
 
 
 def with_coordinates(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:

@@ -1,4 +1,4 @@
-"""The highlight: some points of the curve that is edited, or whole curves."""
+"""The highlight: some points of the curves that are edited, or whole curves."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import msgspec
 
 from ..document.edits import delete_points
 from ..document.model import Document
+from ..document.point_group import NO_POINTS, PointGroup
 from ..document.several_curves import name_of, named, remove_curves
-from ..document.words import count_of, points
 
 
 class Highlight(msgspec.Struct, frozen=True):
@@ -16,40 +16,45 @@ class Highlight(msgspec.Struct, frozen=True):
     Attributes
     ----------
     curves
-        The curves, whole; the one of the points where there are points.
+        The curves, whole; those of the points where there are points.
     points
-        Indices of points of that one; empty where whole curves are meant.
+        The points; none where whole curves are meant.
     """
 
     curves: frozenset[int]
-    points: frozenset[int] = frozenset()
+    points: PointGroup = NO_POINTS
 
     def curves_of(self, document: Document) -> frozenset[int]:
-        """Return the curves that are meant as a whole: also one of which all points are.
+        """Return the curves that are meant as a whole: also those of which all points are.
 
         The points of the only curve are not: without them the document is empty, and of the same family.
         """
-        if not self.points:
+        if not self.points.parts:
             return self.curves
-        (curve,) = self.curves
-        is_whole = len(self.points) == len(document.curves[curve].points)
-        return self.curves if is_whole and len(document.curves) > 1 else frozenset()
+        if len(document.curves) == 1:
+            return frozenset()
+        return frozenset(
+            curve
+            for curve, indices in self.points.parts
+            if len(indices) == len(document.curves[curve].points)
+        )
 
     def words(self, document: Document) -> str:
         """Return the words "point 3" or "4 points", the name of the curve, or "2 curves"."""
-        whole = self.curves_of(document)
-        return named(document, whole) if whole else points(self.points)
+        is_whole = self.curves_of(document) == self.curves
+        return named(document, self.curves) if is_whole else self.points.words
 
     def said(self, document: Document) -> str:
         """Return what it is within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
-        if self.points:
-            return count_of(len(self.points), "point")
+        if self.points.parts:
+            return self.points.counted
         name = name_of(document, self.curves)
         return named(document, self.curves) if name is None else f"“{name}”"
 
     def removed_from(self, document: Document) -> Document:
         """Return the document without it."""
-        if whole := self.curves_of(document):
-            return remove_curves(document, whole)
-        (curve,) = self.curves
-        return delete_points(document, curve, self.points)
+        whole = self.curves_of(document)
+        for curve, indices in self.points.parts:
+            if curve not in whole:
+                document = delete_points(document, curve, indices)
+        return remove_curves(document, whole)

@@ -6,9 +6,11 @@ from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from ..document.model import Curve
+from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import (
     Choice,
     followed_curves,
+    followed_places,
     followed_points,
     returned_curves,
     returned_points,
@@ -24,15 +26,16 @@ if TYPE_CHECKING:
 class Selection:
     """Selection and the like, neither saved nor undone.
 
-    One curve is edited: its points are shown and selected. Or none is, and curves are chosen as wholes; the
-    active one is then the last that was edited or chosen.
+    One curve is edited, and with it those of its shape and those chosen beside it: their points are shown
+    and selected, some of the active one if any. Or none is, and curves are chosen as wholes; the active one
+    is then the last that was edited or chosen.
 
     Whatever is asked for, it names what exists in the document shown. The session's signals tell of it.
 
     Attributes
     ----------
-    points
-        Indices of the selected points of the active curve.
+    group
+        The selected points, of all curves that are edited.
     curves
         Indices of the curves that are worked on together; the active one is one of them.
     is_editing
@@ -47,7 +50,7 @@ class Selection:
 
     def __init__(self, session: Session) -> None:
         self._session = session
-        self.points: frozenset[int] = frozenset()
+        self.group = NO_POINTS
         self.curves = frozenset({0})
         self.is_editing = True
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
@@ -59,9 +62,20 @@ class Selection:
         self._scrub_asked: float | None = None
 
     @property
+    def points(self) -> frozenset[int]:
+        """Indices of the selected points of the active curve."""
+        return self.group.of(self._session.active_index)
+
+    @property
     def point(self) -> int | None:
         """The selected point if exactly one is selected."""
-        return next(iter(self.points)) if len(self.points) == 1 else None
+        one = self.group.only_point
+        return one[1] if one is not None else None
+
+    @property
+    def edited(self) -> frozenset[int]:
+        """The curves whose points can be selected: the active one, its shape, and those chosen with it."""
+        return self.whole if self.is_editing else frozenset()
 
     @property
     def chosen(self) -> frozenset[int]:
@@ -80,8 +94,8 @@ class Selection:
 
         `whole_curves` passes over the points, as where the list of curves has the focus.
         """
-        if self.points and not whole_curves:
-            return Highlight(frozenset({self._session.active_index}), self.points)
+        if self.group.parts and not whole_curves:
+            return Highlight(self.group.curves, self.group)
         return Highlight(whole_shapes(self._session.document, self.marked))
 
     @property
@@ -90,16 +104,54 @@ class Selection:
         return whole_shapes(self._session.document, self.curves)
 
     def set_points(self, indices: Collection[int]) -> None:
-        """Select the points at `indices` of the active curve, those that exist; it is edited with any."""
-        session, before = self._session, self.points
-        count = len(session.active_curve.points)
-        points = frozenset(int(index) for index in indices if 0 <= index < count)
-        if points and not self.is_editing:
-            self.activate(session.active_index)
-        self.points = points
-        if self.points != before:
-            session.history.end_run()
-            session.selection_changed.emit(self.points)
+        """Select points of the active curve alone, those that exist; it is edited with any."""
+        self.set_group(some_points([(self._session.active_index, frozenset(map(int, indices)))]))
+
+    def set_group(self, group: PointGroup) -> None:
+        """Select points of the curves that are edited, those that exist.
+
+        The active curve is edited with any, and one of those with some: the one so far, or the nearest to it.
+        """
+        active, count = self._session.active_index, len(self._session.active_curve.points)
+        if not self.is_editing and _within(group.of(active), count):
+            self.activate(active)
+        existing = self._existing(group)
+        if existing.parts and not existing.of(active):
+            self._turn_to(min(existing.curves, key=lambda curve: abs(curve - active)))
+        self._put(existing)
+
+    def select_all_points(self) -> None:
+        """Select all points of the curves that are edited."""
+        curves = self._session.document.curves
+        self.set_group(some_points((at, frozenset(range(len(curves[at].points)))) for at in self.edited))
+
+    def show_group(self, group: PointGroup) -> None:
+        """Show points as selected while a gesture goes on, perhaps none of the active curve.
+
+        `set_group` or `restore` ends it.
+        """
+        self._put(self._existing(group))
+
+    def keep_group(self, group: PointGroup) -> None:
+        """Select what exists of some points: nothing, where that is nothing of the active curve."""
+        existing = self._existing(group)
+        self._put(existing if existing.of(self._session.active_index) else NO_POINTS)
+
+    def _existing(self, group: PointGroup) -> PointGroup:
+        if not group.parts:
+            return NO_POINTS
+        curves, edited = self._session.document.curves, self.edited
+        return some_points(
+            (curve, _within(indices, len(curves[curve].points)))
+            for curve, indices in group.parts
+            if curve in edited
+        )
+
+    def _put(self, group: PointGroup) -> None:
+        if group != self.group:
+            self.group = group
+            self._session.history.end_run()
+            self._session.selection_changed.emit(self.points)
 
     def set_hovered(self, index: int) -> None:
         """Take note of the point under the pointer; -1 for none."""
@@ -139,6 +191,16 @@ class Selection:
     def activate(self, index: int) -> None:
         """Edit a curve, and select it alone; of another one nothing is selected yet."""
         self._take((index,), index, is_editing=True)
+
+    def go_to(self, index: int) -> None:
+        """Make another of the curves that are edited the active one; the same points are selected."""
+        group = self.group
+        self._turn_to(index)
+        self._put(group)
+
+    def _turn_to(self, index: int) -> None:
+        others = self.curves if len(self.curves) > 1 else ()
+        self._take((*others, index), index, is_editing=True)
 
     def choose(self, indices: Collection[int]) -> None:
         """Choose curves as wholes, those that exist, or none at all; no curve is edited any more.
@@ -190,16 +252,16 @@ class Selection:
     @property
     def choice(self) -> Choice:
         """All that is selected now."""
-        return Choice(self._session.active_index, self.points, self.curves, self.chosen, self.is_editing)
+        return Choice(self._session.active_index, self.group, self.curves, self.chosen, self.is_editing)
 
     def restore(self, choice: Choice) -> None:
         """Select what was selected before; the active curve is the one of then already."""
         self._take(choice.curves if choice.is_editing else choice.chosen, is_editing=choice.is_editing)
-        self.set_points(choice.points)
+        self.set_group(choice.points)
 
     def reset(self) -> None:
         """Edit the active curve, with nothing of it selected, and tell nobody yet."""
-        self.points, self.curves = frozenset(), frozenset({self._session.active_index})
+        self.group, self.curves = NO_POINTS, frozenset({self._session.active_index})
         self.is_editing, self._chosen = True, frozenset()
 
     def enter(self, index: int) -> None:
@@ -223,20 +285,38 @@ class Selection:
         self._chosen = frozenset() if self.is_editing else kept
         return (self.curves, self._chosen) != old
 
-    def followed_points(self, before: Sequence[Curve]) -> frozenset[int]:
-        """Return where the selected points of the curve that was active are in the one that is."""
-        session = self._session
-        if not self.points or session.active_index >= len(before):
-            return frozenset()
-        old = before[session.active_index].points
-        return followed_points(self.points, old, session.active_curve.points)
+    def followed_group(self, before: Sequence[Curve]) -> PointGroup:
+        """Return where the selected points are in the document that is shown."""
+        after, active = self._session.document.curves, self._session.active_index
+        places = followed_places(self.group.curves, before, after)
+        is_lost = active in self.group.curves and active not in places
+        if is_lost and not any(curve is after[active] for curve in before):
+            # It was changed, and others added beside it: it is still the one that is edited.
+            places[active] = active
+        return some_points(
+            (places[curve], followed_points(indices, before[curve].points, after[places[curve]].points))
+            for curve, indices in self.group.parts
+            if curve in places
+        )
 
     def select_returned(self, before: Sequence[Curve]) -> None:
         """Select the points, or the curves, that undo or redo has brought back."""
         session = self._session
-        curves, active = session.committed.curves, session.active_index
+        curves = session.committed.curves
         returned = returned_curves(before, curves)
         if len(returned) > 1 or (returned and not self.is_editing):
             self.set_curves(returned)
-        elif self.is_editing and not self.points and len(before) == len(curves):
-            self.set_points(returned_points(before[active].points, session.active_curve.points))
+        elif self.is_editing and not self.group.parts and len(before) == len(curves):
+            self.keep_group(
+                some_points(
+                    (curve, returned_points(before[curve].points, curves[curve].points))
+                    for curve in self.edited
+                )
+            )
+
+
+def _within(indices: frozenset[int], count: int) -> frozenset[int]:
+    """Return the indices of points that a curve of so many has; the same object where all are."""
+    if indices and min(indices) >= 0 and max(indices) < count:
+        return indices
+    return frozenset(index for index in indices if 0 <= index < count)

@@ -331,13 +331,13 @@ class Session(QObject):
         before, self._shown = self._shown.curves, document
         self.active_index = min(self.active_index, len(document.curves) - 1)
         selected = self.selected
-        has_moved, points = selected.follow_curves(before), selected.followed_points(before)
+        points, has_moved = selected.followed_group(before), selected.follow_curves(before)
         # Nobody who is told of the document finds something named that it does not have.
-        selected.set_points(selected.points)
+        selected.keep_group(selected.group)
         selected.set_hovered(selected.hovered)
         self.document_changed.emit(document)
         # Whoever draws it has had to hear of the points first.
-        selected.set_points(points)
+        selected.keep_group(points)
         selected.keep_scrub()
         if has_moved:
             self.selected_curves_changed.emit(selected.curves)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from ..document.several_curves import PointGroup, name_of, named, whole_curves
+from msgspec.structs import replace
+
+from ..document.point_group import PointGroup
+from ..document.several_curves import name_of, named, whole_curves
 from ..document.shape_edits import pressed
 from ..document.shapes import shape_of, whole_shapes
 from . import hints
@@ -19,14 +22,23 @@ class CurvePicker:
     click edits it. With Ctrl a group is passed over.
     """
 
-    def enter(self, context: ToolContext) -> bool:
-        """Edit another curve of the shape that is edited where its line is pressed; return whether it is."""
-        host, hit = context.host, context.hit
-        if hit is None or not _is_of_edited_shape(context, hit) or context.pointer.shift:
-            return False
-        host.selected.activate(hit.index)
-        host.say(f"Editing “{host.active_view.source.name}” now.")
-        return True
+    def entered(self, context: ToolContext) -> ToolContext:
+        """Return the context of a press on another curve that is edited: that is the active one from then on.
+
+        A point of any is pressed as one of its own; the line of one, where it is of the same shape.
+        """
+        host, hit, pointer = context.host, context.hit, context.pointer
+        if hit is not None and hit.part is Part.OTHER_POINT:
+            host.selected.go_to(hit.curve)
+            context = context.at(replace(pointer, hit=replace(hit, part=Part.POINT)))
+        elif hit is not None and _is_of_edited_shape(context, hit) and not pointer.shift:
+            host.selected.activate(hit.index)
+            context = context.with_hit()
+        else:
+            return context
+        if not pointer.shift:
+            host.say(f"Editing “{host.active_view.source.name}” now.")
+        return context
 
     def press(self, context: ToolContext, hit: Hit) -> None:
         """Begin to drag what is hit, with all that is chosen together with it; or a click."""

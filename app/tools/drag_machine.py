@@ -10,6 +10,7 @@ import msgspec
 
 from ..document.edits import EditError
 from ..document.model import Document, Vector
+from ..document.point_group import PointGroup
 from ..document.selection import Choice
 from ..view_model.curve_view import CurveView
 from ..view_model.pivot import Pivot
@@ -26,11 +27,19 @@ CANCELLED = "Cancelled."
 class SelectionHost(Protocol):
     """Selection of a session, as the tools use it."""
 
-    points: frozenset[int]
+    group: PointGroup
     curves: frozenset[int]
     is_editing: bool
     scrub: float | None
     pivot: Pivot | None
+
+    @property
+    def points(self) -> frozenset[int]:
+        """Indices of the selected points of the active curve."""
+
+    @property
+    def edited(self) -> frozenset[int]:
+        """The curves whose points can be selected."""
 
     @property
     def chosen(self) -> frozenset[int]:
@@ -50,7 +59,16 @@ class SelectionHost(Protocol):
         """Show curves as chosen while a gesture goes on."""
 
     def set_points(self, indices: Collection[int]) -> None:
-        """Select points."""
+        """Select points of the active curve alone."""
+
+    def set_group(self, group: PointGroup) -> None:
+        """Select points of the curves that are edited."""
+
+    def show_group(self, group: PointGroup) -> None:
+        """Show points as selected while a gesture goes on."""
+
+    def go_to(self, index: int) -> None:
+        """Make another of the curves that are edited the active one; the same points are selected."""
 
     def set_curves(self, indices: Collection[int]) -> None:
         """Select curves to work on together."""

@@ -9,7 +9,8 @@ import msgspec
 from ..document import edits, words
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup, moved
+from ..document.point_group import PointGroup
+from ..document.several_curves import moved
 from ..document.transforms import step_points
 from ..view_model.bend import Bend
 from ..view_model.curve_view import CurveView

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document import words
-from ..document.several_curves import PointGroup
+from ..document.point_group import PointGroup
 from ..view_model.curve_view import CurveView
 from ..view_model.point_kinds import toggled
 from ..view_model.smoothness import inner_points
@@ -21,34 +20,39 @@ _ON_EMPTY = (
 LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 
 
-def to_select(
-    hit: Hit | None, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool
-) -> Hint:
-    """Return the hint of the Select tool over what belongs to the curve edited, or beside it."""
+def selected(group: PointGroup) -> str:
+    """Return how many points are selected: "Point 3 selected", "5 points in 2 curves selected"."""
+    words = f"{group.words} selected" if group.parts else "no point selected"
+    return f"{words[0].upper()}{words[1:]}"
+
+
+def to_select(hit: Hit | None, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool) -> Hint:
+    """Return the hint of the Select tool over what belongs to a curve edited, or beside them.
+
+    `dragged` is what a drag of the point hit moves, in words.
+    """
     if hit is None:
         return Hint(_ON_EMPTY)
     if view.source.locked:
         return Hint(LOCKED.format(view.source.name))
     if hit.part is Part.CURVE:
         return to_bend(view, pointer)
-    hint = on_part(hit, view, selection, pointer, snaps=snaps)
+    hint = on_part(hit, view, dragged, pointer, snaps=snaps)
     has_kind = view.source.family.derivatives and hit.part is Part.POINT
     if not has_kind or pointer.alt or not inner_points(view.source, [hit.index]):
         return hint
     return replace(hint, text=f"{hint.text} · Double click: {toggled(view, hit.index).title.lower()}")
 
 
-def on_part(hit: Hit, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool) -> Hint:
-    """Return the hint over a point or a handle."""
+def on_part(hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool) -> Hint:
+    """Return the hint over a point or a handle; see `to_select`."""
     if hit.part is not Part.POINT:
         keys = handle_keys(hit, view, _snap_word(snaps))
         return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
     if pointer.alt and view.source.family.derivatives:
         text = f"Drag to pull out the velocity of point {hit.index}{_with_snap(pointer, snaps=snaps)}"
         return Hint(text, grab=True)
-    others = len(selection) > 1 and hit.index in selection
-    what = words.points(selection) if others else f"{view.source.family.point} {hit.index}"
-    text = f"{to_move(what, pointer, snaps=snaps)} · Shift: one axis, a click toggles"
+    text = f"{to_move(dragged, pointer, snaps=snaps)} · Shift: one axis, a click toggles"
     text += f" · Ctrl: {_snap_word(snaps)}"
     if view.source.family.derivatives:
         text += " · Alt: pull out its velocity"
@@ -85,7 +89,7 @@ def to_bend(view: CurveView, pointer: Pointer) -> Hint:
 
 
 def to_add_on_part(
-    hit: Hit, view: CurveView, selection: frozenset[int], pointer: Pointer, *, snaps: bool, finished: bool
+    hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool, finished: bool
 ) -> Hint:
     """Return the hint of the Add tool over a point or a handle."""
     if finished and is_end(hit, view):
@@ -96,7 +100,7 @@ def to_add_on_part(
             return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
         line = " · Alt: by a straight line" if view.source.family.derivatives else ""
         return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
-    return on_part(hit, view, selection, pointer, snaps=snaps)
+    return on_part(hit, view, dragged, pointer, snaps=snaps)
 
 
 def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:

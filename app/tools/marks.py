@@ -55,7 +55,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     preview_curve
         The curve as it would be with a point where the pen is.
     spot
-        Where on the curve the pen would insert a point.
+        Where on the curve the pen would insert a point; the point of another curve under the pointer.
     line
         What the pencil has drawn so far.
     waiting

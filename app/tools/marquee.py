@@ -1,4 +1,4 @@
-"""Selecting with a rubber band: points of the curve that is edited, or curves where none is."""
+"""Selecting with a rubber band: points of the curves that are edited, or curves where none is."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document import words
 from ..document.model import Vector
+from ..document.point_group import some_points
 from ..document.shape_edits import pressed
 from ..view_model.curve_view import CurveView
 from ..view_model.plane import crosses_box
+from . import hints
 from .curve_picker import chosen_curves
 from .drag_machine import CANCELLED, THRESHOLD
 from .tool import Gesture, ToolContext
@@ -21,8 +22,8 @@ from .tool import Gesture, ToolContext
 _KEYS = "Shift: add to what was selected"
 
 
-class Marquee(Gesture):
-    """Rubber band: selects the points inside, live; with Shift held, adds to what was selected before.
+class Band(Gesture):
+    """Rubber band: selects what is inside, live; with Shift held, adds to what was selected before.
 
     Attributes
     ----------
@@ -36,7 +37,6 @@ class Marquee(Gesture):
         self._press, self._on_click, self._is_on_curve = context.pointer, on_click, is_on_curve
         self._before = context.host.selected.choice
         self.band: tuple[Vector, Vector] | None = None
-        self._had = self._selected(context)
 
     def mean_by_click(self, on_click: Callable[[ToolContext], object]) -> None:
         """Let a click be something else, whatever is selected."""
@@ -48,8 +48,7 @@ class Marquee(Gesture):
         if self.band is None and math.dist(pointer.pixel, self._press.pixel) < THRESHOLD:
             return
         self.band = (self._press.position, pointer.position)
-        inside = self._inside(context, np.min(self.band, axis=0), np.max(self.band, axis=0))
-        self._show(context, self._had | inside if pointer.shift else inside)
+        self._show(context, np.min(self.band, axis=0), np.max(self.band, axis=0))
 
     def release(self, context: ToolContext) -> None:
         """End; a click beside everything deselects, with Shift it leaves the selection.
@@ -74,43 +73,60 @@ class Marquee(Gesture):
         """Tell what is selected; nothing before there is a band."""
         return f"{self._words(context)} · Escape cancels" if self.band is not None else ""
 
-    # A subclass, for other things than points, fills in these.
+    # What it selects
 
-    def _selected(self, context: ToolContext) -> frozenset[int]:
-        return context.host.selected.points
-
-    def _inside(self, context: ToolContext, low: FloatArray, high: FloatArray) -> frozenset[int]:
-        """Return what the band takes."""
-        points = context.view.points
-        return frozenset(np.flatnonzero(np.all((points >= low) & (points <= high), axis=1)).tolist())
-
-    def _show(self, context: ToolContext, indices: frozenset[int]) -> None:
-        """Select it while the band is drawn."""
-        context.host.selected.set_points(indices)
+    def _show(self, context: ToolContext, low: FloatArray, high: FloatArray) -> None:
+        """Select what the band takes, while it is drawn."""
+        raise NotImplementedError
 
     def _take(self, context: ToolContext) -> None:
         """Leave it selected: the band has ended."""
+        raise NotImplementedError
 
     def _click(self, context: ToolContext) -> None:
-        if self._had:
+        raise NotImplementedError
+
+    def _words(self, context: ToolContext) -> str:
+        raise NotImplementedError
+
+
+class Marquee(Band):
+    """Rubber band that selects points of all curves that are edited."""
+
+    def _show(self, context: ToolContext, low: FloatArray, high: FloatArray) -> None:
+        host = context.host
+        inside = some_points(
+            (curve, _points_inside(host.views[curve], low, high)) for curve in host.selected.edited
+        )
+        host.selected.show_group(self._before.points.joined(inside) if context.pointer.shift else inside)
+
+    def _take(self, context: ToolContext) -> None:
+        context.host.selected.set_group(context.host.selected.group)
+
+    def _click(self, context: ToolContext) -> None:
+        if self._before.points.parts:
             context.host.selected.set_points([])
         else:
             self._on_click(context)
 
     def _words(self, context: ToolContext) -> str:
-        selection = context.host.selected.points
-        selected = f"{words.points(selection)} selected" if selection else "No point selected"
-        return f"{selected[:1].upper()}{selected[1:]} · {_KEYS}"
+        return f"{hints.selected(context.host.selected.group)} · {_KEYS}"
 
 
-class CurveMarquee(Marquee):
+def _points_inside(view: CurveView, low: FloatArray, high: FloatArray) -> frozenset[int]:
+    points = view.points
+    return frozenset(np.flatnonzero(np.all((points >= low) & (points <= high), axis=1)).tolist())
+
+
+class CurveMarquee(Band):
     """Rubber band while no curve is edited: chooses the visible, free curves that lie wholly inside.
 
     With Alt those that it touches, too. Shapes and groups are taken whole, or not.
     """
 
-    def _selected(self, context: ToolContext) -> frozenset[int]:
-        return context.host.selected.chosen
+    def _show(self, context: ToolContext, low: FloatArray, high: FloatArray) -> None:
+        before = self._before.chosen if context.pointer.shift else frozenset()
+        context.host.selected.show_choice(before | self._inside(context, low, high))
 
     def _inside(self, context: ToolContext, low: FloatArray, high: FloatArray) -> frozenset[int]:
         views, document, touched = context.host.views, context.host.document, context.pointer.alt
@@ -122,9 +138,6 @@ class CurveMarquee(Marquee):
                 meant = pressed(document, place, self._before) & free
                 found |= meant if touched or meant <= taken else set()
         return frozenset(found)
-
-    def _show(self, context: ToolContext, indices: frozenset[int]) -> None:
-        context.host.selected.show_choice(indices)
 
     def _take(self, context: ToolContext) -> None:
         context.host.selected.choose(context.host.selected.chosen)

@@ -7,7 +7,7 @@ from functools import partial
 
 from ..document.curve_edits import replace_curve
 from ..document.model import Document
-from ..document.several_curves import points_of
+from ..document.point_group import points_of
 from ..view_model.point_kinds import toggled
 from . import hints
 from .drag import Drag
@@ -64,14 +64,36 @@ def _toggle(context: ToolContext, index: int) -> None:
 
 def click_on(context: ToolContext, index: int) -> Callable[[], None]:
     """Return what a click selects: a point alone, or with Shift added to the others or taken away."""
-    host, before, shift = context.host, context.host.selected.points, context.pointer.shift
-    return lambda: host.selected.set_points(before ^ {index} if shift else [index])
+    host, before, one = (
+        context.host,
+        context.host.selected.group,
+        points_of(context.host.active_index, [index]),
+    )
+    if not context.pointer.shift:
+        return lambda: host.selected.set_group(one)
+
+    def toggle() -> None:
+        host.selected.set_group(before.toggled(one))
+        host.say(f"{hints.selected(host.selected.group)}.")
+
+    return toggle
 
 
 def unless_locked(context: ToolContext, drag: Drag) -> Drag:
     """Return the drag, or one that is refused because the curve is locked."""
     source = context.view.source
     return Refuse(context.host.document, hints.LOCKED.format(source.name)) if source.locked else drag
+
+
+def dragged_with(context: ToolContext, hit: Hit) -> str:
+    """Return what a drag of the point hit moves, in words: the selected points, if it is one of them."""
+    host = context.host
+    curve, group = hit.curve if hit.part is Part.OTHER_POINT else host.active_index, host.selected.group
+    if hit.index in group.of(curve) and group.count > 1:
+        return group.words
+    source = host.views[curve].source
+    of = f" of “{source.name}”" if curve != host.active_index else ""
+    return f"{source.family.point} {hit.index}{of}"
 
 
 def _press_on_handle(context: ToolContext, hit: Hit) -> None:
@@ -88,6 +110,6 @@ def _point_drag(context: ToolContext, hit: Hit) -> MovePoints | PullVelocity:
     if pointer.alt and context.view.source.family.derivatives:
         snapper = context.snappers.for_handle(hit.index)
         return PullVelocity(host.document, host.active_index, context.view, hit.index, snapper)
-    snapper = context.snappers.for_points(host.selected.points, hit.index)
-    group, grip = points_of(host.active_index, host.selected.points), (host.active_index, hit.index)
+    group, grip = host.selected.group, (host.active_index, hit.index)
+    snapper = context.snappers.for_group(group, grip)
     return MovePoints(host.document, group, pointer.position, snapper, grip)

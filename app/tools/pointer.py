@@ -26,6 +26,7 @@ class Part(Enum):
     IMAGE = auto()
     IMAGE_CORNER = auto()
     OTHER_CURVE = auto()
+    OTHER_POINT = auto()
     GUIDE = auto()
 
 
@@ -39,6 +40,8 @@ class Hit(msgspec.Struct, frozen=True):
     index
         The point it belongs to; for the curve, the point before which a new one would be inserted; for
         another curve and a guide, its place in the document.
+    curve
+        For a point of another curve that is edited: that curve.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead
@@ -59,6 +62,7 @@ class Hit(msgspec.Struct, frozen=True):
     part: Part
     index: int
     position: Vector
+    curve: int = -1
     ahead: bool = True
     t: float = 0.0
     kind: int = 0

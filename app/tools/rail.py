@@ -11,6 +11,7 @@ from ..document import words
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import freeze_parameters, set_parameters
 from ..document.model import Curve, Document, ParametrizationKind, Vector
+from ..document.point_group import PointGroup, points_of
 from ..document.transforms import decimal_sum
 from ..view_model.curve_view import CurveView
 from .drag import Drag
@@ -222,11 +223,12 @@ class RailTool(ScrubTool):
 
     @staticmethod
     def _press_on_tick(context: ToolContext, hit: Hit) -> None:
-        host, pointer, before = context.host, context.pointer, context.host.selected.points
-        if hit.index not in before:
-            host.selected.set_points(before | {hit.index} if pointer.shift else [hit.index])
+        host, pointer, before = context.host, context.pointer, context.host.selected.group
+        one = points_of(host.active_index, [hit.index])
+        if hit.index not in host.selected.points:
+            host.selected.set_group(before.joined(one) if pointer.shift else one)
         drag = _drag(host, pointer.position[0], hit.knot, hit.index)
-        context.drags.press(pointer, drag, on_click=lambda: _click(context, hit, before))
+        context.drags.press(pointer, drag, on_click=lambda: _click(context, one, before))
 
     def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
         """Move the selected ticks by a round number; return whether there are any."""
@@ -259,12 +261,9 @@ class RailTool(ScrubTool):
         return Hint(f"The {kind} of {point} {hit.index} · Click to select the point")
 
 
-def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:
-    """Select the tick alone; with Shift add it, or take it out."""
-    if not context.pointer.shift:
-        context.host.selected.set_points([hit.index])
-    elif hit.index in before:
-        context.host.selected.set_points(before - {hit.index})
+def _click(context: ToolContext, one: PointGroup, before: PointGroup) -> None:
+    """Select the point of a tick alone; with Shift add it, or take it out."""
+    context.host.selected.set_group(before.toggled(one) if context.pointer.shift else one)
 
 
 def _drag(

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 
 from ..document.model import Document, Guide
-from ..document.several_curves import PointGroup
+from ..document.point_group import PointGroup
 from ..view_model.bounds import Bounds, nine_places
-from ..view_model.curve_view import CurveView
 from .drag_machine import EditingHost
 from .pointer import Pointer
 from .snapping import (
@@ -40,57 +39,42 @@ class Snappers:
         # The snapper of the last hover, and what it was made for.
         self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
 
-    def for_points(self, moving: Collection[int], place: int) -> Snapper:
-        """Return the snapper of a point at `place`, −1 for none in particular, while `moving` points move."""
-        host = self._host
-        return self._make(lambda: targets_of(host.views, host.active_index, moving, place, self._kinds))
-
     def for_new(self, place: int) -> Snapper:
         """Return the snapper of a point that is put at `place`, −1 for the first of another curve."""
         # What there is before the press: later the new point would be drawn to itself.
         views, active = self._host.views, self._host.active_index
-        return self._make(lambda: targets_of(views, active, (), place, self._kinds))
+        return self._make(lambda: targets_of(views, active, {}, place, self._kinds))
 
     def for_handle(self, point: int) -> Snapper:
         """Return the snapper of the end of a handle."""
         host = self._host
         return self._make(lambda: targets_of_handle(host.views, host.active_index, point, self._kinds))
 
-    def for_group(self, group: PointGroup, place: int = -1) -> Snapper:
-        """Return the snapper of what moves together: of the point at `place`, where it is of one curve."""
-        if not group.is_whole:
-            return self.for_points(group.parts[0][1], place)
-        return self._make(lambda: targets_of(*self._beside(group), -1, self._kinds))
+    def for_group(self, group: PointGroup, grip: tuple[int, int] | None = None) -> Snapper:
+        """Return the snapper of what moves together: of one of its points, the curve and the index given."""
+        host, moving = self._host, dict(group.parts)
+        # Level with its neighbours is a point; of whole curves none has any that stay.
+        curve, place = (host.active_index, -1) if grip is None or group.is_whole else grip
+        return self._make(lambda: targets_of(host.views, curve, moving, place, self._kinds))
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
         """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
         views, active = self._host.views, self._host.active_index
         return self._make(
-            lambda: targets_of(views, active, (), -1, self._kinds).with_places(nine_places(bounds))
+            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_places(bounds))
         )
 
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
         """Return the snapper of a corner or a side of the box around a group."""
         if grip.x and grip.y:
             return self.for_group(group)
-        return self._make(lambda: targets_of_side(*self._beside(group), self._kinds))
-
-    def _beside(self, group: PointGroup) -> tuple[list[CurveView], int, Collection[int]]:
-        """Return the views without other curves that move along, which is active, and what moves of it."""
         host, moving = self._host, dict(group.parts)
-        places = [
-            place for place in range(len(host.views)) if place == host.active_index or place not in moving
-        ]
-        return (
-            [host.views[place] for place in places],
-            places.index(host.active_index),
-            moving.get(host.active_index, ()),
-        )
+        return self._make(lambda: targets_of_side(host.views, host.active_index, moving, self._kinds))
 
     def for_guide(self) -> Snapper:
         """Return the snapper of a guide: points that it meets, and the grid."""
         host = self._host
-        return self._make(lambda: targets_of_side(host.views, host.active_index, (), self._kinds), guides=())
+        return self._make(lambda: targets_of_side(host.views, host.active_index, {}, self._kinds), guides=())
 
     def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
         # The guides as they are at the press.
@@ -107,7 +91,7 @@ class Snappers:
         host, settings = self._host, self._settings()
         made_for = (host.document, host.active_index, place, settings)
         if self._hovered is None or self._hovered[0] != made_for:
-            self._hovered = (made_for, self.for_points((), place))
+            self._hovered = (made_for, self.for_new(place))
         self.now = self._hovered[1]
         self.now.at(pointer)
 

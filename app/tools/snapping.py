@@ -124,25 +124,30 @@ class Targets(msgspec.Struct, frozen=True):
         return replace(self, points=(*self.points, more))
 
 
+Moving = Mapping[int, Collection[int]]
+"""Points that move along and are nothing to snap to, by their curves."""
+
+
 def targets_of(
-    views: Sequence[CurveView], active: int, moving: Collection[int], place: int, kinds: Collection[SnapKind]
+    views: Sequence[CurveView], curve: int, moving: Moving, place: int, kinds: Collection[SnapKind]
 ) -> Targets:
-    """Collect what a point of the active curve can snap to.
+    """Collect what a point of a curve can snap to.
 
     Parameters
     ----------
-    views, active
-        The curves, and which of them is edited.
+    views, curve
+        The curves, and which of them the point is of.
     moving
-        Its points that move along and are nothing to snap to.
+        What moves along.
     place
         The index of the point that is drawn or about to be added; −1 for what has no neighbours.
     kinds
         The kinds wanted; what is not wanted costs nothing.
     """
-    beside = _neighbours(views[active], moving, place)
+    own = moving.get(curve, ())
+    beside = _neighbours(views[curve], own, place)
     # Not on a neighbour: two coincident points in a row have no distance to go by.
-    return _targets(views, active, {*moving, *beside}, beside, kinds)
+    return _targets(views, curve, {**moving, curve: {*own, *beside}}, beside, kinds)
 
 
 def targets_of_handle(
@@ -150,36 +155,35 @@ def targets_of_handle(
 ) -> Targets:
     """Collect what the end of a handle of `point` can snap to: level with its point it is a flat tangent."""
     # Not on its own point: a handle of no length has no direction.
-    return _targets(views, active, {point}, [point, *_neighbours(views[active], (), point)], kinds)
+    return _targets(views, active, {active: {point}}, [point, *_neighbours(views[active], (), point)], kinds)
 
 
 def _targets(
-    views: Sequence[CurveView],
-    active: int,
-    without: Collection[int],
-    level: Sequence[int],
-    kinds: Collection[SnapKind],
+    views: Sequence[CurveView], curve: int, without: Moving, level: Sequence[int], kinds: Collection[SnapKind]
 ) -> Targets:
-    """Collect other curves and all points but those `without`; `level` are those whose heights count."""
-    own = views[active]
-    others = [view for index, view in enumerate(views) if index != active and view.source.visible]
+    """Collect curves that stay, and all points but those `without`; `level` are those whose heights count."""
+    own = views[curve]
+    others = [(place, view) for place, view in enumerate(views) if place != curve and view.source.visible]
     points, curves = [], []
     if SnapKind.POINTS in kinds:
-        points = [_points(own, without), *(_points(view, (), view.source.name) for view in others)]
+        points = [
+            _points(own, without.get(curve, ())),
+            *(_points(view, without.get(place, ()), view.source.name) for place, view in others),
+        ]
     if SnapKind.CURVES in kinds:
-        curves = [(NearestPoint(view), view.source.name) for view in others]
+        curves = [(NearestPoint(view), view.source.name) for place, view in others if place not in without]
     return Targets(tuple(points), _named(own, level) if SnapKind.LEVEL in kinds else (), tuple(curves))
 
 
 def targets_of_side(
-    views: Sequence[CurveView], active: int, moving: Collection[int], kinds: Collection[SnapKind]
+    views: Sequence[CurveView], active: int, moving: Moving, kinds: Collection[SnapKind]
 ) -> Targets:
     """Collect what a side of the box around `moving` can snap to: it meets points that it is level with."""
     points: tuple[tuple[Vector, str], ...] = ()
     if SnapKind.POINTS in kinds:
         for index, view in enumerate(views):
             if index == active or view.source.visible:
-                rest = [at for at in range(len(view.points)) if index != active or at not in moving]
+                rest = sorted({*range(len(view.points))}.difference(moving.get(index, ())))
                 points += _named(view, rest, "" if index == active else view.source.name)
     return Targets(neighbours=points)
 

@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 
 from ..document.edits import EditError
 from ..document.model import Vector
-from ..document.several_curves import PointGroup, points_of, whole_curves
+from ..document.point_group import PointGroup, points_of
+from ..document.several_curves import whole_curves
 from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView
 from ..view_model.pivot import Pivot, anchored
@@ -20,7 +21,7 @@ from .transform_box import Grip, ScaleBox, TransformBox, box_of
 
 
 class TransformTarget:
-    """The selected points of the active curve; with none, the curves that are chosen as wholes.
+    """The selected points of the curves that are edited; with none, the curves that are chosen as wholes.
 
     It says what is meant, and makes the drags that transform it; `scales_strokes` tells whether they scale
     the widths of strokes, too.
@@ -31,7 +32,7 @@ class TransformTarget:
     ) -> None:
         self._host, self._snappers, self._scales_strokes = host, snappers, scales_strokes
         # The last group with its box, and the views and sets of indices they were found for.
-        self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int], bool] | None = None
+        self._known: tuple[Sequence[CurveView], PointGroup, frozenset[int], bool] | None = None
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
 
     @property
@@ -46,11 +47,11 @@ class TransformTarget:
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
-        views, selection, chosen = host.views, host.selected.points, host.selected.chosen
+        views, selection, chosen = host.views, host.selected.group, host.selected.chosen
         known, live = self._known, host.is_previewing
         if known is None or known[0] is not views or known[1:] != (selection, chosen, live):
             self._known = (views, selection, chosen, live)
-            group = points_of(host.active_index, selection) if selection else self.curves
+            group = selection if selection.parts else self.curves
             self._found = (group, box_of(views, group, live=live) if group is not None else None)
         return self._found
 
@@ -144,7 +145,7 @@ class TransformTarget:
         """Return the transform that begins at `pointer`; with nothing selected, of all points."""
         group = self.for_keys
         grip = self._nearest(group, pointer)
-        snapper = self._snappers.for_group(group, grip[1])
+        snapper = self._snappers.for_group(group, grip)
         return Transform(
             self._host.document,
             kind,
@@ -185,5 +186,5 @@ class TransformTarget:
     def moving(self, group: PointGroup, pointer: Pointer) -> MovePoints:
         """Return the drag of a group from the pointer on; what snaps is its point that is nearest."""
         grip = self._nearest(group, pointer)
-        snapper = self._snappers.for_group(group, grip[1])
+        snapper = self._snappers.for_group(group, grip)
         return MovePoints(self._host.document, group, pointer.position, snapper, grip)

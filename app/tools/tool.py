@@ -9,6 +9,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
+from ..document.point_group import points_of
 from ..view_model.curve_view import CurveView
 from ..view_model.records import Records
 from .background import Background
@@ -216,14 +217,24 @@ class Tool:
         return True
 
     def walk(self, context: ToolContext, step: int) -> bool:
-        """Select the next (1) or previous (−1) point; return whether there is one."""
+        """Select the next (1) or previous (−1) point of the curves that are edited; return whether one is."""
         host = context.host
-        points, count = host.selected.points, len(host.active_view.source.points)
-        here = max(points) if points and step > 0 else min(points, default=count)
-        index = here + step if points or step < 0 else 0
-        if not 0 <= index < count:
+        order = [
+            (curve, index)
+            for curve in sorted(host.selected.edited)
+            for index in range(len(host.document.curves[curve].points))
+        ]
+        points, active = host.selected.points, host.active_index
+        if points:
+            place = order.index((active, max(points) if step > 0 else min(points))) + step
+        else:
+            # The first of the active curve, or its last.
+            own = [place for place, (curve, _) in enumerate(order) if curve == active]
+            place = own[0 if step > 0 else -1] if own else -1
+        if not 0 <= place < len(order):
             return False
-        host.selected.set_points([index])
+        curve, index = order[place]
+        host.selected.set_group(points_of(curve, [index]))
         return True
 
     def cancel(self, context: ToolContext) -> None:

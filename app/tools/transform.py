@@ -9,7 +9,8 @@ from msgspec.structs import replace
 
 from ..document import words
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup, mapped, moved, scaled_strokes
+from ..document.point_group import PointGroup
+from ..document.several_curves import mapped, moved, scaled_strokes
 from ..document.transforms import rotation, scaling
 from .drag import Drag, plus
 from .drags import MovePoints

@@ -10,7 +10,8 @@ from msgspec.structs import replace
 
 from ..document import words
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup, scaled_strokes
+from ..document.point_group import PointGroup
+from ..document.several_curves import scaled_strokes
 from ..document.transforms import scaling, with_coordinates
 from ..view_model.bounds import Bounds, bounds_of
 from ..view_model.curve_view import CurveView

@@ -9,7 +9,8 @@ import msgspec
 from ..document.curve_tree import NodeKind, whole_nodes
 from ..document.edits import EditError
 from ..document.model import Document
-from ..document.several_curves import PointGroup, moved, whole_curves
+from ..document.point_group import PointGroup
+from ..document.several_curves import moved, whole_curves
 from ..document.shapes import whole_shapes
 from ..document.transforms import Edge, Reference, Spacing
 from .bounds import Bounds, bounds_of

@@ -74,11 +74,12 @@ class Target(msgspec.Struct, frozen=True):
         return replace(added, views=tuple(views_ahead(new, told)))
 
 
-def with_part(document: Document, part: Curve, active: int) -> Arrival:
-    """Add a part of the active curve in front of it and its shape, in the same groups."""
-    first = shape_of(document, active).stop
-    added = add_curves(document, (part,), first, Container(part.groups))
-    return Arrival(added, range(first, first + 1))
+def with_parts(document: Document, parts: Sequence[Curve], active: int) -> Arrival:
+    """Add parts of curves in front of the active one and its shape, in the same groups."""
+    first, groups = shape_of(document, active).stop, document.curves[active].groups
+    alone = [replace(part, shape="", groups=groups) for part in parts]
+    added = add_curves(document, alone, first, Container(groups))
+    return Arrival(added, range(first, first + len(parts)))
 
 
 def centred_at(document: Document, curves: Collection[int], place: Vector, pixel: float) -> Document:

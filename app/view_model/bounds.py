@@ -11,7 +11,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ..document.model import Vector
-from ..document.several_curves import PointGroup
+from ..document.point_group import PointGroup
 from .curve_view import CurveView
 
 

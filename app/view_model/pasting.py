@@ -16,6 +16,7 @@ from ..document.edits import (
     stretched,
 )
 from ..document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
+from ..document.point_group import PointGroup
 from ..document.words import number
 from .appending import appended_parameter, with_points_appended
 from .curve_view import CurveView, view_of
@@ -144,6 +145,20 @@ def copied_as_new_curve(copy: Curve, name: str) -> Curve:
         kind = ParametrizationKind.CHORD_LENGTH if copy.is_manual else copy.parametrization.kind
         copy = replace(copy, points=points, parametrization=replace(copy.parametrization, kind=kind))
     return replace(set_interval(Document((copy,)), 0, 0.0, 1.0).curves[0], name=name)
+
+
+def parts_of(views: Sequence[CurveView], group: PointGroup) -> list[Curve]:
+    """Return curves of the points of a group alone; a curve itself where all its points are in it.
+
+    One point of a curve is none.
+    """
+    found = []
+    for curve, indices in group.parts:
+        view = views[curve]
+        part = view.source if len(indices) == len(view.source.points) else part_of(view, indices)
+        if part is not None:
+            found.append(part)
+    return found
 
 
 def part_of(view: CurveView, indices: Collection[int]) -> Curve | None:

@@ -15,7 +15,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ..document.model import Vector
-from ..document.several_curves import PointGroup
+from ..document.point_group import PointGroup
 from ..document.transforms import IDENTITY, Affine
 from .bounds import Bounds, bounds_of
 from .curve_view import CurveView

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup, mapped
+from ..document.point_group import PointGroup
+from ..document.several_curves import mapped
 from ..document.transforms import Affine
 from .bounds import Bounds, bounds_of, is_whole
 from .curve_view import CurveView, view_of

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu
 
@@ -30,6 +31,8 @@ class ContextMenus:
 
     def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
         session = self._context.session
+        if hit is not None and hit.part is Part.OTHER_POINT:
+            hit = self._as_own(hit)
         if hit is not None and hit.part is Part.OTHER_CURVE:
             # One of those that are selected leaves them selected: the menu is about all.
             selected = session.selected.marked
@@ -48,6 +51,14 @@ class ContextMenus:
             strip_menu(self._context, POINT_MENU).popup(place)
         else:
             strip_menu(self._context, CANVAS_MENU).popup(place)
+
+    def _as_own(self, hit: Hit) -> Hit:
+        """Make the curve of a point the active one; a curve that was chosen whole is meant whole."""
+        selected = self._context.session.selected
+        if hit.curve in selected.chosen and hit.index not in selected.group.of(hit.curve):
+            return replace(hit, part=Part.OTHER_CURVE, index=hit.curve)
+        selected.go_to(hit.curve)
+        return replace(hit, part=Part.POINT)
 
     def _open_on_edited(self, place: QPoint) -> None:
         """Open the menu for a place on the curve that the right button has made the one edited."""

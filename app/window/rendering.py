@@ -65,13 +65,13 @@ class Rendering(QObject):
         self._commands.render(self._session.active_view)
 
     def _render_selection(self, selection: frozenset[int]) -> None:
-        self._canvas.drawing.set_selection(selection)
+        self._canvas.drawing.set_selection(selection, self._session.selected.group)
         self._render_commands()
 
     def _render_others(self) -> None:
         session, selected = self._session, self._session.selected
-        edited = session.active_index if selected.is_editing else None
-        self._canvas.drawing.render_others(session.views, edited, selected.chosen)
+        active = session.active_index if selected.is_editing else None
+        self._canvas.drawing.render_others(session.views, active, selected.chosen, selected.edited)
 
     def _render_selected_curves(self) -> None:
         # What was said was about the curves that were selected before.

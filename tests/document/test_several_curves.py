@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from app.document.edits import EditError, append_point, set_family
 from app.document.model import Document, Point, make_curve
+from app.document.point_group import points_of
 from app.document.selection import followed_curves
 from app.document.several_curves import (
     active_after_removal,
@@ -18,7 +19,6 @@ from app.document.several_curves import (
     mapped,
     moved,
     named,
-    points_of,
     remove_curves,
     whole_curves,
     with_appearance,

@@ -16,6 +16,7 @@ from app.document.jet_edits import JetValue, with_jet_values
 from app.document.lines import is_line, line_beside
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.document.plain import plain
+from app.document.point_group import points_of
 from app.document.straight_edits import straighten
 from app.document.ties import PARALLEL, angle_between, holds, tied, turned, untied
 from app.document.transforms import Affine, Edge, align_points, rotation, scaling, transform_points
@@ -107,7 +108,7 @@ moves = st.one_of(
         vectors, st.booleans(),
     ),
     st.just(lambda d: edits.delete_points(d, 0, [0])),
-    st.builds(lambda edge: lambda d: align_points(d, 0, [1, 3], edge), st.sampled_from(Edge)),
+    st.builds(lambda edge: lambda d: align_points(d, points_of(0, [1, 3]), edge), st.sampled_from(Edge)),
     st.builds(lambda end: lambda d: edits.set_interval(d, 0, 0.0, end), sizes),
 )  # fmt: skip
 

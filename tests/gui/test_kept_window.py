@@ -7,6 +7,7 @@ from fingerprint import Fingerprint, differences
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QLabel, QTabWidget
 
+from app.document.point_group import points_of
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
 
@@ -29,8 +30,8 @@ def test_what_is_planted_is_found(editor, monkeypatch):
         ),
         "window.canvas.tools.settings": lambda patch: patch.setattr(canvas.tools, "settings", None),
         "window.session.history.clock": lambda patch: patch.setattr(session.history, "clock", Clock()),
-        "window.session.selected.points": lambda patch: patch.setattr(
-            session.selected, "points", frozenset([1])
+        "window.session.selected.group": lambda patch: patch.setattr(
+            session.selected, "group", points_of(0, [1])
         ),
         "window.session.say": lambda patch: patch.setattr(session, "say", lambda _text: None),
         "widget hint": lambda patch: patch.setattr(hint, "is_planted", hint.setToolTip("?"), raising=False),

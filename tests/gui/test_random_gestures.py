@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
 from msgspec.structs import replace
 
-from app.canvas.hit_test import hit_test
+from app.canvas.hit_test import PixelPoints, hit_test, nearer
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, Point, make_curve
@@ -45,7 +45,9 @@ modifiers = st.fixed_dictionaries({name: st.booleans() for name in ("shift", "ct
 moves = st.lists(st.tuples(places, modifiers), min_size=1, max_size=3)
 endings = st.sampled_from(("release", "release", "release", "cancel", "undo", "forget", "refused"))
 aims = st.tuples(
-    st.sampled_from(("point", "handle", "curve", "other", "grip", "anywhere")), st.integers(0, 40), places
+    st.sampled_from(("point", "other point", "handle", "curve", "other", "grip", "anywhere")),
+    st.integers(0, 40),
+    places,
 )
 keys = st.lists(st.sampled_from(["1", "5", "0", ".", "-", "x", "y", "g", "s", "r", "backspace"]), max_size=4)
 
@@ -85,8 +87,11 @@ class Gestures(RuleBasedStateMachine):
         assert stack.count() == len(self.values) - 1
         assert self.session.document == self.values[self.at]
         assert not self.tool.is_pressed
-        assert all(index < len(self.session.active_curve.points) for index in self.session.selection)
-        selected = self.session.selected
+        selected, curves = self.session.selected, self.session.document.curves
+        assert selected.group.curves <= selected.edited
+        assert bool(selected.points) == bool(selected.group.parts)
+        for curve, indices in selected.group.parts:
+            assert 0 <= min(indices) <= max(indices) < len(curves[curve].points)
         assert {self.session.active_index} <= selected.curves <= {0, 1}
         if selected.is_editing:
             assert selected.chosen == (selected.curves if len(selected.curves) > 1 else set())
@@ -146,6 +151,10 @@ class Gestures(RuleBasedStateMachine):
         handles = handles_at(view, chosen), facing(view, chosen)
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
         hit = hit_test(pointer.pixel, SHOWN, view, polyline, chosen, *handles)
+        if tool.finds_other_curves and self.other in self.session.selected.edited:
+            places = PixelPoints([(self.other, self.session.views[self.other])], SHOWN)
+            found = places.nearest(pointer.pixel, self.session.selected.group)
+            hit = nearer(found, hit, pointer.pixel, SHOWN)
         if hit is None and tool.finds_other_curves and self.on_curve(self.other, pointer.pixel):
             hit = Hit(Part.OTHER_CURVE, self.other, pointer.position)
         return hit
@@ -170,6 +179,9 @@ class Gestures(RuleBasedStateMachine):
         """A place worth pressing at."""
         what, number, anywhere = aim
         view, chosen = self.session.active_view, self.session.selection
+        others = self.session.views[self.other].source.points
+        if what == "other point" and others:
+            return others[number % len(others)].position
         if what == "point" and view.source.points:
             return view.source.points[number % len(view.source.points)].position
         if what == "handle" and (handles := [*handles_at(view, chosen), *facing(view, chosen)]):
@@ -312,6 +324,10 @@ class Gestures(RuleBasedStateMachine):
             data.draw(st.sets(st.integers(0, max(count - 1, 0)), max_size=count))
         )
 
+    @rule()
+    def select_all(self):
+        self.session.selected.select_all_points()
+
     @rule(curve=st.integers(0, 1))
     def activate(self, curve):
         self.session.selected.activate(curve)
@@ -322,11 +338,13 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(edge=st.sampled_from(list(Edge)))
     def align(self, edge):
-        self.edit(align_points, self.session.selection, edge)
+        group = self.session.selected.group
+        self.edit(lambda document, _active: align_points(document, group, edge))
 
     @rule(axis=st.integers(0, 1))
     def distribute(self, axis):
-        self.edit(distribute_points, self.session.selection, axis)
+        group = self.session.selected.group
+        self.edit(lambda document, _active: distribute_points(document, group, axis))
 
     @rule(family=st.sampled_from(FAMILIES))
     def use_family(self, family):

@@ -61,7 +61,9 @@ def test_grid_values_are_the_numbers_that_are_meant(value, spacing, expected):
 def snap_of(position, *, kinds=frozenset(SnapKind), grid=1.0, axis=None, moving=(1,), ctrl=False):
     views = [view_of(make_curve(POINTS)), view_of(make_curve(OTHER, name="Base"))]
     snapper = Snapper(
-        lambda: Snapping(True, kinds), lambda: grid, lambda: targets_of(views, 0, moving, moving[0], kinds)
+        lambda: Snapping(True, kinds),
+        lambda: grid,
+        lambda: targets_of(views, 0, {0: moving}, moving[0], kinds),
     )
     place = snapper.snap(position, Pointer(position, (0, 0), scale=100.0, ctrl=ctrl), axis)
     return place, snapper.caught.label if snapper.caught is not None else None

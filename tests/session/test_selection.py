@@ -5,7 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document.model import Document, make_curve
+from app.document.model import Document, Point, make_curve
+from app.document.point_group import points_of, some_points
 from app.session import Session
 
 A, B, C = (make_curve([(place, 0.0), (place, 1.0)], name=name) for place, name in enumerate("ABC"))
@@ -92,6 +93,40 @@ def test_selected_points_are_followed_to_where_they_are():
 
     assert selected_after([(0.0, 1.0), (7.0, 7.0), (8.0, 8.0)]) == {0}
     assert selected_after([(9.0, 9.0), (5.0, 5.0)]) == {1}
+
+
+def test_points_of_several_curves_are_of_those_edited_and_the_active_one_has_some():
+    shape = [replace(curve, shape="S") for curve in (A, B)]
+    session, told = session_with(*shape, C), []
+    session.selection_changed.connect(told.append)
+    selected = session.selected
+    everywhere = some_points((curve, frozenset({-1, 0, 1, 7})) for curve in range(4))
+    selected.set_group(everywhere)
+    assert dict(selected.group.parts) == {0: {0, 1}, 1: {0, 1}}
+    selected.set_group(points_of(1, [1]))
+    assert (session.active_index, session.selection, selected.curves) == (1, {1}, {1})
+    selected.choose({0, 1})
+    assert told[-1] == frozenset()
+    selected.set_group(everywhere)
+    assert (selected.is_editing, dict(selected.group.parts)) == (True, {0: {0, 1}, 1: {0, 1}})
+    # Of the active one nothing is left: then nothing is selected.
+    session.change("Fewer", lambda _document: Document((shape[0], replace(shape[1], points=()), C)))
+    assert (session.active_index, selected.group.parts) == (1, ())
+
+
+def test_selected_points_go_along_with_their_curves():
+    session = session_with(C, replace(A, shape="S"), replace(B, shape="S"), active=1)
+    session.selected.select_all_points()
+    c, a, b = session.document.curves
+    longer = replace(b, points=(*b.points, Point(5.0, 5.0)))
+    session.change("A point more", lambda _document: Document((c, a, longer)))
+    assert dict(session.selected.group.parts) == {1: {0, 1}, 2: {0, 1}}
+    session.selected.set_group(points_of(2, [0]).joined(points_of(1, [1])))
+    session.change("The other way round", lambda _document: Document((c, longer, a)))
+    assert dict(session.selected.group.parts) == {1: {0}, 2: {1}}
+    # What is another value is looked for in its place, where the other one is now.
+    session.change("Again, and changed", lambda _document: Document((c, a, b)))
+    assert dict(session.selected.group.parts) == {1: {1}}
 
 
 def test_points_of_a_curve_that_was_not_there_are_not_selected():

@@ -7,7 +7,8 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
-from app.document.several_curves import mapped, moved, points_of, whole_curves
+from app.document.point_group import points_of
+from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import flipping, rotation, scaling
 from app.families import FAMILIES
 from app.view_model.bounds import Bounds, bounds_of

@@ -148,7 +148,7 @@ class BasisCommands:
         "Type t…",
         CURVE_PARAMETERS,
         full_name="Type a Parameter t…",
-        needs=Need("one selected point", lambda now: now.view.is_current and len(now.selection) == 1),
+        needs=Need("one selected point", lambda now: now.view.is_current and now.group.count == 1),
     )
     @also(RAIL_MENU(10))
     def _type_parameter(self) -> None:

@@ -8,10 +8,11 @@ from ...actions.declaration import action, also
 from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
-from ...document.model import Document, Point
+from ...document.edits import EditError
+from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import Highlight
-from ...view_model.pasting import copied
+from ...view_model.pasting import copied, parts_of
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import CURVES, POINTS, put_on_clipboard
 from ...workbench.context import WindowContext
@@ -52,16 +53,27 @@ class ClipboardCommands:
     def _offer(self, what: Highlight) -> Offer:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark = self._session, decimal_mark()
-        if not what.points:
-            curves = tuple(session.document.curves[place] for place in sorted(what.curves))
+        if len(what.points.parts) != 1:
+            curves = self._copied_curves(what)
             return Offer(CURVES, Document(curves, unit=session.document.unit))
-        view = session.active_view
-        clip = copied(view, what.points)
+        ((curve, indices),) = what.points.parts
+        view = session.views[curve]
+        clip = copied(view, indices)
         rows = [
             [exact_text(number, mark) for number in _row(point, timed=view.source.is_manual)]
             for point in clip.points
         ]
         return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
+
+    def _copied_curves(self, what: Highlight) -> tuple[Curve, ...]:
+        """Return the curves, or what the points of several are curves of."""
+        session = self._session
+        if not what.points.parts:
+            return tuple(session.document.curves[place] for place in sorted(what.curves))
+        parts = parts_of(session.views, what.points)
+        if not parts:
+            raise EditError("One point is no curve: select two of a curve, or more, to copy them.")
+        return tuple(parts)
 
 
 def _row(point: Point, *, timed: bool) -> Sequence[float]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
@@ -12,8 +14,7 @@ from ...actions.needs import HERMITE_POINTS, Need
 from ...actions.sections import EDIT_DERIVATIVES
 from ...actions.strips import POINT_MENU
 from ...document import derivatives, edits
-from ...document.model import Point
-from ...document.words import count_of
+from ...document.model import Document, Point
 from ...exchange.table.clipboard import write_block
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import clipboard_data, put_on_clipboard
@@ -35,7 +36,7 @@ class DerivativeCommands:
         "Ctrl+Alt+C",
         needs=Need(
             "one selected point of a Hermite curve",
-            lambda now: HERMITE_POINTS.is_met(now) and len(now.selection) == 1,
+            lambda now: HERMITE_POINTS.is_met(now) and now.group.count == 1,
         ),
     )
     @also(POINT_MENU(32))
@@ -71,21 +72,23 @@ class DerivativeCommands:
     @also(POINT_MENU(33))
     def _paste_derivatives(self) -> None:
         """Give the selected points the derivatives that were copied."""
-        session, selected = self._session, self._session.selection
+        session, group = self._session, self._session.selected.group
         jet = _derivatives_on_clipboard()
         if jet is None:
             session.refuse("There are no derivatives on the clipboard; Copy Derivatives puts them there.")
             return
-        points = (
-            _with_derivatives(point, jet) if index in selected else point
-            for index, point in enumerate(session.active_curve.points)
+
+        def pasted(document: Document, curve: int, indices: Collection[int]) -> Document:
+            points = list(document.curves[curve].points)
+            for index in indices:
+                points[index] = _with_derivatives(points[index], jet)
+            return edits.set_points(document, curve, points)
+
+        change = session.change(
+            f"Paste derivatives to {group.words}", lambda document: group.changed(document, pasted)
         )
-        what = f"point {next(iter(selected))}" if len(selected) == 1 else count_of(len(selected), "point")
-        if session.change(
-            f"Paste derivatives to {what}",
-            lambda document: edits.set_points(document, session.active_index, points),
-        ):
-            session.say(f"Pasted the derivatives into {what}.")
+        if change:
+            session.say(f"Pasted the derivatives into {group.words}.")
 
 
 def _derivatives_on_clipboard() -> Point | None:

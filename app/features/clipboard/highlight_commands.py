@@ -6,9 +6,9 @@ from ...actions.declaration import action, also
 from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE
 from ...actions.strips import POINT_MENU
-from ...document.words import count_of
-from ...view_model.arrivals import with_part
-from ...view_model.pasting import part_of
+from ...document.several_curves import named
+from ...view_model.arrivals import with_parts
+from ...view_model.pasting import parts_of
 from ...workbench.context import WindowContext
 from ...workbench.highlight import highlighted, remove
 
@@ -24,18 +24,18 @@ class HighlightCommands:
     def _duplicate(self) -> None:
         """Add a copy of the part with the selected points, or else of the curve or all chosen ones."""
         session, what = self._session, highlighted(self._context)
-        part = part_of(session.active_view, what.points)
-        if part is None:
+        parts = parts_of(session.views, what.points)
+        if all(part in session.document.curves for part in parts):
             # One point is no curve, and all of them are the curve itself.
             self._context.actions["duplicateCurve"].trigger()
             return
-        arrival = with_part(session.document, part, session.active_index)
-        words = count_of(len(what.points), "point")
+        arrival, words = with_parts(session.document, parts, session.active_index), what.points.counted
         if session.change(f"Duplicate {words}", lambda _: arrival.document, active=arrival.places.start):
-            session.selected.set_points(range(len(part.points)))
-            session.say(
-                f"{words} as “{session.active_curve.name}”, which lies on the original; drag one to move it."
-            )
+            session.selected.set_curves(arrival.places)
+            session.selected.select_all_points()
+            name = named(session.document, arrival.places)
+            it = f"“{name}”, which lies" if len(parts) == 1 else f"{name}, which lie"
+            session.say(f"{words} as {it} on the original; drag one to move it.")
 
     @action("deleteSelection", "Delete", EDIT_DELETE, "Del, Backspace", "delete", needs=HIGHLIGHTED)
     @also(POINT_MENU(40))
@@ -43,5 +43,5 @@ class HighlightCommands:
         """Delete the selected points, or else the curve or all chosen ones."""
         session, what = self._session, highlighted(self._context)
         words = what.said(session.document)
-        if remove(session, what, "Delete") and not what.points:
+        if remove(session, what, "Delete") and not what.points.parts:
             session.say(f"Deleted {words}.")

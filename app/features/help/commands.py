@@ -36,7 +36,7 @@ class HelpCommands:
             return
         moment = help_feature.shortcut_sheet.Moment(
             tool=context.store.state.tool,
-            selected=len(context.session.selection),
+            selected=context.session.selected.group.count,
             has_derivatives=context.session.active_curve.family.derivatives > 0,
             curves=len(context.session.selected.chosen),
         )

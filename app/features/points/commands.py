@@ -18,9 +18,11 @@ from ...workbench.context import WindowContext
 
 def _has_explicit(now: Situation) -> bool:
     """Whether a selected point has a derivative that was set by hand."""
+    curves = now.session.document.curves
     return any(
-        is_explicit(now.view.source.points[index], order, ahead=ahead)
-        for index in now.selection
+        is_explicit(curves[curve].points[index], order, ahead=ahead)
+        for curve, indices in now.group.parts
+        for index in indices
         for order in (1, 2)
         for ahead in (False, True)
     )
@@ -35,10 +37,12 @@ class PointCommands:
     @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
-        """Select all points; while no curve is edited, choose all curves."""
+        """Select all points of the curves that are edited; while none is, choose all curves."""
         session, selected = self._session, self._session.selected
         if selected.is_editing:
-            selected.set_points(range(len(session.active_curve.points)))
+            selected.select_all_points()
+            if len(selected.group.parts) > 1:
+                session.say(f"{selected.group.counted} selected.")
         else:
             selected.choose(range(len(session.document.curves)))
 
@@ -68,10 +72,9 @@ class PointCommands:
     )
     def _reset_derivatives(self) -> None:
         """Let the rules estimate the derivatives of the selected points again."""
-        session, selected = self._session, self._session.selection
-        session.change(
-            "Reset derivatives",
-            lambda document: edits.estimate_derivatives(document, session.active_index, selected),
+        group = self._session.selected.group
+        self._session.change(
+            "Reset derivatives", lambda document: group.changed(document, edits.estimate_derivatives)
         )
 
 

@@ -9,11 +9,11 @@ from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from ...actions.situation import Situation
 from ...actions.strips import POINT_BUTTONS, POINT_MENU
-from ...document import words
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
 from ...document.lines import ends_of
 from ...document.model import Curve, Document
+from ...document.point_group import PointGroup, points_of, some_points
 from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve_view import CurveView
 from ...view_model.handles import with_velocities_pulled
@@ -22,6 +22,9 @@ from ...view_model.sampling import segment_at
 from ...view_model.smoothness import inner_points
 from ...view_model.straight import segments_between, with_straight_segments
 from ...workbench.context import WindowContext
+
+_Reshaped = Callable[[CurveView, Sequence[int]], Curve]
+"""Returns the curve of a view with something done to some of its points, or segments."""
 
 _VISIBLE = 16.0
 """Pixels from a point at which a handle is clear of the point's disc."""
@@ -61,11 +64,14 @@ class TangentCommands:
     )
     def _make(self, kind: PointKind) -> None:
         """Make the selected points of a kind."""
-        view, selected = self._session.active_view, sorted(self._session.selection)
-        inner = inner_points(view.source, selected) if kind.ends else selected
-        left_out = f"; {kind.ends}" if len(inner) < len(selected) else ""
-        if self._reshape(kind.step, kind.made, inner or selected):
-            self._tell(f"{kind.title} at {_points(inner)}{left_out}.", view, inner)
+        group, curves = self._session.selected.group, self._session.document.curves
+        inner = some_points(
+            (curve, frozenset(inner_points(curves[curve], indices)) if kind.ends else indices)
+            for curve, indices in group.parts
+        )
+        left_out = f"; {kind.ends}" if inner.count < group.count else ""
+        if self._reshape(kind.step, kind.made, inner if inner.parts else group):
+            self._tell(f"{kind.title} at {_points(inner)}{left_out}.", curves, inner)
 
     @action(
         "straightSegment",
@@ -82,9 +88,12 @@ class TangentCommands:
     @also(POINT_MENU(15), POINT_BUTTONS(15))
     def _straighten_chosen(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
-        session = self._session
-        segments = segments_between(session.active_curve, session.selection)
-        if segments:
+        session, curves = self._session, self._session.document.curves
+        segments = some_points(
+            (curve, frozenset(segments_between(curves[curve], indices)))
+            for curve, indices in session.selected.group.parts
+        )
+        if segments.parts:
             self._straighten(segments)
         else:
             session.refuse("Select two neighbouring points, or click with the right button on the segment.")
@@ -100,22 +109,25 @@ class TangentCommands:
     )
     @also(POINT_MENU(16))
     def _pull_velocities(self) -> None:
-        self._reshape("Pull out velocity of", self._pulled)
+        group, reach = self._session.selected.group, _VISIBLE * self._context.central.canvas.camera.pixel_size
+        what = "velocity stands" if group.only_point else "velocities stand"
+        self._reshape(
+            "Pull out velocity of",
+            lambda view, points: with_velocities_pulled(view, points, reach),
+            group,
+            f"The {what} out already; drag the square handle.",
+        )
 
-    def _pulled(self, view: CurveView, selected: Collection[int]) -> Curve:
-        pixel = self._context.central.canvas.camera.pixel_size
-        pulled = with_velocities_pulled(view, selected, _VISIBLE * pixel)
-        if pulled == view.source:
-            what = "velocity stands" if len(selected) == 1 else "velocities stand"
-            raise EditError(f"The {what} out already; drag the square handle.")
-        return pulled
-
-    def _tell(self, done: str, before: CurveView, selected: Collection[int]) -> None:
+    def _tell(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
         """Say what was done, and which tangents beside it were written down to keep the shape."""
-        points = zip(before.source.points, self._session.active_curve.points, strict=True)
-        kept = [place for place, (old, new) in enumerate(points) if place not in selected and old != new]
-        if kept:
-            which = _points(kept) if len(kept) <= _MOST_NAMED else f"{len(kept)} other points"
+        after, kept = self._session.document.curves, []
+        for curve, indices in group.parts:
+            points = zip(before[curve].points, after[curve].points, strict=True)
+            others = {at for at, (old, new) in enumerate(points) if at not in indices and old != new}
+            kept.append((curve, frozenset(others)))
+        beside = some_points(kept)
+        if beside.parts:
+            which = f"{beside.count} other points" if beside.count > _MOST_NAMED else _points(beside)
             done = f"{done} To keep the shape, the estimates of {which} are set now."
         self._session.say(done)
 
@@ -124,74 +136,76 @@ class TangentCommands:
     @PlaceAction("straightHere", "Straight Segment", like="straightSegment")
     def straighten_at(self, t: float) -> None:
         """Make the segment of the active curve straight that runs through `t`."""
-        self._straighten([segment_at(self._session.active_view.parameters, t)])
+        session = self._session
+        segment = segment_at(session.active_view.parameters, t)
+        self._straighten(points_of(session.active_index, [segment]))
 
-    def _straighten(self, segments: Sequence[int]) -> None:
-        session, view = self._session, self._session.active_view
+    def _straighten(self, segments: PointGroup) -> None:
+        """Make segments straight; each is named by the point that it begins at."""
+        before = self._session.document.curves
+        text = _straight_text(before, segments)
+        if not self._change(text, with_straight_segments, segments, "That is straight already."):
+            return
+        after, corners, ends = self._session.document.curves, [], []
+        for curve, each in segments.parts:
+            made = frozenset(corners_of(before[curve], sorted(each)))
+            corners.append((curve, frozenset(at for at in made if not after[curve].points[at].tied)))
+            ends.append((curve, frozenset(at for segment in each for at in ends_of(before[curve], segment))))
+        cornered = some_points(corners)
+        at_corners = f", corner at {_points(cornered)}" if cornered.parts else ""
+        self._tell(f"{text}{at_corners}.", before, some_points(ends))
+
+    def _reshape(self, verb: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
+        """Put the curves that `made` returns for some of their points in the place of what they are.
+
+        `idle` says why that may change nothing. Return whether the document is another one now.
+        """
+        return bool(group.parts) and self._change(f"{verb} {group.words}", made, group, idle)
+
+    def _change(self, text: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
+        views = self._session.views
+
+        def one(document: Document, curve: int, indices: Collection[int]) -> Document:
+            view = views[curve]
+            if reason := why_no_kinds(view.source.family) or view.problem:
+                raise EditError(reason)
+            return replace_curve(document, curve, made(view, sorted(indices)))
 
         def edit(document: Document) -> Document:
-            made = with_straight_segments(view, segments)
-            if made == view.source:
-                raise EditError("That is straight already.")
-            return replace_curve(document, session.active_index, made)
+            changed = group.changed(document, one)
+            if idle and changed == document:
+                raise EditError(idle)
+            return changed
 
-        text = _straight_text(view.source, segments)
-        if not session.change(text, edit):
-            return
-        points = self._session.active_curve.points
-        corners = [index for index in corners_of(view.source, segments) if not points[index].tied]
-        ends = {index for each in segments for index in ends_of(view.source, each)}
-        self._tell(f"{text}{f', corner at {_points(corners)}' if corners else ''}.", view, ends)
-
-    def _reshape(
-        self,
-        verb: str,
-        made: Callable[[CurveView, Collection[int]], Curve],
-        selected: Sequence[int] | None = None,
-    ) -> bool:
-        """Put the curve that `made` returns for points, the selected ones, in the place of the active one."""
-        session, view = self._session, self._session.active_view
-        return self._apply(
-            verb,
-            lambda document, points: replace_curve(document, session.active_index, made(view, points)),
-            selected,
-        )
-
-    def _apply(
-        self,
-        verb: str,
-        edit: Callable[[Document, Collection[int]], Document],
-        selected: Sequence[int] | None = None,
-    ) -> bool:
-        """Commit an edit of points; return whether the document is another one now."""
-        points = sorted(self._session.selection) if selected is None else selected
-        if not points:
-            return False
-        change = self._session.change(
-            f"{verb} {words.points(points)}", lambda document: edit(document, points)
-        )
-        return change.is_done
+        return self._session.change(text, edit).is_done
 
 
-def _straight_text(curve: Curve, segments: Sequence[int]) -> str:
+def _straight_text(curves: Sequence[Curve], segments: PointGroup) -> str:
     """Return "Straight segment 3–4", or how many they are."""
-    if len(segments) > _MOST_NAMED:
-        return f"{len(segments)} straight segments"
-    names = [f"{start}–{end}" for start, end in (ends_of(curve, each) for each in segments)]
+    if segments.count > _MOST_NAMED or len(segments.parts) > 1:
+        return f"{segments.count} straight segments"
+    names = [
+        f"{start}–{end}"
+        for curve, each in segments.parts
+        for start, end in (ends_of(curves[curve], segment) for segment in sorted(each))
+    ]
     return f"Straight segment{'s' if len(names) > 1 else ''} {', '.join(names)}"
 
 
-def _points(indices: Collection[int]) -> str:
-    """Return "point 3", "points 1, 2 and 3" or "7 points"."""
-    if not 1 < len(indices) <= _MOST_NAMED:
-        return words.points(indices)
-    *first, last = map(str, sorted(indices))
+def _points(group: PointGroup) -> str:
+    """Return "point 3", "points 1, 2 and 3" or "7 points"; of several curves how many they are."""
+    if len(group.parts) != 1 or not 1 < group.count <= _MOST_NAMED:
+        return group.words
+    *first, last = map(str, sorted(group.parts[0][1]))
     return f"points {', '.join(first)} and {last}"
 
 
 def _kinds(now: Situation) -> set[int]:
     """Return the kinds that the selected points are of, by their places."""
-    return set(kinds_of(now.view)[sorted(now.selection)].tolist()) if HERMITE_POINTS.is_met(now) else set()
+    if not HERMITE_POINTS.is_met(now):
+        return set()
+    views = now.session.views
+    return {kind for curve, each in now.group.parts for kind in kinds_of(views[curve])[sorted(each)].tolist()}
 
 
 COMMAND_SETS = (TangentCommands,)

@@ -10,7 +10,6 @@ from ...actions.needs import Need
 from ...actions.sections import EDIT_ALIGN_ACROSS, EDIT_ALIGN_TO, EDIT_ALIGN_UP, EDIT_DISTRIBUTE, Section
 from ...actions.situation import Situation
 from ...actions.strips import ALIGN_BUTTONS
-from ...document import words
 from ...document.model import Document
 from ...document.several_curves import named
 from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
@@ -62,13 +61,18 @@ _DISTRIBUTIONS = tuple(
 
 def _can_align(now: Situation) -> bool:
     is_one_enough = now.state.align_to.is_around and bool(now.chosen)
-    return len(now.selection or now.chosen) > 1 or is_one_enough
+    return _count(now) > 1 or is_one_enough
+
+
+def _count(now: Situation) -> int:
+    """Return how many points are selected, or else curves chosen."""
+    return now.group.count or len(now.chosen)
 
 
 TWO = Need("two selected points or chosen curves, or more", _can_align)
 THREE = Need(
     "three selected points or chosen curves, or more",
-    lambda now: len(now.selection or now.chosen) > 2,
+    lambda now: _count(now) > 2,
 )
 THREE_CURVES = Need("three chosen curves or more", lambda now: not now.selection and len(now.chosen) > 2)
 
@@ -94,11 +98,10 @@ class AlignCommands:
     )
     @also_for_each(lambda each: (ALIGN_BUTTONS(each.place),))
     def _align(self, each: _Alignment) -> None:
-        session, selected, edge = self._session, self._session.selection, each.edge
-        if selected:
+        session, group, edge = self._session, self._session.selected.group, each.edge
+        if group.parts:
             session.change(
-                f"Align {words.points(selected)} {edge.value}",
-                lambda document: align_points(document, session.active_index, selected, edge),
+                f"Align {group.words} {edge.value}", lambda document: align_points(document, group, edge)
             )
             return
         curves, reference = session.selected.chosen, self._store.state.align_to
@@ -122,11 +125,11 @@ class AlignCommands:
     )
     @also_for_each(lambda each: (ALIGN_BUTTONS(each.place),))
     def _distribute(self, each: _Distribution) -> None:
-        session, selected = self._session, self._session.selection
-        if selected:
+        session, group = self._session, self._session.selected.group
+        if group.parts:
             session.change(
-                f"Distribute {words.points(selected)} {each.way}",
-                lambda document: distribute_points(document, session.active_index, selected, each.axis),
+                f"Distribute {group.words} {each.way}",
+                lambda document: distribute_points(document, group, each.axis),
             )
             return
         curves = session.selected.chosen

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import Qt
 
 from ...actions.declaration import Action, action, action_for_each, also
@@ -99,8 +100,9 @@ class ZoomCommands:
         """Show the selected points, or else the selected curves, as large as there is room for."""
         self._past.begin_move()
         session, framing = self._context.session, self._canvas.framing
-        if session.selection:
-            framing.fit_points(session.active_view.points[sorted(session.selection)])
+        if parts := session.selected.group.parts:
+            found = [session.views[curve].points[sorted(indices)] for curve, indices in parts]
+            framing.fit_points(np.concatenate(found))
         else:
             framing.fit_views([session.views[place] for place in sorted(session.selected.curves)])
 

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from ...document.curve_edits import add_curve, fresh_curve
 from ...document.model import Vector
+from ...document.point_group import points_of
 from ...document.shape_edits import place_above
 from ...view_model.appending import closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
@@ -17,7 +18,7 @@ from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
 from ..drag_machine import EditingHost
 from ..marks import GestureMarks
-from ..parts import GESTURES, press_on_part
+from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
 from ..pointer import Hint, Hit
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
@@ -148,7 +149,7 @@ class AddTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
-        hit, view, selection = context.hit, context.view, context.host.selected.points
+        hit, view = context.hit, context.view
         act = self._act(context) if hints.is_no_part(hit) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         if place is not None:
@@ -160,7 +161,8 @@ class AddTool(Tool):
         if act is not None or hit is None:
             return hints.to_add(act or PenAct.APPEND, view, snaps=snaps)
         pointer = context.pointer
-        return hints.to_add_on_part(hit, view, selection, pointer, snaps=snaps, finished=finished)
+        dragged = dragged_with(context, hit)
+        return hints.to_add_on_part(hit, view, dragged, pointer, snaps=snaps, finished=finished)
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
@@ -193,7 +195,8 @@ def _key(host: EditingHost) -> tuple[int, str]:
 
 def _insert(context: ToolContext, hit: Hit) -> None:
     host, hit = context.host, replace(hit, index=inserted_index(context.view, hit.t))
-    snapper = context.snappers.for_points((hit.index,), hit.index)
+    place = (host.active_index, hit.index)
+    snapper = context.snappers.for_group(points_of(place[0], [place[1]]), place)
     insert = InsertPoint(host.document, host.active_index, context.view, hit, context.pointer, snapper)
     context.drags.press_at_once(
         context.pointer, insert, on_done=lambda: _say_outcome(host, insert), makes=hit.index

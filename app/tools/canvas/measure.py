@@ -27,7 +27,7 @@ class Measuring(Gesture):
     """
 
     def __init__(self, context: ToolContext) -> None:
-        self._snapper, self._unit = context.snappers.for_points((), -1), context.settings.unit
+        self._snapper, self._unit = context.snappers.for_new(-1), context.settings.unit
         start = self._snapper.at(context.pointer)
         self.ruler = Ruler(start, start, "")
 

@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from ...document import words
 from ...document.model import Vector
-from ...document.several_curves import PointGroup
+from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
 from .. import hints
 from ..below import click_below, find_below, words_below
@@ -14,9 +14,9 @@ from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
 from ..guides import GuidePicker
 from ..marks import GestureMarks
-from ..marquee import CurveMarquee, Marquee
+from ..marquee import Band, CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
-from ..parts import GESTURES, press_on_part, toggling, unless_locked
+from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part, Stride
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
@@ -33,6 +33,7 @@ class SelectTool(Tool):
     def __init__(self) -> None:
         self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
+        self._lit: Vector | None = None
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
@@ -48,8 +49,7 @@ class SelectTool(Tool):
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
             return
-        if self._picker.enter(context):
-            context = context.with_hit()
+        context = self._picker.entered(context)
         hit, grip = context.hit, self._grip_at(context)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
@@ -91,7 +91,7 @@ class SelectTool(Tool):
         return is_choosing or self._inside(context) is None
 
     @staticmethod
-    def _band(context: ToolContext) -> type[Marquee]:
+    def _band(context: ToolContext) -> type[Band]:
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
@@ -169,6 +169,7 @@ class SelectTool(Tool):
         snaps = context.settings.snapping.on
         takes_pivot = self._is_on_pivot(context)
         self._guides.hover(context, hit if grip is None and not takes_pivot else None)
+        self._lit = _unselected_place(context, hit)
         if takes_pivot:
             return PIVOT_HINT
         if grip is not None and group is not None and _is_below_grips(hit):
@@ -180,7 +181,10 @@ class SelectTool(Tool):
             return on_guide
         if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
-        return hints.to_select(hit, context.view, context.host.selected.points, context.pointer, snaps=snaps)
+        view, dragged = context.view, dragged_with(context, hit) if hit is not None else ""
+        if hit is not None and hit.part is Part.OTHER_POINT:
+            view, hit = context.host.views[hit.curve], replace(hit, part=Part.POINT)
+        return hints.to_select(hit, view, dragged, context.pointer, snaps=snaps)
 
     def _idle_hint(self, context: ToolContext) -> Hint | None:
         """Return what a press beside everything would do, None for nothing in particular."""
@@ -192,14 +196,15 @@ class SelectTool(Tool):
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
         is_idle, box = self.gesture is None and not context.drags.is_pressed, self._box(context)
-        is_banding = isinstance(self.gesture, Marquee)
+        is_banding = isinstance(self.gesture, Band)
         return GestureMarks(
-            band=self.gesture.band if isinstance(self.gesture, Marquee) else None,
+            band=self.gesture.band if isinstance(self.gesture, Band) else None,
             box=box if is_idle else None,
             frame=None if is_idle or is_banding else box,
             pivot=self._pivot(context) if not is_banding else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
+            spot=self._lit if is_idle else None,
             guide=self._guides.shown,
         )
 
@@ -242,6 +247,13 @@ def _is_below_grips(hit: Hit | None) -> bool:
     return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
+def _unselected_place(context: ToolContext, hit: Hit | None) -> Vector | None:
+    """Return where the point of another curve is that is hit; None for one that is selected."""
+    if hit is None or hit.part is not Part.OTHER_POINT:
+        return None
+    return hit.position if hit.index not in context.host.selected.group.of(hit.curve) else None
+
+
 SELECT = ToolRecord(
     name="select",
     make=SelectTool,
@@ -255,6 +267,7 @@ SELECT = ToolRecord(
         GestureRow("Click a point", "select it alone"),
         GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
         GestureRow("Shift+click a point", "select it too, or no longer"),
+        GestureRow("Click a small ring", "select a point of another curve of the shape, as any other"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
         GestureRow("Click the curve", "tell t and c(t) there"),

@@ -1,0 +1,102 @@
+"""Points of the curves that are edited beside the active one: found, and marked where they are selected."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from curvecore.arrays import IntArray
+
+from ..appearance.theme import Theme
+from ..document.model import Vector
+from ..document.point_group import NO_POINTS, PointGroup
+from ..plotting.layers import Layer
+from ..plotting.pixel_map import PixelMap
+from ..plotting.plot_widget import PlotWidget
+from ..plotting.stamps import Stamps
+from ..view_model.curve_view import CurveView
+from ..view_model.point_kinds import POINT_KINDS, kinds_of
+from .hit_test import PixelPoints, PointFound
+from .point_marks import paint_mark
+
+_RADIUS, _RIM, _GAP, _RING = 4.5, 1.5, 3.0, 2.0
+_REACH = 2.2
+"""How far ring and mark reach, where the radius of the mark is 1."""
+
+
+class OtherPointsLayer(Layer):
+    """Layer of the selected points of the curves that are edited beside the active one.
+
+    They have the colour of what is selected: those of points belong to the basis functions of the active
+    curve. It finds all points of these curves; those that are not selected are drawn with the curves.
+    """
+
+    z = 9.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._views: list[tuple[int, CurveView]] = []
+        self._group = NO_POINTS
+        self._stamps = _SelectedStamps(self._stamp, _REACH)
+        self._kinds: IntArray = np.arange(len(POINT_KINDS))
+        self._places: PixelPoints | None = None
+
+    def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
+        """Show and find the points of those of `views` at these places from the next paint on."""
+        found = [(place, views[place]) for place in places]
+        if found != self._views:
+            self._views, self._places = found, None
+            self.update()
+
+    def set_group(self, group: PointGroup) -> None:
+        """Show which points are selected, of whatever curves."""
+        if group != self._group:
+            self._group = group
+            self.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the selected points in sight, all in one call."""
+        chosen = [(view, self._selected(place, view)) for place, view in self._views]
+        parts = [(view, indices) for view, indices in chosen if indices]
+        if not parts:
+            return
+        pixels = shown.points(np.concatenate([view.points[indices] for view, indices in parts]))
+        kinds = np.concatenate([kinds_of(view)[indices] for view, indices in parts])
+        margin = _REACH * _RADIUS * self.scale
+        near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
+        radius, rim = _RADIUS * self.scale, _RIM * self.scale
+        self._stamps.draw(
+            painter, pixels[near], kinds[near], len(POINT_KINDS), self.theme, radius, rim, self._kinds
+        )
+
+    def _selected(self, place: int, view: CurveView) -> list[int]:
+        # What is selected may be told before the views of another document are.
+        count = len(view.points)
+        return sorted(index for index in self._group.of(place) if index < count)
+
+    def _stamp(self, painter: QPainter, radius: float, kind: int) -> None:
+        paint_mark(painter, QPointF(0.0, 0.0), radius, kind, self.theme.paper)
+        unit = radius / _RADIUS
+        painter.save()
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(self.theme.accent, _RING * unit))
+        painter.drawEllipse(QPointF(0.0, 0.0), radius + _GAP * unit, radius + _GAP * unit)
+        painter.restore()
+
+    def nearest(self, pixel: Vector, shown: PixelMap) -> PointFound | None:
+        """Return the point within reach that is nearest to `pixel`."""
+        if not self._views:
+            return None
+        if self._places is None or self._places.shown != shown:
+            self._places = PixelPoints(self._views, shown)
+        return self._places.nearest(pixel, self._group)
+
+
+class _SelectedStamps(Stamps):
+    """Marks in the colour of what is selected, one for each kind of point."""
+
+    def _colours(self, count: int, theme: Theme) -> Sequence[QColor]:
+        return [theme.accent] * count

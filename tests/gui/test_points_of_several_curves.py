@@ -1,0 +1,279 @@
+"""Points of several curves selected and edited together: of a shape, of chosen curves; real events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+
+from app.document.model import Document, make_curve
+from app.document.style import Style
+from app.document.style_edits import with_whole_style
+from app.families import HERMITE
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+Key = Qt.Key
+
+
+def diamond(size, name, x=0.0, shape="O"):
+    points = [(x + size, 0.0), (x, size), (x - size, 0.0), (x, -size)]
+    curve = make_curve(points, name=name, family=HERMITE)
+    return replace(curve, closed=True, shape=shape, style=Style())
+
+
+@pytest.fixture
+def letter(editor):
+    """An O of two contours, of which the outer is edited, and a dot beside it."""
+    curves = (diamond(3.0, "Outer"), diamond(1.5, "Inner"), diamond(1.0, "Dot", x=6.0, shape=""))
+    editor.session.commit(Document(curves), "Begin", active=0)
+    editor.session.selected.activate(0)
+    editor.window.canvas.camera.show_box((-5, 8), (-5, 5))
+    editor.settle()
+    return editor
+
+
+def places(editor):
+    """The points of all curves, (curves, 4, 2)."""
+    return np.array([[point.position for point in curve.points] for curve in editor.session.document.curves])
+
+
+def selected(editor):
+    return dict(editor.session.selected.group.parts)
+
+
+def step_name(editor):
+    return editor.session.undo_stack.undoText()
+
+
+def ways(editor, before):
+    return places(editor) - before
+
+
+def test_a_band_over_both_contours_and_a_drag_moves_the_stem(letter):
+    before, document = places(letter), letter.session.document
+    letter.press((-4.0, 0.7))
+    letter.move((-1.0, -0.7))
+    assert letter.status.startswith("2 points in 2 curves selected")
+    letter.release((-1.0, -0.7))
+    assert selected(letter) == {0: {2}, 1: {2}}
+    assert (letter.session.selection, letter.session.active_index) == ({2}, 0)
+    letter.hover((-1.5, 0.0))
+    assert letter.window.status_line.hint.startswith("Drag to move 2 points in 2 curves")
+    letter.drag((-1.5, 0.0), (-2.0, 0.5))
+    way = np.zeros((3, 4, 2))
+    way[:2, 2] = (-0.5, 0.5)
+    assert ways(letter, before) == pytest.approx(way, abs=2 * letter.pixel)
+    # To the last bit the same way.
+    moved = ways(letter, before)[:2, 2]
+    assert moved[0] == pytest.approx(moved[1], abs=1e-12)
+    assert (step_name(letter), letter.curve.name) == ("Move 2 points in 2 curves", "Inner")
+    assert selected(letter) == {0: {2}, 1: {2}}
+    letter.trigger("undo")
+    assert letter.session.document == document
+    assert selected(letter) == {0: {2}, 1: {2}}
+
+
+def test_a_band_around_another_contour_alone_edits_that_one(letter):
+    letter.drag((-1.7, 1.7), (0.5, -1.8))
+    assert selected(letter) == {1: {1, 2, 3}}
+    assert (letter.curve.name, letter.session.selection) == ("Inner", {1, 2, 3})
+
+
+def test_shift_click_toggles_points_of_either_contour(letter):
+    letter.click((0.0, 3.0))
+    letter.hover((0.0, 1.5))
+    assert letter.window.status_line.hint.startswith("Drag to move point 1 of “Inner”")
+    assert letter.window.canvas.marks.spot == (0.0, 1.5)
+    letter.click((0.0, 1.5), keys=SHIFT)
+    assert (selected(letter), letter.curve.name) == ({0: {1}, 1: {1}}, "Inner")
+    assert letter.status == "2 points in 2 curves selected."
+    letter.click((-3.0, 0.0), keys=SHIFT)
+    assert (selected(letter), letter.curve.name) == ({0: {1, 2}, 1: {1}}, "Outer")
+    # The one edited has none any more: then it is one that has.
+    letter.click((0.0, 3.0), keys=SHIFT)
+    letter.click((-3.0, 0.0), keys=SHIFT)
+    assert (selected(letter), letter.curve.name) == ({1: {1}}, "Inner")
+    letter.click((0.0, 1.5), keys=SHIFT)
+    assert selected(letter) == {}
+
+
+def test_a_click_and_a_drag_of_an_unselected_point_mean_that_alone(letter):
+    letter.click((3.0, 0.0))
+    letter.click((1.5, 0.0))
+    assert (selected(letter), letter.curve.name) == ({1: {0}}, "Inner")
+    before = places(letter)
+    letter.drag((3.0, 0.0), (3.5, 0.0))
+    way = np.zeros((3, 4, 2))
+    way[0, 0] = (0.5, 0.0)
+    assert ways(letter, before) == pytest.approx(way, abs=2 * letter.pixel)
+    assert (step_name(letter), letter.curve.name) == ("Move point 0", "Outer")
+
+
+def test_escape_in_the_middle_of_a_drag_and_of_a_band_takes_all_back(letter):
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    document, count = letter.session.document, letter.session.undo_stack.count()
+    letter.press((-3.0, 0.0))
+    letter.move((-3.5, 1.0))
+    letter.move((-2.0, 2.0))
+    assert (places(letter)[:2, 2] != [(-3.0, 0.0), (-1.5, 0.0)]).any(axis=1).all()
+    letter.escape()
+    letter.release((-2.0, 2.0))
+    assert (letter.session.document, letter.session.undo_stack.count()) == (document, count)
+    assert selected(letter) == {0: {2}, 1: {2}}
+    # The band takes none of Outer, which is edited all the same until it ends.
+    letter.press((1.0, -2.0))
+    letter.move((1.8, 0.5))
+    assert (selected(letter), letter.curve.name) == ({1: {0}}, "Outer")
+    letter.escape()
+    letter.release((1.8, 0.5))
+    assert (selected(letter), letter.curve.name) == ({0: {2}, 1: {2}}, "Outer")
+
+
+def test_all_points_are_nudged_turned_and_deleted_by_keys(letter):
+    begun, before = letter.session.document, places(letter)
+    letter.key(Key.Key_A, CTRL)
+    assert selected(letter) == {0: set(range(4)), 1: set(range(4))}
+    assert letter.status == "8 points in 2 curves selected."
+    letter.key(Key.Key_Right)
+    way = ways(letter, before)
+    step = places(letter)[0, 1, 0]
+    assert step > 0
+    assert way[:2] == pytest.approx(np.broadcast_to([step, 0.0], (2, 4, 2)), abs=1e-12)
+    assert not way[2].any()
+    assert step_name(letter) == "Nudge 8 points in 2 curves"
+    letter.trigger("undo")
+    letter.key(Key.Key_R)
+    letter.type_amount("90")
+    letter.key(Key.Key_Return)
+    turned = np.stack([-before[:2, :, 1], before[:2, :, 0]], axis=2)
+    assert places(letter)[:2] == pytest.approx(turned, abs=1e-12)
+    letter.trigger("undo")
+    # Inner goes with all its points, Outer keeps one.
+    letter.click((3.0, 0.0), keys=SHIFT)
+    letter.key(Key.Key_Delete)
+    assert step_name(letter) == "Delete 7 points in 2 curves"
+    curves = letter.session.document.curves
+    assert [(curve.name, len(curve.points), curve.shape) for curve in curves] == [
+        ("Outer", 1, ""),
+        ("Dot", 4, ""),
+    ]
+    assert selected(letter) == {}
+    letter.trigger("undo")
+    assert letter.session.document == begun
+
+
+def test_points_that_undo_brings_back_are_selected_in_both_contours(letter):
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    letter.key(Key.Key_Delete)
+    assert [len(curve.points) for curve in letter.session.document.curves] == [3, 3, 4]
+    letter.trigger("undo")
+    assert selected(letter) == {0: {2}, 1: {2}}
+
+
+def test_the_box_is_around_the_points_of_both_contours_and_scales_them(letter):
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    box = letter.window.canvas.marks.box
+    assert (box.low, box.high) == ((-3.0, 0.0), (-1.5, 0.0))
+    x, y = letter.grip(-1, 0)
+    letter.drag((x, y), (x - 1.5, y))
+    assert places(letter)[:2, 2] == pytest.approx(np.array([(-4.5, 0.0), (-1.5, 0.0)]), abs=2 * letter.pixel)
+    assert step_name(letter) == "Scale 2 points in 2 curves"
+
+
+def test_kinds_and_alignment_are_of_the_points_of_both_contours(letter):
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    letter.key(Key.Key_C, SHIFT)
+    assert [curve.points[2].corner for curve in letter.session.document.curves] == [True, True, False]
+    assert letter.status.startswith("Corner at 2 points in 2 curves.")
+    assert letter.action("tangentCorner").isChecked()
+    letter.trigger("alignLeft")
+    assert places(letter)[:2, 2, 0].tolist() == [-3.0, -3.0]
+    letter.trigger("resetVelocities")
+    outer, inner, _ = letter.session.document.curves
+    assert (outer.points[2].velocity, inner.points[2].velocity) == (None, None)
+
+
+def test_points_of_chosen_curves_are_selected_together_too(letter):
+    letter.session.selected.activate(2)
+    letter.click((2.6, 1.5), keys=SHIFT)
+    assert letter.session.selected.curves == {0, 1, 2}
+    # Within the box around them, where a drag moves them all.
+    letter.drag((2.0, 0.5), (5.2, -0.5), keys=SHIFT)
+    assert selected(letter) == {0: {0}, 2: {2}}
+    before = places(letter)
+    letter.drag((3.0, 0.0), (3.0, 0.5))
+    way = np.zeros((3, 4, 2))
+    way[[0, 2], [0, 2]] = (0.0, 0.5)
+    assert ways(letter, before) == pytest.approx(way, abs=2 * letter.pixel)
+    assert letter.session.selected.curves == {0, 1, 2}
+
+
+def test_points_are_selected_of_no_curve_that_is_edited_no_longer(letter):
+    letter.key(Key.Key_A, CTRL)
+    letter.trigger("breakApart")
+    assert set(selected(letter)) <= letter.session.selected.edited
+    letter.trigger("undo")
+    letter.session.selected.activate(0)
+    letter.key(Key.Key_A, CTRL)
+    dot = letter.session.document.curves[2]
+    letter.session.change("Dot alone", lambda _document: Document((dot,)), active=0)
+    assert selected(letter) == {}
+
+
+def test_a_drag_snaps_to_the_points_that_stay_and_to_no_other(letter):
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    letter.trigger("toggleSnap")
+    # Beside Dot's leftmost point, and past the one of Outer that moves along.
+    letter.press((-1.5, 0.0))
+    letter.move((0.0, 0.0))
+    letter.move((4.97, 0.02))
+    letter.release((4.97, 0.02))
+    assert places(letter)[:2, 2].tolist() == [[3.5, 0.0], [5.0, 0.0]]
+
+
+def test_points_of_both_contours_are_copied_and_doubled_as_curves(letter):
+    letter.drag((-4.0, 4.0), (0.5, -0.7))
+    assert selected(letter) == {0: {1, 2}, 1: {1, 2}}
+    letter.key(Key.Key_D, CTRL)
+    curves = letter.session.document.curves
+    assert [len(curve.points) for curve in curves] == [4, 4, 2, 2, 4]
+    assert letter.session.selected.edited == {2, 3}
+    letter.trigger("undo")
+    letter.session.selected.activate(0)
+    letter.drag((-4.0, 4.0), (0.5, -0.7))
+    letter.key(Key.Key_C, CTRL)
+    assert letter.status == "Copied 4 points in 2 curves."
+    letter.trigger("pasteInPlace")
+    assert [len(curve.points) for curve in letter.session.document.curves] == [4, 4, 4, 2, 2]
+
+
+def test_tab_walks_through_the_points_of_both_contours(letter):
+    letter.click((0.0, -3.0))
+    letter.key(Key.Key_Tab)
+    assert (selected(letter), letter.curve.name) == ({1: {0}}, "Inner")
+    letter.key(Key.Key_Tab, SHIFT)
+    assert (selected(letter), letter.curve.name) == ({0: {3}}, "Outer")
+
+
+def test_the_stroke_is_scaled_with_the_whole_shape_alone(letter):
+    letter.session.change("Wide", lambda document: with_whole_style(document, [0], Style(width=2.0)))
+    letter.drag((-1.7, 1.7), (1.7, -1.8))
+    for keys, width in (([], 2.0), ([(Key.Key_A, CTRL)], 4.0)):
+        for key in keys:
+            letter.key(*key)
+        letter.key(Key.Key_S)
+        letter.type_amount("2")
+        letter.key(Key.Key_Return)
+        assert {curve.style.width for curve in letter.session.document.curves[:2]} == {width}
+
+
+def test_the_menu_of_another_contours_point_is_about_what_is_selected(letter):
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    menu = letter.open_menu((-1.5, 0.0))
+    assert "tangentCorner" in {entry.objectName() for entry in menu.actions()}
+    menu.close()
+    assert (selected(letter), letter.curve.name) == ({0: {2}, 1: {2}}, "Inner")
+    letter.open_menu((0.0, 3.0)).close()
+    assert (selected(letter), letter.curve.name) == ({0: {1}}, "Outer")
