@@ -9,6 +9,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
+from ..view_model.bounds import Strokes
 from ..view_model.curve_view import CurveView
 from ..view_model.records import Records
 from .background import Background
@@ -33,8 +34,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         The name of the unit of length, for what is measured.
     shows_box
         Whether two or more selected points, or several selected curves, get a box with grips.
-    scale_strokes
-        Whether strokes get wider with the curve that they are of.
+    strokes
+        Whether the box is one with strokes, and whether these get wider with the curve that they are of.
     pencil
         How near a curve comes to what the pencil draws.
     """
@@ -42,7 +43,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     snapping: Snapping = Snapping()
     unit: str = ""
     shows_box: bool = True
-    scale_strokes: bool = True
+    strokes: Strokes = Strokes()
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 

@@ -10,9 +10,9 @@ from msgspec.structs import replace
 
 from ..document import words
 from ..document.model import Document, Vector
-from ..document.several_curves import PointGroup, scaled_strokes
+from ..document.several_curves import PointGroup
 from ..document.transforms import scaling, with_coordinates
-from ..view_model.bounds import Bounds, bounds_of
+from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.curve_view import CurveView
 from ..view_model.stretch import stretched
 from .drag import Drag, longer_axis, minus, plus
@@ -52,7 +52,15 @@ _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
 
 
 class TransformBox(Bounds, frozen=True):
-    """The bounds of selected points, or of selected curves, without padding."""
+    """The bounds of selected points, or of selected curves, without padding.
+
+    Attributes
+    ----------
+    grows
+        Along which axes it can be scaled: those in which it has a length beside that of strokes.
+    """
+
+    grows: tuple[bool, bool] = (True, True)
 
     def padded(self, scale: float) -> tuple[Vector, Vector]:
         """Return the corners as drawn, at `scale` pixels per unit."""
@@ -67,7 +75,7 @@ class TransformBox(Bounds, frozen=True):
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale a side without length."""
         low, high = self.padded(scale)
-        middle, useful = self.centre, tuple(b > a for a, b in zip(self.low, self.high, strict=True))
+        middle, useful = self.centre, self.grows
         columns, rows = (low[0], middle[0], high[0]), (low[1], middle[1], high[1])
         grips = [
             (grip, (columns[grip.x + 1], rows[grip.y + 1]))
@@ -86,15 +94,19 @@ class TransformBox(Bounds, frozen=True):
         return grip if distance <= _REACH else None
 
 
-def box_of(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> TransformBox | None:
+def box_of(
+    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, live: bool = False
+) -> TransformBox | None:
     """Return the box around two or more points, or curves, that are not all in one place.
 
     `live` while they are dragged: as they are drawn.
     """
     if sum(len(indices) for _, indices in group.parts) < 2:
         return None
-    bounds = bounds_of(views, group, as_drawn=live)
-    return TransformBox(bounds.low, bounds.high) if bounds is not None and any(bounds.size) else None
+    bounds, bare = (bounds_of(views, group, each, as_drawn=live) for each in (strokes, BARE))
+    if bounds is None or bare is None or not any(bare.size):
+        return None
+    return TransformBox(bounds.low, bounds.high, (bare.size[0] > 0.0, bare.size[1] > 0.0))
 
 
 class ScaleBox(Drag, frozen=True):
@@ -108,8 +120,8 @@ class ScaleBox(Drag, frozen=True):
         The views of the curves at the press.
     pivot
         What stays where it is with Shift.
-    scales_strokes
-        Whether it changes the widths of strokes, too.
+    strokes
+        Whether the box is one with strokes, and whether these are scaled, too.
     """
 
     views: Sequence[CurveView]
@@ -119,7 +131,7 @@ class ScaleBox(Drag, frozen=True):
     grip: Grip
     start: Vector
     snapper: Snapper
-    scales_strokes: bool = False
+    strokes: Strokes
 
     keys = "Shift: about the pivot · Ctrl: keep proportions · Alt: snap, or not"
 
@@ -136,19 +148,22 @@ class ScaleBox(Drag, frozen=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Scale about the opposite side, or about the pivot with Shift."""
         x, y = self._factors(self._displacement(pointer), pointer)
-        document = self._scaled(x, y, pointer)
-        return scaled_strokes(document, self.group, x, y) if self.scales_strokes else document
-
-    def _scaled(self, x: float, y: float, pointer: Pointer) -> Document:
-        by = scaling(x, y, self._fixed(pointer))
-        caught = self.snapper.caught
-        corners, tolerance = (by.point(self.box.low), by.point(self.box.high)), _TOLERANCE / pointer.scale
-        if caught is None:
-            return stretched(self.document, self.views, self.group, corners, tolerance=tolerance)
-        document = stretched(self.document, self.views, self.group, corners)
-        for axis in caught.axes:
-            # To the last bit where it snapped to.
-            document = self._with_side(document, axis, caught.position[axis])
+        about, caught = self._fixed(pointer), self.snapper.caught
+        by = scaling(x, y, about)
+        document = stretched(
+            self.document,
+            self.views,
+            self.group,
+            (by.point(self.box.low), by.point(self.box.high)),
+            self.strokes,
+            even=longer_axis(self._arm(pointer)) if pointer.ctrl else None,
+            about=about,
+            tolerance=0.0 if caught is not None else _TOLERANCE / pointer.scale,
+        )
+        if caught is not None:
+            for axis in caught.axes:
+                # To the last bit where it snapped to.
+                document = self._with_side(document, axis, caught.position[axis])
         return document
 
     def _with_side(self, document: Document, axis: int, value: float) -> Document:

@@ -101,10 +101,13 @@ class AlignCommands:
                 lambda document: align_points(document, session.active_index, selected, edge),
             )
             return
-        curves, reference = session.selected.chosen, self._store.state.align_to
+        curves, state = session.selected.chosen, self._store.state
+        reference, strokes = state.align_to, state.strokes
 
         def aligned(document: Document) -> Document:
-            return align_curves(document, session.views, curves, edge, reference, session.active_index)
+            return align_curves(
+                document, session.views, curves, edge, strokes, reference, session.active_index
+            )
 
         session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
 
@@ -129,11 +132,13 @@ class AlignCommands:
                 lambda document: distribute_points(document, session.active_index, selected, each.axis),
             )
             return
-        curves = session.selected.chosen
+        curves, strokes = session.selected.chosen, self._store.state.strokes
         session.change(
             f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
             f"{each.way}",
-            lambda document: distribute_curves(document, session.views, curves, each.axis, each.spacing),
+            lambda document: distribute_curves(
+                document, session.views, curves, each.axis, each.spacing, strokes
+            ),
         )
 
     @action_for_each(

@@ -80,18 +80,20 @@ class SelectionCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session = context.session
+        self._target = context.central.canvas.tools.target
         self._show_state(None, context.store.state)
         context.store.changed.connect(self._show_state)
-        self._target = context.central.canvas.tools.target
         self._session.history_changed.connect(self._target.keep_pivot)
         self._session.pivot_changed.connect(context.central.canvas.show_marks)
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
         settings = self._context.central.canvas.tools.settings
-        if (settings.shows_box, settings.scale_strokes) != (state.transform_box, state.scale_strokes):
+        if (settings.shows_box, settings.strokes) != (state.transform_box, state.strokes):
             self._context.central.canvas.change_tool_settings(
-                shows_box=state.transform_box, scale_strokes=state.scale_strokes
+                shows_box=state.transform_box, strokes=state.strokes
             )
+            # A pivot goes with the box as it is measured from now on.
+            self._target.keep_pivot()
 
     @action_for_each(
         _TRANSFORMS,
@@ -179,6 +181,18 @@ class SelectionCommands:
         """Let the height follow where a width is typed, and the width a height."""
         store = self._context.store
         store.change(keep_proportions=not store.state.keep_proportions)
+
+    @action(
+        "measureStrokes",
+        "Measure with Strokes",
+        EDIT_TRANSFORM_BOX,
+        checked=lambda now: now.state.measure_strokes,
+        keywords="visual geometric bounding box line width size",
+    )
+    def _toggle_measured(self) -> None:
+        """Let sizes, edges and the box with grips be those of curves as they print, with caps and joins."""
+        store = self._context.store
+        store.change(measure_strokes=not store.state.measure_strokes)
 
     @action(
         "scaleStrokes",

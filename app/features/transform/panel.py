@@ -41,6 +41,8 @@ class Situated(msgspec.Struct, frozen=True):
         The words for it.
     bounds
         Its bounds; None of nothing.
+    grows
+        Along which axes it has a length to be set.
     pivot, place
         The pivot, and which of the nine places that is; None for none of them.
     angle
@@ -53,6 +55,7 @@ class Situated(msgspec.Struct, frozen=True):
 
     what: str
     bounds: Bounds | None
+    grows: tuple[bool, bool]
     pivot: Vector
     place: tuple[int, int] | None
     angle: float
@@ -66,7 +69,7 @@ class PanelActions(msgspec.Struct, frozen=True):
     transforms: Sequence[QAction]
     aligning: Sequence[Sequence[QAction]]
     proportions: QAction
-    strokes: QAction
+    strokes: Sequence[QAction]
 
 
 class TransformPanel(FieldForm):
@@ -109,9 +112,7 @@ class TransformPanel(FieldForm):
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
-        self.strokes = QCheckBox(actions.strokes.text())
-        self.strokes.setObjectName("panelStrokes")
-        mirror(self.strokes, actions.strokes)
+        self.strokes = [_switch(action) for action in actions.strokes]
         self.reference = choice_box(
             "alignReference",
             "Align to",
@@ -153,8 +154,17 @@ class TransformPanel(FieldForm):
         align = row_of("Align to", (self.reference, 1), spacing=6)
         rest = [_buttons(row) for row in actions.aligning]
         top = row_of((self.chooser, Qt.AlignmentFlag.AlignVCenter), (fields, 1), spacing=12)
-        switches = row_of(_buttons(actions.transforms), 1, self.strokes)
-        parts: list[Part] = [self.what, top, turn, switches, self.problem, align, *rest, 1]
+        parts: list[Part] = [
+            self.what,
+            top,
+            turn,
+            *self.strokes,
+            _buttons(actions.transforms),
+            self.problem,
+            align,
+            *rest,
+            1,
+        ]
         column_of(*parts, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
@@ -201,7 +211,7 @@ class TransformPanel(FieldForm):
                 edit.show_number(value, _DIGITS)
             edit.setEnabled(is_there)
         for axis, edit in enumerate((self.width_edit, self.height_edit)):
-            edit.setEnabled(is_there and bounds is not None and bounds.size[axis] > 0.0)
+            edit.setEnabled(is_there and shown.grows[axis])
         self.angle_edit.show_number(shown.angle, _DIGITS)
         self.turn_edit.show_number(self._turn_by)
         for part in (self.angle_edit, self.turn_edit, self.turn_button, self.chooser):
@@ -232,6 +242,13 @@ class TransformPanel(FieldForm):
 
 def _angle(name: str, label: str, tip: str) -> NumberEdit:
     return NumberEdit(name, label, tip, lambda text: parse_number(text.rstrip(" °"), decimal_mark()))
+
+
+def _switch(action: QAction) -> QCheckBox:
+    box = QCheckBox(action.text())
+    box.setObjectName(f"{action.objectName()}Switch")
+    mirror(box, action)
+    return box
 
 
 def _buttons(actions: Sequence[QAction]) -> QLayout:
