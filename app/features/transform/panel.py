@@ -9,7 +9,7 @@ from functools import partial
 import msgspec
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
@@ -112,7 +112,8 @@ class TransformPanel(FieldForm):
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
-        self.strokes = [_switch(action) for action in actions.strokes]
+        words = ("Measured", "Scaled")
+        self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
         self.reference = choice_box(
             "alignReference",
             "Align to",
@@ -151,18 +152,19 @@ class TransformPanel(FieldForm):
         turn = row_of(
             "Angle", (self.angle_edit, 1), "Rotate by", (self.turn_edit, 1), self.turn_button, spacing=6
         )
+        strokes = row_of("Strokes", *self.strokes, 1, spacing=12)
         align = row_of("Align to", (self.reference, 1), spacing=6)
-        rest = [_buttons(row) for row in actions.aligning]
+        rest = [row_of(*map(_button, row), spacing=0) for row in actions.aligning]
         top = row_of((self.chooser, Qt.AlignmentFlag.AlignVCenter), (fields, 1), spacing=12)
         parts: list[Part] = [
             self.what,
             top,
             turn,
-            *self.strokes,
-            _buttons(actions.transforms),
+            strokes,
+            row_of(*map(_button, actions.transforms), 1, spacing=4),
             self.problem,
             align,
-            *rest,
+            row_of(*rest, 1, spacing=8),
             1,
         ]
         column_of(*parts, margins=12, spacing=10, parent=self)
@@ -244,12 +246,13 @@ def _angle(name: str, label: str, tip: str) -> NumberEdit:
     return NumberEdit(name, label, tip, lambda text: parse_number(text.rstrip(" °"), decimal_mark()))
 
 
-def _switch(action: QAction) -> QCheckBox:
-    box = QCheckBox(action.text())
+def _switch(action: QAction, word: str) -> QCheckBox:
+    box = QCheckBox(word)
+    box.setAccessibleName(action.text())
     box.setObjectName(f"{action.objectName()}Switch")
     mirror(box, action)
     return box
 
 
-def _buttons(actions: Sequence[QAction]) -> QLayout:
-    return row_of(*(action_button(action, flat=True) for action in actions), 1, spacing=4)
+def _button(action: QAction) -> QToolButton:
+    return action_button(action, flat=True)

@@ -21,7 +21,7 @@ from ...view_model.curve_view import CurveView
 from ...view_model.pivot import Anchor, turned_since
 from ...view_model.stretch import stretched
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room_once
+from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
 from .. import transform
 
@@ -81,7 +81,7 @@ class TransformPanelCommands(QObject):
     def _open(self) -> None:
         """Set position, size and angle by numbers with units; align and distribute."""
         self._dock.bring_up()
-        make_room_once(self._context.window, self._dock, _HEIGHT)
+        make_room(self._context.window, self._dock, _HEIGHT)
         if self._panel is not None:
             self._is_seen = True
             self._render()
