@@ -43,6 +43,8 @@ class Selection:
         The t of the scrub line, or None.
     pivot
         What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
+    turns
+        Whether the box around what is selected has grips that rotate and skew; until something else is.
     """
 
     def __init__(self, session: Session) -> None:
@@ -55,6 +57,7 @@ class Selection:
         self.hovered = -1
         self.scrub: float | None = None
         self.pivot: Pivot | None = None
+        self.turns = False
         # The place that was asked for: the scrub line stands there as far as the curve goes.
         self._scrub_asked: float | None = None
 
@@ -98,6 +101,7 @@ class Selection:
             self.activate(session.active_index)
         self.points = points
         if self.points != before:
+            self.set_turns(False)
             session.history.end_run()
             session.selection_changed.emit(self.points)
 
@@ -133,6 +137,12 @@ class Selection:
         before, self.pivot = self.pivot, pivot
         if (before and before.place) != (pivot and pivot.place):
             self._session.pivot_changed.emit()
+
+    def set_turns(self, turns: bool) -> None:
+        """Have grips that rotate and skew, or such that scale."""
+        before, self.turns = self.turns, turns
+        if self.turns != before:
+            self._session.grips_changed.emit()
 
     # Curves
 
@@ -185,6 +195,7 @@ class Selection:
         if self.chosen or not is_editing:
             self.set_points([])
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
+            self.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
 
     @property

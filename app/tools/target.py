@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+
+from msgspec.structs import replace
 
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.several_curves import PointGroup, points_of, whole_curves
 from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
-from ..view_model.curve_view import CurveView
 from ..view_model.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingHost
 from .drags import MovePoints
@@ -29,8 +30,8 @@ class TransformTarget:
         self, host: EditingHost, snappers: Snappers, strokes: Callable[[], Strokes] = Strokes
     ) -> None:
         self._host, self._snappers, self._strokes = host, snappers, strokes
-        # The last group with its box, and the views, sets of indices and strokes they were found for.
-        self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int], bool, Strokes] | None = None
+        # The last group with its box, and what they were found for, the views first.
+        self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
 
     @property
@@ -46,11 +47,13 @@ class TransformTarget:
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
         views, selection, chosen = host.views, host.selected.points, host.selected.chosen
-        known, live, strokes = self._known, host.is_previewing, self._strokes()
-        if known is None or known[0] is not views or known[1:] != (selection, chosen, live, strokes):
-            self._known = (views, selection, chosen, live, strokes)
+        live, strokes, turns = host.is_previewing, self._strokes(), host.selected.turns
+        now = (selection, chosen, live, strokes, turns)
+        if not self._known or self._known[0] is not views or self._known[1:] != now:
+            self._known = (views, *now)
             group = points_of(host.active_index, selection) if selection else self.curves
-            self._found = (group, box_of(views, group, strokes, live=live) if group is not None else None)
+            box = box_of(views, group, strokes, live=live) if group is not None else None
+            self._found = (group, replace(box, turns=turns) if box is not None else None)
         return self._found
 
     @property
@@ -161,6 +164,7 @@ class TransformTarget:
             kind,
             group,
             self.centre,
+            self.bounds.place(1, 1),
             pointer.position,
             snapper,
             grip,
@@ -173,6 +177,14 @@ class TransformTarget:
         curves = self._host.document.curves
         places = [(curve, index) for curve, indices in group.parts for index in indices]
         return min(places, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
+
+    def turning(self, grip: Grip, pointer: Pointer) -> Transform:
+        """Return the drag of a grip of the box that rotates or skews."""
+        drag = replace(self.transform(grip.does, pointer), by_grip=True)
+        if self.box is None or not self.box.turns:
+            return drag
+        hold, opposite = self.box.place(grip.x, grip.y), self.box.place(-grip.x, -grip.y)
+        return replace(drag, hold=hold, opposite=opposite, axis=int(grip.y == 0))
 
     def scaling(self, grip: Grip, pointer: Pointer) -> ScaleBox:
         """Return the drag of a grip of the box that scales."""

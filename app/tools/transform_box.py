@@ -1,4 +1,4 @@
-"""The box around the selected points, or selected curves: eight grips scale it, a ninth above it rotates."""
+"""The box around the selected points, or selected curves: its grips scale and rotate, or rotate and skew."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from ..view_model.stretch import stretched
 from .drag import Drag, longer_axis, minus, plus
 from .pointer import Cursor, Pointer
 from .snapping import Snapper
+from .transform import TransformKind
 
 PADDING = 16.0
 """Pixels between the points and the box: the grips must not lie on the points."""
@@ -32,23 +33,33 @@ _TOLERANCE = 0.05
 
 
 class Grip(msgspec.Struct, frozen=True):
-    """A grip: −1, 0 or 1 in each direction, or the one that rotates."""
+    """A grip: −1, 0 or 1 in each direction.
+
+    Attributes
+    ----------
+    does
+        What it does.
+    """
 
     x: int
     y: int
-    rotates: bool = False
+    does: TransformKind = TransformKind.SCALE
 
     @property
     def cursor(self) -> Cursor:
         """The shape of the pointer over it."""
-        if self.rotates:
+        if self.does is TransformKind.ROTATE:
             return Cursor.ROTATE
         if self.x == 0 or self.y == 0:
-            return Cursor.WIDER if self.y == 0 else Cursor.HIGHER
+            goes_along_x = (self.y == 0) is (self.does is TransformKind.SCALE)
+            return Cursor.WIDER if goes_along_x else Cursor.HIGHER
         return Cursor.RISING if self.x == self.y else Cursor.FALLING
 
 
 _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
+_TURNING_GRIPS = tuple(
+    Grip(each.x, each.y, TransformKind.ROTATE if each.x and each.y else TransformKind.SKEW) for each in _GRIPS
+)
 
 
 class TransformBox(Bounds, frozen=True):
@@ -58,9 +69,12 @@ class TransformBox(Bounds, frozen=True):
     ----------
     grows
         Along which axes it can be scaled: those in which it has a length beside that of strokes.
+    turns
+        Whether its grips rotate, at the corners, and skew, and do not scale.
     """
 
     grows: tuple[bool, bool] = (True, True)
+    turns: bool = False
 
     def padded(self, scale: float) -> tuple[Vector, Vector]:
         """Return the corners as drawn, at `scale` pixels per unit."""
@@ -73,16 +87,18 @@ class TransformBox(Bounds, frozen=True):
         return low[0] <= x <= high[0] and low[1] <= y <= high[1]
 
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
-        """Return the grips and where they lie; none that would scale a side without length."""
+        """Return the grips and where they lie; none that would scale or skew a side without length."""
         low, high = self.padded(scale)
         middle, useful = self.centre, self.grows
         columns, rows = (low[0], middle[0], high[0]), (low[1], middle[1], high[1])
         grips = [
             (grip, (columns[grip.x + 1], rows[grip.y + 1]))
-            for grip in _GRIPS
-            if (useful[0] or not grip.x) and (useful[1] or not grip.y)
+            for grip in (_TURNING_GRIPS if self.turns else _GRIPS)
+            if grip.does is TransformKind.ROTATE or ((useful[0] or not grip.x) and (useful[1] or not grip.y))
         ]
-        return [*grips, (Grip(0, 1, rotates=True), (middle[0], high[1] + _ARM / scale))]
+        if self.turns:
+            return grips
+        return [*grips, (Grip(0, 1, TransformKind.ROTATE), (middle[0], high[1] + _ARM / scale))]
 
     def grip_at(self, pointer: Pointer) -> Grip | None:
         """Return the grip under the pointer."""

@@ -71,6 +71,11 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         else:
             self.left.emit()
 
+    def enter(self) -> None:
+        """Enter what was typed, as the Return key does."""
+        if self.isModified():
+            self._commit()
+
     def keep(self) -> None:
         """Leave the text that was entered last in the field, to be mended."""
         self.setText(self._entered)

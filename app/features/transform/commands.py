@@ -59,6 +59,10 @@ _TRANSFORMS = (
         TransformKind.ROTATE, "Rotate", "R",
         "Rotate what is selected or chosen, or else all points, with the pointer; type the angle",
     ),
+    _Transform(
+        TransformKind.SKEW, "Skew", "Shift+R",
+        "Skew what is selected or chosen, or else all points, with the pointer; type the angle; Y: upright",
+    ),
 )  # fmt: skip
 
 _FLIPS = (
@@ -84,7 +88,8 @@ class SelectionCommands:
         self._show_state(None, context.store.state)
         context.store.changed.connect(self._show_state)
         self._session.history_changed.connect(self._target.keep_pivot)
-        self._session.pivot_changed.connect(context.central.canvas.show_marks)
+        for changed in (self._session.pivot_changed, self._session.grips_changed):
+            changed.connect(context.central.canvas.show_marks)
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
         settings = self._context.central.canvas.tools.settings
@@ -154,6 +159,18 @@ class SelectionCommands:
             return
         group, by = target.for_keys, make(amount, target.centre)
         session.change(text.format(target.words), lambda document: mapped(document, group, by))
+
+    @action(
+        "turnGrips",
+        "Grips That Rotate and Skew",
+        EDIT_TRANSFORM_BOX,
+        checked=lambda now: now.session.selected.turns,
+        keywords="shear slant second click box",
+    )
+    def _turn_grips(self) -> None:
+        """Have the grips of the box rotate and skew, or scale again, as a click on a chosen curve does."""
+        selected = self._session.selected
+        selected.set_turns(not selected.turns)
 
     @action(
         "toggleTransformBox",

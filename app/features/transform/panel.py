@@ -81,6 +81,8 @@ class TransformPanel(FieldForm):
         The pivot shall lie there, the box shall be so large: along which axis, and the number.
     turned_to, turned_by
         It shall stand at this angle; it shall be turned by one.
+    skewed
+        It shall be skewed along an axis, by this angle.
     pivot_chosen
         One of nine places: −1, 0 or 1 across, and up.
     reference_chosen
@@ -91,13 +93,14 @@ class TransformPanel(FieldForm):
     sized = Signal(int, float)
     turned_to = Signal(float)
     turned_by = Signal(float)
+    skewed = Signal(int, float)
     pivot_chosen = Signal(int, int)
     reference_chosen = Signal(object)
 
     def __init__(self, actions: PanelActions, parent: QWidget | None = None) -> None:
         super().__init__("transformPanel", "transformProblem", parent)
         self._shown: Situated | None = None
-        self._turn_by = 90.0
+        self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
         self.x_edit = self._length("transformX", "X", "x of the pivot", lambda: self._numbers()[0])
@@ -111,6 +114,16 @@ class TransformPanel(FieldForm):
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
+        self.skew_edit = _angle(
+            "transformSkew", "Skew by", "Degrees: the top goes right, or the right side up; Enter: the top"
+        )
+        self.skew_buttons = [
+            tool_button(f"transformSkew{name}", f"Skew {way}", f"Skew by this angle: {tip}", icon_size=ICON)
+            for name, way, tip in (
+                ("Across", "horizontally", "the top goes right, about the pivot"),
+                ("Up", "vertically", "the right side goes up, about the pivot"),
+            )
+        ]
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
         words = ("Measured", "Scaled")
         self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
@@ -161,7 +174,9 @@ class TransformPanel(FieldForm):
             top,
             turn,
             strokes,
-            row_of(*map(_button, actions.transforms), 1, spacing=4),
+            row_of(
+                "Skew", (self.skew_edit, 1), *self.skew_buttons, *map(_button, actions.transforms), spacing=6
+            ),
             self.problem,
             align,
             row_of(*rest, 1, spacing=8),
@@ -170,8 +185,8 @@ class TransformPanel(FieldForm):
         column_of(*parts, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
-        edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit, self.turn_edit)
-        self.watch(*edits)
+        edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit)
+        self.watch(*edits, self.turn_edit, self.skew_edit)
         self.x_edit.entered.connect(partial(self.placed.emit, 0))
         self.y_edit.entered.connect(partial(self.placed.emit, 1))
         self.width_edit.entered.connect(partial(self.sized.emit, 0))
@@ -181,6 +196,10 @@ class TransformPanel(FieldForm):
         # Enter turns also where the same angle is still there: five leaves are four times Enter.
         self.turn_edit.returnPressed.connect(self._turn)
         self.turn_button.clicked.connect(self._turn)
+        self.skew_edit.entered.connect(self._keep_skew)
+        self.skew_edit.returnPressed.connect(partial(self._skew, 0))
+        for axis, button in enumerate(self.skew_buttons):
+            button.clicked.connect(partial(self._skew, axis))
         self.chooser.chosen.connect(self.pivot_chosen)
         self.reference.activated.connect(lambda at: self.reference_chosen.emit(list(Reference)[at]))
 
@@ -216,7 +235,9 @@ class TransformPanel(FieldForm):
             edit.setEnabled(is_there and shown.grows[axis])
         self.angle_edit.show_number(shown.angle, _DIGITS)
         self.turn_edit.show_number(self._turn_by)
-        for part in (self.angle_edit, self.turn_edit, self.turn_button, self.chooser):
+        self.skew_edit.show_number(self._skew_by)
+        turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons
+        for part in (*turns, self.chooser):
             part.setEnabled(is_there)
         self.chooser.render_place(shown.place if bounds is not None else None)
         self.show_problem(shown.problem)
@@ -230,6 +251,8 @@ class TransformPanel(FieldForm):
         super().set_theme(theme)
         self._units.setStyleSheet(f"color: {theme.muted.name()}")
         self.turn_button.setIcon(icon("rotate", theme))
+        for button, name in zip(self.skew_buttons, ("skew", "skew-vertically"), strict=True):
+            button.setIcon(icon(name, theme))
 
     # What the person did
 
@@ -237,9 +260,18 @@ class TransformPanel(FieldForm):
         self._turn_by = degrees
 
     def _turn(self) -> None:
+        self.turn_edit.enter()
         # A text that is no number stays to be mended.
         if not self.turn_edit.isModified():
             self.turned_by.emit(self._turn_by)
+
+    def _keep_skew(self, degrees: float) -> None:
+        self._skew_by = degrees
+
+    def _skew(self, axis: int) -> None:
+        self.skew_edit.enter()
+        if not self.skew_edit.isModified():
+            self.skewed.emit(axis, self._skew_by)
 
 
 def _angle(name: str, label: str, tip: str) -> NumberEdit:

@@ -13,7 +13,7 @@ from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
 from ...document.several_curves import mapped, moved
-from ...document.transforms import rotation, scaling
+from ...document.transforms import rotation, scaling, skewing
 from ...document.words import number
 from ...state.window_state import WindowState
 from ...view_model.bounds import NINE
@@ -64,6 +64,7 @@ class TransformPanelCommands(QObject):
         panel.sized.connect(self._size)
         panel.turned_to.connect(self._turn_to)
         panel.turned_by.connect(self._turn_by)
+        panel.skewed.connect(self._skew)
         panel.pivot_chosen.connect(self._choose_pivot)
         panel.reference_chosen.connect(lambda reference: self._store.change(align_to=reference))
         panel.refused.connect(self._session.refuse)
@@ -194,6 +195,13 @@ class TransformPanelCommands(QObject):
 
     def _turn_by(self, degrees: float) -> None:
         self._turn(degrees, self._target.centre, f"by {number(degrees, 6)}°")
+
+    def _skew(self, axis: int, degrees: float) -> None:
+        group, about = self._target.for_keys, self._target.centre
+        self._change(
+            f"Skew {self._target.words} by {number(degrees, 6)}° along {'xy'[axis]}",
+            lambda document: mapped(document, group, skewing(axis, degrees, about)),
+        )
 
     def _turn(self, degrees: float, about: Vector, how: str) -> None:
         group, by = self._target.for_keys, rotation(degrees, about)
