@@ -189,7 +189,9 @@ class Reference(NamedEnum):
 
     EACH_OTHER = "each_other", "Each other", "Align chosen curves to the box around them"
     FIRST = "first", "The first chosen", "Align chosen curves to the first of them: the one edited, if one is"
+    LAST = "last", "The last chosen", "Align chosen curves to the one that was chosen last"
     LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
+    SMALLEST = "smallest", "The smallest", "Align chosen curves to the smallest of them"
     DRAWING = "drawing", "The drawing", "Align chosen curves to the box around all curves"
     PAGE = "page", "The page", "Align chosen curves to the page of the document"
 

@@ -35,6 +35,8 @@ class Selection:
         Indices of the selected points of the active curve.
     curves
         Indices of the curves that are worked on together; the active one is one of them.
+    last
+        The curve that was chosen last, of several at once the foremost.
     is_editing
         Whether the active curve is edited.
     hovered
@@ -52,6 +54,7 @@ class Selection:
         self.points: frozenset[int] = frozenset()
         self.curves = frozenset({0})
         self.is_editing = True
+        self.last = 0
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
@@ -194,6 +197,7 @@ class Selection:
             session.active_changed.emit(wanted)
         if self.chosen or not is_editing:
             self.set_points([])
+        self.last = max(existing - before.curves, default=self.last if self.last in existing else wanted)
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
             self.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
@@ -211,7 +215,7 @@ class Selection:
     def reset(self) -> None:
         """Edit the active curve, with nothing of it selected, and tell nobody yet."""
         self.points, self.curves = frozenset(), frozenset({self._session.active_index})
-        self.is_editing, self._chosen = True, frozenset()
+        self.is_editing, self._chosen, self.last = True, frozenset(), self._session.active_index
 
     def enter(self, index: int) -> None:
         """Make curve `index` the active one; what belonged to the other is put away."""
@@ -230,6 +234,7 @@ class Selection:
         if active not in kept:
             # A curve that was added is what is worked on now; where one has gone nobody has chosen another.
             kept = frozenset({active} if self.is_editing or len(after) > len(before) else ())
+        self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
         self._chosen = frozenset() if self.is_editing else kept
         return (self.curves, self._chosen) != old

@@ -37,6 +37,7 @@ def align_curves(
     strokes: Strokes,
     reference: Reference = Reference.EACH_OTHER,
     first: int = 0,
+    last: int = 0,
 ) -> Document:
     """Move each shape of the chosen curves so that it lies along an edge, or the middle, of the reference.
 
@@ -46,16 +47,18 @@ def align_curves(
         The views of all curves.
     strokes
         Whether edges are those of strokes.
-    first
-        The one that was chosen first.
+    first, last
+        The ones that were chosen first and last.
     """
     items = _items(document, views, chosen, strokes)
     if reference is Reference.PAGE:
         bounds = _page_of(document)
-    elif reference is Reference.FIRST:
-        bounds = next((item.bounds for item in items if first in item.group.curves), items[0].bounds)
-    elif reference is Reference.LARGEST:
-        bounds = max((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
+    elif reference in (Reference.FIRST, Reference.LAST):
+        place, other = (first, items[0]) if reference is Reference.FIRST else (last, items[-1])
+        bounds = next((item for item in items if place in item.group.curves), other).bounds
+    elif reference in (Reference.LARGEST, Reference.SMALLEST):
+        choose = max if reference is Reference.LARGEST else min
+        bounds = choose((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
     else:
         is_drawing = reference is Reference.DRAWING
         of = _items(document, views, range(len(document.curves)), strokes) if is_drawing else items

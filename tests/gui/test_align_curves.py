@@ -242,6 +242,27 @@ def test_the_buttons_of_the_panel_align(four):
     assert low == pytest.approx(4 * [low[0]], abs=CLOSE)
 
 
+def test_the_last_chosen_is_the_one_clicked_last_and_the_smallest_is_found(four):
+    """Also where it lies between the others in the list, and after the list was turned round."""
+    four.session.selected.choose({0})
+    for place in (3, 1):
+        on = tuple(four.session.views[place].curve.evaluate(0.4).tolist())
+        four.click(on, keys=Qt.KeyboardModifier.ShiftModifier)
+    four.trigger("alignToLast")
+    before = boxes(four)
+    four.trigger("alignBottom")
+    assert boxes(four)[[0, 1, 3], 0, 1] == pytest.approx(3 * [before[1, 0, 1]], abs=2 * CLOSE)
+    four.trigger("undo")
+    four.session.change("Turn", lambda document: replace(document, curves=document.curves[::-1]))
+    assert four.session.selected.last == 2
+    four.session.selected.choose({1, 2, 3})
+    before = boxes(four)
+    four.trigger("alignToSmallest")
+    four.trigger("alignTop")
+    assert boxes(four)[1:, 1, 1] == pytest.approx(3 * [before[1, 1, 1]], abs=2 * CLOSE)
+    four.trigger("alignToEachOther")
+
+
 def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):
     four.session.selected.choose({2})
     four.click(

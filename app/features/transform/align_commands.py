@@ -104,10 +104,10 @@ class AlignCommands:
         curves, state = session.selected.chosen, self._store.state
         reference, strokes = state.align_to, state.strokes
 
+        first, last = session.active_index, session.selected.last
+
         def aligned(document: Document) -> Document:
-            return align_curves(
-                document, session.views, curves, edge, strokes, reference, session.active_index
-            )
+            return align_curves(document, session.views, curves, edge, strokes, reference, first, last)
 
         session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
 
