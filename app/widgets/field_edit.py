@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QLineEdit
 
 from ..document.expression import ExpressionError, parse_number
@@ -13,6 +13,8 @@ from ..document.words import number
 from ..qt.keys import PASSING, ClaimsKeys
 from .controls import named
 from .number_text import decimal_mark, typed_text
+
+_OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
 
 class FieldEdit(ClaimsKeys, QLineEdit):
@@ -64,7 +66,8 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     def _commit(self) -> None:
         typed = self.text()
         changed = self.isModified() and typed not in (self._whole, self._short)
-        self.setModified(False)  # so that the document's answer may be shown
+        # So that the document's answer may be shown; and how it was typed is forgotten.
+        self.setText(typed)
         if changed:
             self._entered = typed
             self.committed.emit(typed)
@@ -102,8 +105,22 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         # Escape is the window's key, too; while somebody types here it takes back what was typed.
         return event.key() == Qt.Key.Key_Escape and self.isModified()
 
+    def _passes_on(self, event: QKeyEvent) -> bool:
+        """Whether undo or redo is meant for the document: nothing is typed that is not in it."""
+        return not self.isModified() and any(map(event.matches, _OF_DOCUMENT))
+
+    def event(self, event: QEvent) -> bool:
+        is_asked = event.type() == QEvent.Type.ShortcutOverride
+        if is_asked and isinstance(event, QKeyEvent) and self._passes_on(event):
+            # A QLineEdit claims these keys, and would show a text that the document does not have.
+            event.ignore()
+            return False
+        return bool(super().event(event))
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.claims(event):
+        if self._passes_on(event):
+            event.ignore()
+        elif self.claims(event):
             self.revert()
             self.left.emit()
         else:

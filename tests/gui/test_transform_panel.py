@@ -263,6 +263,23 @@ def test_points_alone_leave_the_stroke(leaf):
     assert undo_text(leaf) == "Set width of 2 points to 30 mm"
 
 
+def test_undo_takes_back_what_was_entered_and_while_typing_the_typing(leaf):
+    for name, text in (("Width", "70"), ("Height", "30")):
+        enter(leaf, name, text)
+    edit, steps = field(leaf, "Height"), leaf.session.undo_stack
+    assert steps.index() == 3
+    leaf.type_text(edit, "12")
+    QTest.keyClick(edit, Key.Key_Z, CTRL)
+    assert (steps.index(), edit.text()) == (3, "30")
+    QTest.keyClick(edit, Key.Key_Escape)
+    for left in (2, 1):
+        QTest.keyClick(edit, Key.Key_Z, CTRL)
+        assert steps.index() == left
+        assert number_in(leaf, "Height") == pytest.approx(size(leaf)[1], rel=1e-6)
+    QTest.keyClick(edit, Key.Key_Z, CTRL | SHIFT)
+    assert size(leaf)[0] == pytest.approx(70.0, abs=CLOSE)
+
+
 # Position and pivot
 
 
