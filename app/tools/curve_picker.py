@@ -154,7 +154,9 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
 
 def _turns_grips(context: ToolContext, hit: Hit) -> bool:
     """Whether a click has the box take other grips: on what is chosen already, where there is a box."""
-    is_chosen = _meant(context, hit) <= context.host.selected.chosen
+    meant, chosen = _meant(context, hit), context.host.selected.chosen
+    # With Ctrl a part of what is chosen is wanted alone.
+    is_chosen = meant == chosen if context.pointer.ctrl else meant <= chosen
     return is_chosen and context.settings.shows_box and not context.target.refusal_of(context.target.group)
 
 

@@ -119,7 +119,9 @@ def box_of(
     """
     if sum(len(indices) for _, indices in group.parts) < 2:
         return None
-    bounds, bare = (bounds_of(views, group, each, as_drawn=live) for each in (strokes, BARE))
+    bounds = bounds_of(views, group, strokes, as_drawn=live)
+    # While it is dragged there are no grips.
+    bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE)
     if bounds is None or bare is None or not any(bare.size):
         return None
     return TransformBox(bounds.low, bounds.high, (bare.size[0] > 0.0, bare.size[1] > 0.0))

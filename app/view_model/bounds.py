@@ -98,19 +98,21 @@ def bounds_of(
     whole = [view for view, indices in parts if is_whole(view, indices)]
     if not as_drawn:
         _find_bounds(whole)
-    boxes = [view.polyline if as_drawn else _found(view) for view in whole]
-    boxes += [view.points[sorted(indices)] for view, indices in parts if not is_whole(view, indices)]
+    lines = [_corners_of(view.polyline) if as_drawn else _found(view) for view in whole]
+    boxes = [*lines, *(view.points[sorted(at)] for view, at in parts if not is_whole(view, at))]
     if strokes.measured:
-        boxes += _stroke_boxes(whole, as_drawn=as_drawn)
+        boxes += _stroke_boxes(whole, lines, as_drawn=as_drawn)
     return around(boxes)
 
 
-def _stroke_boxes(views: Sequence[CurveView], *, as_drawn: bool) -> list[FloatArray]:
-    """Return the boxes of those strokes that may reach beyond all others."""
-    stroked = [view for view in views if half_width(view.source.style) > 0.0]
-    if not stroked:
+def _stroke_boxes(
+    views: Sequence[CurveView], lines: Sequence[FloatArray], *, as_drawn: bool
+) -> list[FloatArray]:
+    """Return the boxes of those strokes, by the boxes of their lines, that may reach beyond all others."""
+    places = [at for at, view in enumerate(views) if half_width(view.source.style) > 0.0]
+    if not places:
         return []
-    corners = np.array([_ends(view.polyline) if as_drawn else _found(view) for view in stroked])
+    stroked, corners = [views[at] for at in places], np.array([lines[at] for at in places])
     # Boxes that strokes fill at least, as one without corners and ends does, and those that none leaves.
     sure, possible = (
         corners + np.array([[[-far], [far]] for far in reach])
@@ -121,10 +123,13 @@ def _stroke_boxes(views: Sequence[CurveView], *, as_drawn: bool) -> list[FloatAr
     )
     low, high = sure[:, 0].min(axis=0), sure[:, 1].max(axis=0)
     sticks_out = (possible[:, 0] < low).any(axis=1) | (possible[:, 1] > high).any(axis=1)
-    return [*sure, *(_stroke_box(stroked[at], as_drawn=as_drawn) for at in np.flatnonzero(sticks_out))]
+    return [
+        sure.reshape(-1, 2),
+        *(_stroke_box(stroked[at], as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
+    ]
 
 
-def _ends(points: FloatArray) -> FloatArray:
+def _corners_of(points: FloatArray) -> FloatArray:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 

@@ -91,6 +91,19 @@ def test_a_click_on_one_of_several_turns_the_grips_of_all(arch):
     assert arch.session.selected.chosen == {0, 1}
 
 
+def test_ctrl_click_still_chooses_one_of_a_group_that_is_chosen(arch):
+    arch.session.change(
+        "Group",
+        lambda document: replace(
+            document, curves=tuple(replace(curve, groups=("Pair",)) for curve in document.curves)
+        ),
+    )
+    arch.session.selected.choose({0, 1})
+    arch.click(on_curve(arch), keys=CTRL)
+    assert arch.session.selected.chosen == {0}
+    assert not box(arch).turns
+
+
 @pytest.mark.parametrize(("x", "y"), [(0, 1), (0, -1), (1, 0), (-1, 0)])
 def test_a_side_is_dragged_along_itself_about_the_middle(arch, x, y):
     turned(arch)
