@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
 from ...actions.declaration import Action, action, action_for_each, also_for_each
+from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
@@ -73,6 +74,10 @@ _FLIPS = (
 _TURNS = (
     _Turn("left", 90.0, "Ctrl+[", "rotate", 12),
     _Turn("right", -90.0, "Ctrl+]", "rotate-right", 13),
+)
+
+_BOX = Need(
+    "two selected points or more, or a chosen curve", lambda now: len(now.selection) > 1 or bool(now.chosen)
 )
 
 _Amount = TypeVar("_Amount", int, float)
@@ -164,6 +169,7 @@ class SelectionCommands:
         "turnGrips",
         "Grips That Rotate and Skew",
         EDIT_TRANSFORM_BOX,
+        needs=_BOX,
         checked=lambda now: now.session.selected.turns,
         keywords="shear slant second click box",
     )
