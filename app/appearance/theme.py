@@ -314,6 +314,7 @@ QHeaderView::section, QTableCornerButton::section {
 QTableView { border: none; gridline-color: $fine }
 QTableView, QListView, QTreeView { selection-background-color: $chosen; selection-color: $ink }
 QTabWidget::pane { border: none; border-top: 1px solid $line }
+QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true }
 QTabBar::tab { background: none; border: 2px solid transparent; padding: 5px 10px; color: $muted }
 QTabBar::tab:hover { color: $ink }
 QTabBar::tab:top:selected { color: $ink; border-bottom-color: $accent }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
 from ..document.model import Vector
 from ..plotting.halo import Halo
@@ -15,12 +15,16 @@ from ..plotting.plates import beyond, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..tools.marks import GestureMarks, Note, Ruler
 from ..tools.snapping import Snap
-from ..tools.transform_box import TransformBox
+from ..tools.transform import TransformKind
+from ..tools.transform_box import Grip, TransformBox
 from .label_place import Surroundings, free_corner
 
 _NOTHING = GestureMarks()
 
 _GRIP, _FAR = 3.5, 1e6
+_SLANT = 0.8
+"""Of the grips that skew, across their height."""
+
 _PIVOT_ARM = 6.5
 """Pixels from the pivot to the ends of its cross."""
 
@@ -105,18 +109,23 @@ class MarksLayer(Layer):
         painter.drawRect(frame)
         for grip, place in box.grips(shown.sx) if has_grips else ():
             pixel = QPointF(*shown.point(*place))
-            if grip.rotates:
+            if grip.does is TransformKind.ROTATE and not box.turns:
                 painter.setPen(self._pen())
                 painter.drawLine(QPointF(pixel.x(), frame.top()), pixel)
-            self._paint_grip(painter, pixel, round_=grip.rotates)
+            self._paint_grip(painter, pixel, grip)
 
-    def _paint_grip(self, painter: QPainter, pixel: QPointF, *, round_: bool) -> None:
+    def _paint_grip(self, painter: QPainter, pixel: QPointF, grip: Grip) -> None:
         size = _GRIP * self.scale
         painter.setPen(self._pen(1.2))
         painter.setBrush(self.theme.paper)
         square = QRectF(pixel.x() - size, pixel.y() - size, 2 * size, 2 * size)
-        if round_:
+        if grip.does is TransformKind.ROTATE:
             painter.drawEllipse(square.adjusted(-0.5, -0.5, 0.5, 0.5))
+        elif grip.does is TransformKind.SKEW:
+            # What it makes of the square of the others.
+            slant = QTransform().shear(-_SLANT, 0.0) if grip.y else QTransform().shear(0.0, -_SLANT)
+            corners = QPolygonF(square.translated(-pixel))
+            painter.drawPolygon(slant.map(corners).translated(pixel))
         else:
             painter.drawRect(square)
 

@@ -80,6 +80,24 @@ def rotation(degrees: float, centre: Vector) -> Affine:
     return Affine(cos - 1.0, -sin, sin, cos - 1.0, centre)
 
 
+LARGEST_SKEW = 89.0
+"""Degrees of a skew, to either side; at 90 nothing would be left of a shape."""
+
+
+def skewing(axis: int, degrees: float, centre: Vector) -> Affine:
+    """Return the skew along x (axis 0: what is above the centre goes right) or y (what is right goes up).
+
+    Raises
+    ------
+    EditError
+        If it is by more than `LARGEST_SKEW`.
+    """
+    if abs(degrees) > LARGEST_SKEW:
+        raise EditError(f"A skew lies between −{LARGEST_SKEW:g}° and {LARGEST_SKEW:g}°.")
+    shift = math.copysign(1.0, degrees) if abs(degrees) == 45.0 else math.tan(math.radians(degrees))
+    return Affine(0.0, shift, 0.0, 0.0, centre) if axis == 0 else Affine(0.0, 0.0, shift, 0.0, centre)
+
+
 def transform_points(document: Document, curve: int, indices: Collection[int], by: Affine) -> Document:
     """Map the points at `indices` and the handles set there."""
     return with_each_changed(document, curve, indices, lambda point: _mapped(point, by))
@@ -179,7 +197,9 @@ class Reference(NamedEnum):
 
     EACH_OTHER = "each_other", "Each other", "Align chosen curves to the box around them"
     FIRST = "first", "The first chosen", "Align chosen curves to the first of them: the one edited, if one is"
+    LAST = "last", "The last chosen", "Align chosen curves to the one that was chosen last"
     LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
+    SMALLEST = "smallest", "The smallest", "Align chosen curves to the smallest of them"
     DRAWING = "drawing", "The drawing", "Align chosen curves to the box around all curves"
     PAGE = "page", "The page", "Align chosen curves to the page of the document"
 

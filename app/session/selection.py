@@ -38,6 +38,8 @@ class Selection:
         The selected points, of all curves that are edited.
     curves
         Indices of the curves that are worked on together; the active one is one of them.
+    last
+        The curve that was chosen last, of several at once the foremost.
     is_editing
         Whether the active curve is edited.
     hovered
@@ -46,6 +48,8 @@ class Selection:
         The t of the scrub line, or None.
     pivot
         What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
+    turns
+        Whether the box around what is selected has grips that rotate and skew; until something else is.
     """
 
     def __init__(self, session: Session) -> None:
@@ -53,11 +57,13 @@ class Selection:
         self.group = NO_POINTS
         self.curves = frozenset({0})
         self.is_editing = True
+        self.last = 0
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
         self.pivot: Pivot | None = None
+        self.turns = False
         # The place that was asked for: the scrub line stands there as far as the curve goes.
         self._scrub_asked: float | None = None
 
@@ -150,6 +156,7 @@ class Selection:
     def _put(self, group: PointGroup) -> None:
         if group != self.group:
             self.group = group
+            self.set_turns(False)
             self._session.history.end_run()
             self._session.selection_changed.emit(self.points)
 
@@ -185,6 +192,12 @@ class Selection:
         before, self.pivot = self.pivot, pivot
         if (before and before.place) != (pivot and pivot.place):
             self._session.pivot_changed.emit()
+
+    def set_turns(self, turns: bool) -> None:
+        """Have grips that rotate and skew, or such that scale."""
+        before, self.turns = self.turns, turns
+        if self.turns != before:
+            self._session.grips_changed.emit()
 
     # Curves
 
@@ -246,7 +259,9 @@ class Selection:
             session.active_changed.emit(wanted)
         if self.chosen or not is_editing:
             self.set_points([])
+        self.last = max(existing - before.curves, default=self.last if self.last in existing else wanted)
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
+            self.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
 
     @property
@@ -262,7 +277,7 @@ class Selection:
     def reset(self) -> None:
         """Edit the active curve, with nothing of it selected, and tell nobody yet."""
         self.group, self.curves = NO_POINTS, frozenset({self._session.active_index})
-        self.is_editing, self._chosen = True, frozenset()
+        self.is_editing, self._chosen, self.last = True, frozenset(), self._session.active_index
 
     def enter(self, index: int) -> None:
         """Make curve `index` the active one; what belonged to the other is put away."""
@@ -281,6 +296,7 @@ class Selection:
         if active not in kept:
             # A curve that was added is what is worked on now; where one has gone nobody has chosen another.
             kept = frozenset({active} if self.is_editing or len(after) > len(before) else ())
+        self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
         self._chosen = frozenset() if self.is_editing else kept
         return (self.curves, self._chosen) != old

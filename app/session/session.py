@@ -47,6 +47,8 @@ class Session(QObject):
         The scrub line was moved to another t, or put away (None).
     pivot_changed
         Another pivot was chosen, or it has gone along with what it was chosen for.
+    grips_changed
+        The grips of the box around what is selected do something else.
     file_changed
         The path or the modified mark is another one.
     opened
@@ -84,6 +86,7 @@ class Session(QObject):
     hovered_changed = Signal(int)
     scrub_changed = Signal(object)
     pivot_changed = Signal()
+    grips_changed = Signal()
     file_changed = Signal()
     opened = Signal()
     left = Signal(object)

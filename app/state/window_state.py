@@ -15,6 +15,7 @@ from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
 from ..tools.tool import ToolRecord
 from ..view_model.analysis.settings import AnalysisSettings
+from ..view_model.bounds import Strokes
 from ..view_model.motion_settings import MotionSettings
 
 
@@ -60,7 +61,7 @@ class WindowState(msgspec.Struct, frozen=True):
         How large points, lines and type are drawn; 1 as usual.
     snap_on, snap_kinds, with_estimates, theme_mode, pencil
         As the preferences remember them.
-    transform_box, keep_proportions, scale_strokes
+    transform_box, keep_proportions, measure_strokes, scale_strokes
         As the preferences remember them.
     align_to
         What chosen curves are aligned to.
@@ -97,6 +98,7 @@ class WindowState(msgspec.Struct, frozen=True):
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
     transform_box: bool = True
     keep_proportions: bool = False
+    measure_strokes: bool = True
     scale_strokes: bool = True
     align_to: Reference = Reference.EACH_OTHER
     with_estimates: bool = False
@@ -117,6 +119,11 @@ class WindowState(msgspec.Struct, frozen=True):
     def shows_rulers(self) -> bool:
         """Whether the axes of the canvas are rulers now: not in a presentation."""
         return self.rulers and not self.presentation
+
+    @property
+    def strokes(self) -> Strokes:
+        """What transforms make of strokes."""
+        return Strokes(self.measure_strokes, self.scale_strokes)
 
     def uses(self, tool: ToolRecord) -> bool:
         """Whether the mouse has this tool; while it moves the image, it has none for points."""

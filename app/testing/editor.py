@@ -23,6 +23,7 @@ from ..features.curve_list.commands import CurveListCommands
 from ..features.curve_list.rows import Spot, spot_rect
 from ..session import Session
 from ..settings.preferences import Preferences
+from ..tools.transform import TransformKind
 from ..view_model.handles import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow
@@ -220,7 +221,8 @@ class Editor(InputDriver):
         if canvas.marks.box is None:
             raise LookupError("No box is shown; it takes two selected points.")
         for each, place in canvas.marks.box.grips(canvas.pixel_map.sx):
-            if each.rotates if (x, y) == (0, 0) else (each.x, each.y, each.rotates) == (x, y, False):
+            is_above = not canvas.marks.box.turns and each.does is TransformKind.ROTATE
+            if is_above if (x, y) == (0, 0) else (each.x, each.y, is_above) == (x, y, False):
                 return place
         raise LookupError("The box has no such grip.")
 

@@ -100,8 +100,11 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     if context.pointer.shift:
         return "click to take it out" if is_chosen else "click to choose it too"
     if is_chosen:
-        click = f"Click to edit “{name}” alone" if is_editing else f"Double-click to edit “{name}”"
-        return f"Shift: one axis, a click takes it out · {click}"
+        if is_editing:
+            return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
+        grips = "scale" if context.host.selected.turns else "rotate and skew"
+        click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
+        return f"{click}Double-click to edit “{name}” · Shift: one axis, a click takes it out"
     later = "" if is_editing else ", double-click to edit it"
     return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
 
@@ -152,9 +155,21 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
     elif selected.is_editing or context.pointer.is_double:
         edit_curve(context, hit.index)
         return
+    elif _turns_grips(context, hit):
+        selected.set_turns(not selected.turns)
+        host.say(f"{chosen_curves(host)} · The grips {'rotate and skew' if selected.turns else 'scale'} now.")
+        return
     else:
         selected.choose(_meant(context, hit))
     host.say(f"{chosen_curves(host)}.")
+
+
+def _turns_grips(context: ToolContext, hit: Hit) -> bool:
+    """Whether a click has the box take other grips: on what is chosen already, where there is a box."""
+    meant, chosen = _meant(context, hit), context.host.selected.chosen
+    # With Ctrl a part of what is chosen is wanted alone.
+    is_chosen = meant == chosen if context.pointer.ctrl else meant <= chosen
+    return is_chosen and context.settings.shows_box and not context.target.refusal_of(context.target.group)
 
 
 def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:

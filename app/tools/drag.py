@@ -47,6 +47,10 @@ class Drag(msgspec.Struct, frozen=True):
         """Return the amount, such as "Rotate 30°"; empty where none is told."""
         return ""
 
+    def about(self, pointer: Pointer) -> Vector | None:
+        """Return what it rotates or skews about, None where it does neither."""
+        return None
+
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return where the point is that is held, None where none is."""
         return None

@@ -32,6 +32,7 @@ class SelectionHost(Protocol):
     is_editing: bool
     scrub: float | None
     pivot: Pivot | None
+    turns: bool
 
     @property
     def points(self) -> frozenset[int]:
@@ -81,6 +82,9 @@ class SelectionHost(Protocol):
 
     def set_pivot(self, pivot: Pivot | None) -> None:
         """Turn, scale and mirror about another place."""
+
+    def set_turns(self, turns: bool) -> None:
+        """Have grips that rotate and skew, or such that scale."""
 
     def activate(self, index: int) -> None:
         """Edit another curve."""
@@ -259,6 +263,11 @@ class DragMachine:
         if press is None or press.drag is None or not press.moving or press.refused:
             return None
         return press.drag.place_at(pointer)
+
+    def about_at(self, pointer: Pointer) -> Vector | None:
+        """Return what the drag in flight rotates or skews about, None where it does neither."""
+        press = self._press
+        return press.drag.about(pointer) if press is not None and press.drag is not None else None
 
     def release(self, pointer: Pointer) -> None:
         """End: commit what the drag made, or click."""

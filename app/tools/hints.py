@@ -11,7 +11,8 @@ from ..view_model.smoothness import inner_points
 from .drags import bend_keys, handle_keys, what_bends, what_handle_sets
 from .pen_drags import PenAct
 from .pointer import Cursor, Hint, Hit, Part, Pointer
-from .transform_box import Grip, ScaleBox
+from .transform import TransformKind, grip_keys
+from .transform_box import Grip, ScaleBox, TransformBox
 
 _ENTER = "Enter, double click: finish the curve"
 _ON_EMPTY = (
@@ -71,14 +72,12 @@ def inside_box(group: PointGroup, pointer: Pointer, *, snaps: bool) -> Hint:
     return Hint(f"{to_move(group.quoted, pointer, snaps=snaps)} · {keys}", cursor=Cursor.MOVE)
 
 
-def on_grip(grip: Grip, group: PointGroup, refusal: str) -> Hint:
+def on_grip(grip: Grip, box: TransformBox, group: PointGroup, refusal: str) -> Hint:
     """Return the hint over a grip of the box around a group, or why it cannot be changed."""
     if refusal:
         return Hint(refusal)
-    what = group.words
-    if grip.rotates:
-        return Hint(f"Drag to rotate {what} · Shift or Ctrl: steps of 15°", cursor=grip.cursor)
-    return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
+    keys = ScaleBox.keys if grip.does is TransformKind.SCALE else grip_keys(grip.does, has_opposite=box.turns)
+    return Hint(f"Drag to {grip.does.title.lower()} {group.words} · {keys}", cursor=grip.cursor)
 
 
 def to_bend(view: CurveView, pointer: Pointer) -> Hint:

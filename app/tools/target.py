@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+
+from msgspec.structs import replace
 
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import whole_curves
-from ..view_model.bounds import Bounds, bounds_of
-from ..view_model.curve_view import CurveView
-from ..view_model.pivot import Pivot, anchored
+from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
+from ..view_model.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingHost
 from .drags import MovePoints
 from .pointer import Pointer
@@ -23,16 +24,15 @@ from .transform_box import Grip, ScaleBox, TransformBox, box_of
 class TransformTarget:
     """The selected points of the curves that are edited; with none, the curves that are chosen as wholes.
 
-    It says what is meant, and makes the drags that transform it; `scales_strokes` tells whether they scale
-    the widths of strokes, too.
+    It says what is meant, and makes the drags that transform it; `strokes` tells what these make of strokes.
     """
 
     def __init__(
-        self, host: EditingHost, snappers: Snappers, scales_strokes: Callable[[], bool] = lambda: False
+        self, host: EditingHost, snappers: Snappers, strokes: Callable[[], Strokes] = Strokes
     ) -> None:
-        self._host, self._snappers, self._scales_strokes = host, snappers, scales_strokes
-        # The last group with its box, and the views and sets of indices they were found for.
-        self._known: tuple[Sequence[CurveView], PointGroup, frozenset[int], bool] | None = None
+        self._host, self._snappers, self._strokes = host, snappers, strokes
+        # The last group with its box, and what they were found for, the views first.
+        self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
 
     @property
@@ -48,11 +48,13 @@ class TransformTarget:
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
         views, selection, chosen = host.views, host.selected.group, host.selected.chosen
-        known, live = self._known, host.is_previewing
-        if known is None or known[0] is not views or known[1:] != (selection, chosen, live):
-            self._known = (views, selection, chosen, live)
+        live, strokes, turns = host.is_previewing, self._strokes(), host.selected.turns
+        now = (selection, chosen, live, strokes, turns)
+        if not self._known or self._known[0] is not views or self._known[1:] != now:
+            self._known = (views, *now)
             group = selection if selection.parts else self.curves
-            self._found = (group, box_of(views, group, live=live) if group is not None else None)
+            box = box_of(views, group, strokes, live=live) if group is not None else None
+            self._found = (group, replace(box, turns=turns) if box is not None else None)
         return self._found
 
     @property
@@ -105,7 +107,15 @@ class TransformTarget:
         group, box = self._now()
         if box is not None:
             return box
-        bounds = bounds_of(self._host.views, group or self.for_keys, as_drawn=self._host.is_previewing)
+        return self._bounds_of(group or self.for_keys, self._strokes())
+
+    @property
+    def bare_bounds(self) -> Bounds:
+        """The same without strokes."""
+        return self._bounds_of(self.for_keys, BARE)
+
+    def _bounds_of(self, group: PointGroup, strokes: Strokes) -> Bounds:
+        bounds = bounds_of(self._host.views, group, strokes, as_drawn=self._host.is_previewing)
         assert bounds is not None
         return bounds
 
@@ -124,15 +134,19 @@ class TransformTarget:
 
     @pivot.setter
     def pivot(self, place: Vector | None) -> None:
-        views = self._host.views
-        pivot = Pivot(place, anchored(views, self.for_keys)) if place is not None else None
+        pivot = Pivot(place, self.anchored()) if place is not None else None
         self._host.selected.set_pivot(pivot)
 
     def _pivot(self) -> Pivot | None:
         chosen = self._host.selected.pivot
         if chosen is None or self.is_nothing:
             return None
-        return chosen.at(anchored(self._host.views, self.for_keys, live=self._host.is_previewing))
+        return chosen.at(self.anchored())
+
+    def anchored(self) -> Anchor:
+        """Return what keys transform as it is now."""
+        host = self._host
+        return anchored(host.views, self.for_keys, self._strokes(), live=host.is_previewing)
 
     def keep_pivot(self) -> None:
         """Take the pivot along: the document has changed, and it belongs to what is there now."""
@@ -151,11 +165,12 @@ class TransformTarget:
             kind,
             group,
             self.centre,
+            self.bounds.place(1, 1),
             pointer.position,
             snapper,
             grip,
             everything=self.group is None,
-            scales_strokes=self._scales_strokes(),
+            scales_strokes=self._strokes().scaled,
         )
 
     def _nearest(self, group: PointGroup, pointer: Pointer) -> tuple[int, int]:
@@ -163,6 +178,14 @@ class TransformTarget:
         curves = self._host.document.curves
         places = [(curve, index) for curve, indices in group.parts for index in indices]
         return min(places, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
+
+    def turning(self, grip: Grip, pointer: Pointer) -> Transform:
+        """Return the drag of a grip of the box that rotates or skews."""
+        drag = replace(self.transform(grip.does, pointer), by_grip=True)
+        if self.box is None or not self.box.turns:
+            return drag
+        hold, opposite = self.box.place(grip.x, grip.y), self.box.place(-grip.x, -grip.y)
+        return replace(drag, hold=hold, opposite=opposite, axis=int(grip.y == 0))
 
     def scaling(self, grip: Grip, pointer: Pointer) -> ScaleBox:
         """Return the drag of a grip of the box that scales."""
@@ -180,7 +203,7 @@ class TransformTarget:
             grip,
             pointer.position,
             snapper,
-            scales_strokes=self._scales_strokes(),
+            self._strokes(),
         )
 
     def moving(self, group: PointGroup, pointer: Pointer) -> MovePoints:

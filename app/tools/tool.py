@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from ..document.model import Vector
 from ..document.point_group import points_of
+from ..view_model.bounds import Strokes
 from ..view_model.curve_view import CurveView
 from ..view_model.records import Records
 from .background import Background
@@ -34,8 +35,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         The name of the unit of length, for what is measured.
     shows_box
         Whether two or more selected points, or several selected curves, get a box with grips.
-    scale_strokes
-        Whether strokes get wider with the curve that they are of.
+    strokes
+        Whether the box is one with strokes, and whether these get wider with the curve that they are of.
     guides_stay
         Whether no key moves or removes a guide: they are locked, or not seen.
     pencil
@@ -45,7 +46,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     snapping: Snapping = Snapping()
     unit: str = ""
     shows_box: bool = True
-    scale_strokes: bool = True
+    strokes: Strokes = Strokes()
     guides_stay: bool = False
     pencil: PencilDetail = PencilDetail.MEDIUM
 

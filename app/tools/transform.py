@@ -1,4 +1,4 @@
-"""Move, scale and rotate: the drag of a transform, by the pointer or by a typed amount."""
+"""Move, scale, rotate and skew: the drag of a transform, by the pointer or by a typed amount."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..document import words
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
 from ..document.several_curves import mapped, moved, scaled_strokes
-from ..document.transforms import rotation, scaling
+from ..document.transforms import LARGEST_SKEW, rotation, scaling, skewing
 from .drag import Drag, plus
 from .drags import MovePoints
 from .pointer import Pointer
@@ -30,7 +30,7 @@ class TransformKind(Enum):
     title
         The word for it.
     key
-        The key that begins it, and goes on with it where another one is in flight.
+        What a tool calls the key that begins it, and goes on with it where another one is in flight.
     keys
         What keys change meanwhile.
     """
@@ -39,8 +39,27 @@ class TransformKind(Enum):
     SCALE = ("Scale", "s", "X or Y: one axis · type a number, or x Tab y")
     ROTATE = ("Rotate", "r", "Shift or Ctrl: steps of 15° · type a number")
 
+    SKEW = ("Skew", "skew", "X or Y: along which axis · Shift or Ctrl: steps of 15° · type a number")
+
     def __init__(self, title: str, key: str, keys: str) -> None:
         self.title, self.key, self.keys = title, key, keys
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether its amount is an angle."""
+        return self in (TransformKind.ROTATE, TransformKind.SKEW)
+
+
+_STEP = 15.0
+"""Degrees from one angle to the next, with the key for steps."""
+
+
+def grip_keys(kind: TransformKind, *, has_opposite: bool) -> str:
+    """Return what modifiers change while a grip rotates or skews; one may have an opposite corner or side."""
+    if not has_opposite:
+        return "Shift or Ctrl: steps of 15°"
+    opposite = "corner" if kind is TransformKind.ROTATE else "side"
+    return f"Ctrl: steps of 15° · Shift: about the opposite {opposite}"
 
 
 class Transform(Drag, frozen=True):
@@ -49,11 +68,15 @@ class Transform(Drag, frozen=True):
     Attributes
     ----------
     centre
-        What is scaled and rotated about.
+        What is scaled, rotated and skewed about.
+    hold
+        What a skew takes along with the pointer: a place of the box.
     start
         Where the pointer was when it began.
     snapper, grip
         For a move: what snaps, and which point of which curve.
+    opposite
+        What a grip rotates or skews about with Shift: the other side; None where Shift means steps.
     axis
         0 or 1 where an axis is locked.
     typed
@@ -69,9 +92,11 @@ class Transform(Drag, frozen=True):
     kind: TransformKind
     group: PointGroup
     centre: Vector
+    hold: Vector
     start: Vector
     snapper: Snapper
     grip: tuple[int, int]
+    opposite: Vector | None = None
     axis: int | None = None
     typed: TypedAmount = TypedAmount()
     by_grip: bool = False
@@ -91,7 +116,7 @@ class Transform(Drag, frozen=True):
     def keys(self) -> str:
         """Effects of the keys."""
         if self.by_grip:
-            return "Shift or Ctrl: steps of 15°"
+            return grip_keys(self.kind, has_opposite=self.opposite is not None)
         if self.typed.is_pair:
             return f"{self.typed.keys} · Enter or click: done"
         return f"{self.kind.keys} · Enter or click: done"
@@ -101,7 +126,7 @@ class Transform(Drag, frozen=True):
         kind = next((kind for kind in TransformKind if kind.key == key), None)
         if kind is not None:
             return replace(self, kind=kind, typed=TypedAmount())
-        if key in ("x", "y", "tab") and self.kind is TransformKind.ROTATE:
+        if (key in ("x", "y") and self.kind is TransformKind.ROTATE) or (key == "tab" and self.kind.is_angle):
             return None
         if key in ("x", "y"):
             axis = "xy".index(key)
@@ -133,6 +158,8 @@ class Transform(Drag, frozen=True):
         mark = f" ({self.typed.unfinished}…)" if self.typed.unfinished else ""
         if self.kind is TransformKind.ROTATE:
             return f"{words.angle(self._degrees(pointer))}{mark}"
+        if self.kind is TransformKind.SKEW:
+            return f"{words.angle(self._skewed(pointer))} along {'xy'[self.axis or 0]}{mark}"
         if self.typed.is_pair:
             return self.typed.told("0" if self.kind is TransformKind.MOVE else "1")
         along = "" if self.axis is None else f" along {'xy'[self.axis]}"
@@ -157,7 +184,10 @@ class Transform(Drag, frozen=True):
                 return moved(self.document, self.group, self._displacement(pointer))
             return self._move().document_at(pointer)
         if self.kind is TransformKind.ROTATE:
-            return mapped(self.document, self.group, rotation(self._degrees(pointer), self.centre))
+            return mapped(self.document, self.group, rotation(self._degrees(pointer), self._about(pointer)))
+        if self.kind is TransformKind.SKEW:
+            by = skewing(self.axis or 0, self._skewed(pointer), self._about(pointer))
+            return mapped(self.document, self.group, by)
         x, y = self._factors(pointer)
         document = mapped(self.document, self.group, scaling(x, y, self.centre))
         return scaled_strokes(document, self.group, x, y) if self.scales_strokes else document
@@ -189,9 +219,36 @@ class Transform(Drag, frozen=True):
     def _degrees(self, pointer: Pointer) -> float:
         if self.typed.counts:
             return self.typed.number(0.0)
-        first, now = (_direction(self.centre, place) for place in (self.start, pointer.position))
+        first, now = (_direction(self._about(pointer), place) for place in (self.start, pointer.position))
         turned = (now - first + 180.0) % 360.0 - 180.0
-        return 15.0 * round(turned / 15.0) if pointer.shift or pointer.ctrl else turned
+        return _STEP * round(turned / _STEP) if self._is_stepped(pointer) else turned
+
+    def _skewed(self, pointer: Pointer) -> float:
+        """Return the degrees with which what is held goes along with the pointer."""
+        if self.typed.counts:
+            return self.typed.number(0.0)
+        axis = self.axis or 0
+        arm = self.hold[1 - axis] - self._about(pointer)[1 - axis]
+        if not arm:
+            return 0.0
+        degrees = math.degrees(math.atan((pointer.position[axis] - self.start[axis]) / arm))
+        most, step = (75.0, _STEP) if self._is_stepped(pointer) else (LARGEST_SKEW, 0.0)
+        return min(max(step * round(degrees / step) if step else degrees, -most), most)
+
+    def _is_stepped(self, pointer: Pointer) -> bool:
+        return pointer.ctrl or (pointer.shift and self.opposite is None)
+
+    def about(self, pointer: Pointer) -> Vector | None:
+        """Return what it rotates or skews about."""
+        return self._about(pointer) if self.kind.is_angle else None
+
+    def _about(self, pointer: Pointer) -> Vector:
+        """Return what is rotated or skewed about; nothing can be skewed about the side that is held."""
+        if self.opposite is None:
+            return self.centre
+        across = 1 - (self.axis or 0)
+        is_on_side = self.kind is TransformKind.SKEW and self.centre[across] == self.hold[across]
+        return self.opposite if pointer.shift or is_on_side else self.centre
 
 
 def _direction(centre: Vector, place: Vector) -> float:

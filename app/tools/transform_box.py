@@ -1,4 +1,4 @@
-"""The box around the selected points, or selected curves: eight grips scale it, a ninth above it rotates."""
+"""The box around the selected points, or selected curves: its grips scale and rotate, or rotate and skew."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from msgspec.structs import replace
 from ..document import words
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.several_curves import scaled_strokes
 from ..document.transforms import scaling, with_coordinates
-from ..view_model.bounds import Bounds, bounds_of
+from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.curve_view import CurveView
 from ..view_model.stretch import stretched
 from .drag import Drag, longer_axis, minus, plus
 from .pointer import Cursor, Pointer
 from .snapping import Snapper
+from .transform import TransformKind
 
 PADDING = 16.0
 """Pixels between the points and the box: the grips must not lie on the points."""
@@ -33,27 +33,48 @@ _TOLERANCE = 0.05
 
 
 class Grip(msgspec.Struct, frozen=True):
-    """A grip: −1, 0 or 1 in each direction, or the one that rotates."""
+    """A grip: −1, 0 or 1 in each direction.
+
+    Attributes
+    ----------
+    does
+        What it does.
+    """
 
     x: int
     y: int
-    rotates: bool = False
+    does: TransformKind = TransformKind.SCALE
 
     @property
     def cursor(self) -> Cursor:
         """The shape of the pointer over it."""
-        if self.rotates:
+        if self.does is TransformKind.ROTATE:
             return Cursor.ROTATE
         if self.x == 0 or self.y == 0:
-            return Cursor.WIDER if self.y == 0 else Cursor.HIGHER
+            goes_along_x = (self.y == 0) is (self.does is TransformKind.SCALE)
+            return Cursor.WIDER if goes_along_x else Cursor.HIGHER
         return Cursor.RISING if self.x == self.y else Cursor.FALLING
 
 
 _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
+_TURNING_GRIPS = tuple(
+    Grip(each.x, each.y, TransformKind.ROTATE if each.x and each.y else TransformKind.SKEW) for each in _GRIPS
+)
 
 
 class TransformBox(Bounds, frozen=True):
-    """The bounds of selected points, or of selected curves, without padding."""
+    """The bounds of selected points, or of selected curves, without padding.
+
+    Attributes
+    ----------
+    grows
+        Along which axes it can be scaled: those in which it has a length beside that of strokes.
+    turns
+        Whether its grips rotate, at the corners, and skew, and do not scale.
+    """
+
+    grows: tuple[bool, bool] = (True, True)
+    turns: bool = False
 
     def padded(self, scale: float) -> tuple[Vector, Vector]:
         """Return the corners as drawn, at `scale` pixels per unit."""
@@ -66,16 +87,18 @@ class TransformBox(Bounds, frozen=True):
         return low[0] <= x <= high[0] and low[1] <= y <= high[1]
 
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
-        """Return the grips and where they lie; none that would scale a side without length."""
+        """Return the grips and where they lie; none that would scale or skew a side without length."""
         low, high = self.padded(scale)
-        middle, useful = self.centre, tuple(b > a for a, b in zip(self.low, self.high, strict=True))
+        middle, useful = self.centre, self.grows
         columns, rows = (low[0], middle[0], high[0]), (low[1], middle[1], high[1])
         grips = [
             (grip, (columns[grip.x + 1], rows[grip.y + 1]))
-            for grip in _GRIPS
-            if (useful[0] or not grip.x) and (useful[1] or not grip.y)
+            for grip in (_TURNING_GRIPS if self.turns else _GRIPS)
+            if grip.does is TransformKind.ROTATE or ((useful[0] or not grip.x) and (useful[1] or not grip.y))
         ]
-        return [*grips, (Grip(0, 1, rotates=True), (middle[0], high[1] + _ARM / scale))]
+        if self.turns:
+            return grips
+        return [*grips, (Grip(0, 1, TransformKind.ROTATE), (middle[0], high[1] + _ARM / scale))]
 
     def grip_at(self, pointer: Pointer) -> Grip | None:
         """Return the grip under the pointer."""
@@ -87,15 +110,21 @@ class TransformBox(Bounds, frozen=True):
         return grip if distance <= _REACH else None
 
 
-def box_of(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> TransformBox | None:
+def box_of(
+    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, live: bool = False
+) -> TransformBox | None:
     """Return the box around two or more points, or curves, that are not all in one place.
 
     `live` while they are dragged: as they are drawn.
     """
     if sum(len(indices) for _, indices in group.parts) < 2:
         return None
-    bounds = bounds_of(views, group, as_drawn=live)
-    return TransformBox(bounds.low, bounds.high) if bounds is not None and any(bounds.size) else None
+    bounds = bounds_of(views, group, strokes, as_drawn=live)
+    # While it is dragged there are no grips.
+    bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE)
+    if bounds is None or bare is None or not any(bare.size):
+        return None
+    return TransformBox(bounds.low, bounds.high, (bare.size[0] > 0.0, bare.size[1] > 0.0))
 
 
 class ScaleBox(Drag, frozen=True):
@@ -109,8 +138,8 @@ class ScaleBox(Drag, frozen=True):
         The views of the curves at the press.
     pivot
         What stays where it is with Shift.
-    scales_strokes
-        Whether it changes the widths of strokes, too.
+    strokes
+        Whether the box is one with strokes, and whether these are scaled, too.
     """
 
     views: Sequence[CurveView]
@@ -120,7 +149,7 @@ class ScaleBox(Drag, frozen=True):
     grip: Grip
     start: Vector
     snapper: Snapper
-    scales_strokes: bool = False
+    strokes: Strokes
 
     keys = "Shift: about the pivot · Ctrl: keep proportions · Alt: snap, or not"
 
@@ -137,19 +166,22 @@ class ScaleBox(Drag, frozen=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Scale about the opposite side, or about the pivot with Shift."""
         x, y = self._factors(self._displacement(pointer), pointer)
-        document = self._scaled(x, y, pointer)
-        return scaled_strokes(document, self.group, x, y) if self.scales_strokes else document
-
-    def _scaled(self, x: float, y: float, pointer: Pointer) -> Document:
-        by = scaling(x, y, self._fixed(pointer))
-        caught = self.snapper.caught
-        corners, tolerance = (by.point(self.box.low), by.point(self.box.high)), _TOLERANCE / pointer.scale
-        if caught is None:
-            return stretched(self.document, self.views, self.group, corners, tolerance=tolerance)
-        document = stretched(self.document, self.views, self.group, corners)
-        for axis in caught.axes:
-            # To the last bit where it snapped to.
-            document = self._with_side(document, axis, caught.position[axis])
+        about, caught = self._fixed(pointer), self.snapper.caught
+        by = scaling(x, y, about)
+        document = stretched(
+            self.document,
+            self.views,
+            self.group,
+            (by.point(self.box.low), by.point(self.box.high)),
+            self.strokes,
+            even=longer_axis(self._arm(pointer)) if pointer.ctrl else None,
+            about=about,
+            tolerance=0.0 if caught is not None else _TOLERANCE / pointer.scale,
+        )
+        if caught is not None:
+            for axis in caught.axes:
+                # To the last bit where it snapped to.
+                document = self._with_side(document, axis, caught.position[axis])
         return document
 
     def _with_side(self, document: Document, axis: int, value: float) -> Document:

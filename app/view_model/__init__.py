@@ -30,8 +30,8 @@ A curve changed:
   ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``point_kinds``: the kinds of
   points.  ``measure``: the change of shape.
 - ``least_squares``: curves of few points near many.
-- ``bounds``: the box of points or curves.  ``stretch``: what fills another.  ``alignment``: curves by theirs.
-  ``pivot``: the place that transforms are about, and what they did.
+- ``bounds``: the box of points or curves.  ``stroked``: with strokes.  ``stretch``: what fills another.
+  ``alignment``: curves by theirs.  ``pivot``: the place that transforms are about, and what they did.
 - ``pasting``: points carried from one curve to another.  ``arrivals``: curves from elsewhere.
 - ``point_columns``: the columns of the point table.
 

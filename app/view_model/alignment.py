@@ -13,7 +13,7 @@ from ..document.point_group import PointGroup
 from ..document.several_curves import moved, whole_curves
 from ..document.shapes import whole_shapes
 from ..document.transforms import Edge, Reference, Spacing
-from .bounds import Bounds, bounds_of
+from .bounds import Bounds, Strokes, bounds_of
 from .curve_view import CurveView
 
 
@@ -35,8 +35,10 @@ def align_curves(
     views: Sequence[CurveView],
     chosen: Collection[int],
     edge: Edge,
+    strokes: Strokes,
     reference: Reference = Reference.EACH_OTHER,
     first: int = 0,
+    last: int = 0,
 ) -> Document:
     """Move each shape of the chosen curves so that it lies along an edge, or the middle, of the reference.
 
@@ -44,19 +46,23 @@ def align_curves(
     ----------
     views
         The views of all curves.
-    first
-        The one that was chosen first.
+    strokes
+        Whether edges are those of strokes.
+    first, last
+        The ones that were chosen first and last.
     """
-    items = _items(document, views, chosen)
+    items = _items(document, views, chosen, strokes)
     if reference is Reference.PAGE:
         bounds = _page_of(document)
-    elif reference is Reference.FIRST:
-        bounds = next((item.bounds for item in items if first in item.group.curves), items[0].bounds)
-    elif reference is Reference.LARGEST:
-        bounds = max((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
+    elif reference in (Reference.FIRST, Reference.LAST):
+        place, other = (first, items[0]) if reference is Reference.FIRST else (last, items[-1])
+        bounds = next((item for item in items if place in item.group.curves), other).bounds
+    elif reference in (Reference.LARGEST, Reference.SMALLEST):
+        choose = max if reference is Reference.LARGEST else min
+        bounds = choose((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
     else:
         is_drawing = reference is Reference.DRAWING
-        of = _items(document, views, range(len(document.curves))) if is_drawing else items
+        of = _items(document, views, range(len(document.curves)), strokes) if is_drawing else items
         bounds = _joined([item.bounds for item in of])
     target = _place(bounds, edge)
     for item in items:
@@ -65,10 +71,15 @@ def align_curves(
 
 
 def distribute_curves(
-    document: Document, views: Sequence[CurveView], chosen: Collection[int], axis: int, spacing: Spacing
+    document: Document,
+    views: Sequence[CurveView],
+    chosen: Collection[int],
+    axis: int,
+    spacing: Spacing,
+    strokes: Strokes,
 ) -> Document:
     """Space the shapes of the chosen curves evenly between the outer two, along x (axis 0) or y (axis 1)."""
-    items = sorted(_items(document, views, chosen), key=lambda item: item.middle(axis))
+    items = sorted(_items(document, views, chosen, strokes), key=lambda item: item.middle(axis))
     if len(items) < 3:
         raise EditError("Choose at least three curves to distribute them.")
     first, last, count = items[0], items[-1], len(items) - 1
@@ -86,7 +97,9 @@ def distribute_curves(
     return document
 
 
-def _items(document: Document, views: Sequence[CurveView], curves: Collection[int]) -> list[_Item]:
+def _items(
+    document: Document, views: Sequence[CurveView], curves: Collection[int], strokes: Strokes
+) -> list[_Item]:
     """Return what moves as one of some curves: whole groups and shapes, those that have points.
 
     Within a group that is all that is chosen, what is in it moves against each other.
@@ -95,7 +108,7 @@ def _items(document: Document, views: Sequence[CurveView], curves: Collection[in
     while len(nodes) == 1 and nodes[0].kind is NodeKind.GROUP:
         nodes = list(nodes[0].parts)
     groups = [whole_curves(document, node.places) for node in nodes]
-    found = [(group, bounds_of(views, group)) for group in groups]
+    found = [(group, bounds_of(views, group, strokes)) for group in groups]
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
 
 

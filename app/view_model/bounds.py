@@ -1,4 +1,7 @@
-"""Bounds of points that change together: of whole curves those of the curves, of other points their own."""
+"""Bounds of points that change together: of whole curves those of the curves, of other points their own.
+
+Bounds of curves are those of their lines, or with their strokes, as they print.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,7 @@ from curvecore.arrays import FloatArray
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from .curve_view import CurveView
+from .stroked import Line, farthest_reach, half_width, is_round, line_of, polygonal, stroke_box
 
 
 class Bounds(msgspec.Struct, frozen=True):
@@ -62,24 +66,93 @@ def nine_places(bounds: Bounds) -> dict[str, Vector]:
     return {name_of_place(*at): bounds.place(*at) for at in NINE}
 
 
-def bounds_of(views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool = False) -> Bounds | None:
+class Strokes(msgspec.Struct, frozen=True):
+    """What transforms make of the widths of strokes.
+
+    Attributes
+    ----------
+    measured
+        Whether bounds are those of curves as they print, with their strokes.
+    scaled
+        Whether strokes get wider, or thinner, with the curves that they are of.
+    """
+
+    measured: bool = True
+    scaled: bool = True
+
+
+BARE: Final = Strokes(measured=False, scaled=False)
+"""Curves without their strokes."""
+
+
+def bounds_of(
+    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, as_drawn: bool = False
+) -> Bounds | None:
     """Return the bounds of a group, None where it has no points.
 
     Of a curve all of whose points are in the group they are those of the curve, exact, or `as_drawn`: while
     it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
     of a curve, they are those of the points.
     """
-    whole = [views[curve] for curve, indices in group.parts if is_whole(views[curve], indices)]
+    parts = [(views[curve], indices) for curve, indices in group.parts if indices]
+    whole = [view for view, indices in parts if is_whole(view, indices)]
     if not as_drawn:
         _find_bounds(whole)
-    boxes = [
-        (views[curve].polyline if as_drawn else _found(views[curve]))
-        if is_whole(views[curve], indices)
-        else views[curve].points[sorted(indices)]
-        for curve, indices in group.parts
-        if indices
-    ]
+    lines = [_corners_of(view.polyline) if as_drawn else _found(view) for view in whole]
+    boxes = [*lines, *(view.points[sorted(at)] for view, at in parts if not is_whole(view, at))]
+    if strokes.measured:
+        boxes += _stroke_boxes(whole, lines, as_drawn=as_drawn)
     return around(boxes)
+
+
+def _stroke_boxes(
+    views: Sequence[CurveView], lines: Sequence[FloatArray], *, as_drawn: bool
+) -> list[FloatArray]:
+    """Return the boxes of those strokes, by the boxes of their lines, that may reach beyond all others."""
+    places = [at for at, view in enumerate(views) if half_width(view.source.style) > 0.0]
+    if not places:
+        return []
+    stroked, corners = [views[at] for at in places], np.array([lines[at] for at in places])
+    # Boxes that strokes fill at least, as one without corners and ends does, and those that none leaves.
+    sure, possible = (
+        corners + np.array([[[-far], [far]] for far in reach])
+        for reach in (
+            [half_width(view.source.style) if is_round(view.source.style) else 0.0 for view in stroked],
+            [farthest_reach(view.source.style) for view in stroked],
+        )
+    )
+    low, high = sure[:, 0].min(axis=0), sure[:, 1].max(axis=0)
+    sticks_out = (possible[:, 0] < low).any(axis=1) | (possible[:, 1] > high).any(axis=1)
+    return [
+        sure.reshape(-1, 2),
+        *(_stroke_box(stroked[at], as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
+    ]
+
+
+def _corners_of(points: FloatArray) -> FloatArray:
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def _stroke_box(view: CurveView, *, as_drawn: bool) -> FloatArray:
+    if as_drawn:
+        line = polygonal(view.polyline, is_closed=view.source.is_closed)
+        return view.polyline if line is None else stroke_box(line, view.source.style)
+    if "stroke_bounds" not in view.__dict__:
+        line = _exact_line(view)
+        view.__dict__["stroke_bounds"] = _found(view) if line is None else stroke_box(line, view.source.style)
+    found: FloatArray = view.__dict__["stroke_bounds"]
+    return found
+
+
+def _exact_line(view: CurveView) -> Line | None:
+    from curvecore.analysis.bounding_boxes import turning_points  # noqa: PLC0415 - when first looked at
+    from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415
+
+    assert view.curve is not None
+    pieces = bezier_pieces(view.curve)
+    (turns,) = turning_points([view.curve], [pieces])
+    xs, ys = (turns.points[turns.axis == axis, axis] for axis in (0, 1))
+    return line_of(pieces, (xs, ys), is_closed=view.source.is_closed)
 
 
 def around(boxes: Sequence[FloatArray]) -> Bounds | None:

@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from ..document.transforms import IDENTITY, Affine
-from .bounds import Bounds, bounds_of
+from .bounds import Bounds, Strokes, bounds_of
 from .curve_view import CurveView
 from .stretch import between
 
@@ -63,11 +63,13 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         return between(before, (after.place(-x, -y), after.place(x, y)))
 
 
-def anchored(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> Anchor:
+def anchored(
+    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, live: bool = False
+) -> Anchor:
     """Return a group as it is now; `live` while it is dragged, with its bounds as they are drawn."""
     parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts]
     points = np.concatenate(parts) if parts else np.empty((0, 2))
-    return Anchor(group, points, bounds_of(views, group, as_drawn=live))
+    return Anchor(group, points, bounds_of(views, group, strokes, as_drawn=live))
 
 
 class Pivot(msgspec.Struct, frozen=True, eq=False):

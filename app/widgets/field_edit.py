@@ -21,6 +21,8 @@ _KEYPAD = Qt.KeyboardModifier.KeypadModifier
 _NOTCH = 120
 """Eighths of a degree by which a wheel turns from notch to notch."""
 
+_OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
+
 
 class FieldEdit(ClaimsKeys, QLineEdit):
     """Shows a text of the document; what is typed is reported with Enter or Tab, and only if it differs.
@@ -71,12 +73,18 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     def _commit(self) -> None:
         typed = self.text()
         changed = self.isModified() and typed not in (self._whole, self._short)
-        self.setModified(False)  # so that the document's answer may be shown
+        # So that the document's answer may be shown; and how it was typed is forgotten.
+        self.setText(typed)
         if changed:
             self._entered = typed
             self.committed.emit(typed)
         else:
             self.left.emit()
+
+    def enter(self) -> None:
+        """Enter what was typed, as the Return key does."""
+        if self.isModified():
+            self._commit()
 
     def keep(self) -> None:
         """Leave the text that was entered last in the field, to be mended."""
@@ -104,16 +112,24 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         # Escape is the window's key, too; while somebody types here it takes back what was typed.
         return event.key() == Qt.Key.Key_Escape and self.isModified()
 
+    def _passes_on(self, event: QKeyEvent) -> bool:
+        """Whether a key is meant for the document, for here is nothing to take back or to copy."""
+        if event.matches(QKeySequence.StandardKey.Copy):
+            return not self.hasSelectedText()
+        return not self.isModified() and any(map(event.matches, _OF_DOCUMENT))
+
     def event(self, event: QEvent) -> bool:
-        is_asked = event.type() == QEvent.Type.ShortcutOverride and not self.hasSelectedText()
-        if is_asked and isinstance(event, QKeyEvent) and event.matches(QKeySequence.StandardKey.Copy):
-            # There is nothing to copy here; the window copies what is chosen.
+        is_asked = event.type() == QEvent.Type.ShortcutOverride
+        if is_asked and isinstance(event, QKeyEvent) and self._passes_on(event):
+            # A QLineEdit claims these keys, whatever it can do with them.
             event.ignore()
-            return True
-        return super().event(event)
+            return False
+        return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.claims(event):
+        if self._passes_on(event):
+            event.ignore()
+        elif self.claims(event):
             self.revert()
             self.left.emit()
         else:

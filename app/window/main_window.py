@@ -108,7 +108,12 @@ class MainWindow(Guarded, QMainWindow):
         clipboard = ClipboardWatch(self)
         now = Situation(session, self.store, clipboard)
         self.actions_by_name = Actions(self, self._command_sets, now)
-        for changed in (self.store.changed, session.history_changed, clipboard.changed):
+        for changed in (
+            self.store.changed,
+            session.history_changed,
+            session.grips_changed,
+            clipboard.changed,
+        ):
             changed.connect(self.actions_by_name.render)
 
     def _build_parts(self) -> None:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import sign_changes, values
 from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, parameters_at
 from curvecore.families.curve import ParametricCurve
@@ -86,25 +86,69 @@ def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
     list of Box
         As `bounding_box`.
     """
-    boxes: dict[int, Box] = {}
+    boxes = []
+    for curve, part, turns in zip(curves, parts, turning_points(curves, parts), strict=True):
+        reached = [turns.points]
+        if not _are_exact(curve, part):
+            # Pieces of a lower degree follow the curve, they are not it: it may turn where two of them meet.
+            reached.append(scale_by_power(part.controls[:, 0], part.exponent))
+        points = np.concatenate([*(piece.knot_points for piece in curve.pieces), *reached])
+        error = float(scale_by_power(part.error.max(keepdims=True), part.exponent)[0])
+        boxes.append(Box(points.min(axis=0), points.max(axis=0), error))
+    return boxes
+
+
+class Turns(NamedTuple):
+    """The places inside the pieces of a curve where a coordinate turns back.
+
+    Attributes
+    ----------
+    points : ndarray, shape (k, dim)
+        The places.
+    axis : ndarray, shape (k,)
+        Which coordinate turns there.
+    """
+
+    points: FloatArray
+    axis: IntArray
+
+
+def turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[Turns]:
+    """Return where the coordinates of many curves turn, but for the joints of their pieces.
+
+    Parameters
+    ----------
+    curves : sequence of ParametricCurve
+        Of any families and dims.
+    parts : sequence of BezierPieces
+        Of each curve.
+
+    Returns
+    -------
+    list of Turns
+        Of each curve.
+    """
+    found: dict[int, Turns] = {}
     for same in alike(parts):
-        found = _turning_points([curves[index] for index in same], [parts[index] for index in same])
-        for index, reached in zip(same.tolist(), found, strict=True):
-            points = np.concatenate([*(piece.knot_points for piece in curves[index].pieces), reached])
-            error = float(scale_by_power(parts[index].error.max(keepdims=True), parts[index].exponent)[0])
-            boxes[index] = Box(points.min(axis=0), points.max(axis=0), error)
-    return [boxes[index] for index in range(len(curves))]
+        turns = _turning_points([curves[index] for index in same], [parts[index] for index in same])
+        found.update(zip(same.tolist(), turns, strict=True))
+    return [found[index] for index in range(len(curves))]
 
 
-def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[FloatArray]:
-    """Return of each curve the points where a coordinate turns; all pieces have one degree and dim."""
+def _are_exact(curve: ParametricCurve, part: BezierPieces) -> bool:
+    return bool(curve.degree == part.controls.shape[1] - 1)
+
+
+def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[Turns]:
+    """Return where coordinates turn, of curves all of whose pieces have one degree and dim."""
     controls = np.concatenate([part.controls for part in parts])
     slopes = np.concatenate([part.slopes for part in parts])
     after = np.cumsum([len(part.starts) for part in parts])
     # All coordinates at once.
     flat = slopes.transpose(2, 0, 1).reshape(-1, slopes.shape[1])
     roots = sign_changes(flat, np.zeros(len(flat)))
-    piece, place = roots.piece % len(slopes), roots.place
+    axis, piece = np.divmod(roots.piece, len(slopes))
+    place = roots.place
     owner = np.searchsorted(after, piece, side="right")
     exponents = np.array([part.exponent for part in parts])
     points = scale_by_power(values(controls[piece], place), exponents[owner][:, None])
@@ -113,11 +157,10 @@ def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPie
     found = []
     for index, (curve, part) in enumerate(zip(curves, parts, strict=True)):
         here = order[bounds[index] : bounds[index + 1]]
-        if curve.degree == controls.shape[1] - 1:
-            found.append(points[here])
-            continue
-        # Pieces of a lower degree follow the curve, they are not it; and it may turn where two of them meet.
-        t = parameters_at(part, piece[here] - (after[index] - len(part.starts)), place[here])
-        joints = scale_by_power(part.controls[:, 0], part.exponent)
-        found.append(np.concatenate([joints, curve.evaluate(t)]))
+        if _are_exact(curve, part):
+            reached = points[here]
+        else:
+            t = parameters_at(part, piece[here] - (after[index] - len(part.starts)), place[here])
+            reached = curve.evaluate(t)
+        found.append(Turns(reached, axis[here]))
     return found

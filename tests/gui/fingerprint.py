@@ -205,7 +205,7 @@ class Fingerprint:
                 action.shortcut().toString(),
             )
         for dock in window.findChildren(QDockWidget):
-            self.told[f"dock {dock.objectName()}"] = bool(dock.property("hadRoom"))
+            self.told[f"dock {dock.objectName()}"] = bool(dock.property("hasRoom"))
         for widget in window.findChildren(QWidget, _OUR_NAMES):
             if isinstance(widget, QTabWidget) and widget.currentIndex() > 0:
                 # Whoever shows it again sees the page that was seen last.

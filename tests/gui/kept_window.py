@@ -194,7 +194,7 @@ class KeptEditor:
         window = self._editor.window
         for dock in self._docks:
             # Once opened it has had the room that it asks for.
-            dock.setProperty("hadRoom", None)
+            dock.setProperty("hasRoom", None)
         if window.size() != self._size:
             window.resize(self._size)
         for dock in self._in_front:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from extents import CLOSE, sampled_bounds
+from extents import CLOSE, printed_bounds, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -80,6 +80,28 @@ def test_curves_are_aligned_by_their_extents(four, action, to):
     four.trigger("undo")
     assert boxes(four) == pytest.approx(before)
     four.trigger("alignToEachOther")
+
+
+def test_edges_are_those_of_strokes_unless_they_are_not_measured(four):
+    four.session.change(
+        "Widths",
+        lambda document: replace(
+            document,
+            curves=tuple(
+                replace(curve, style=replace(curve.style, width=0.5 * place))
+                for place, curve in enumerate(document.curves)
+            ),
+        ),
+    )
+    for action, bounds_of in (("alignLeft", printed_bounds), ("alignTop", sampled_bounds)):
+        before = np.array([bounds_of(four, place) for place in range(4)])
+        four.trigger(action)
+        after = np.array([bounds_of(four, place) for place in range(4)])
+        assert edge_of(after, action) == pytest.approx(
+            4 * [float(edge_of(whole(before), action))], abs=2 * CLOSE
+        )
+        four.trigger("measureStrokes")
+    assert four.window.store.state.measure_strokes
 
 
 def test_the_largest_is_another_one_than_that_edited(four):
@@ -218,6 +240,27 @@ def test_the_buttons_of_the_panel_align(four):
     QTest.mouseClick(four.window.findChild(QToolButton, "alignBottomButton"), Qt.MouseButton.LeftButton)
     low = boxes(four)[:, 0, 1]
     assert low == pytest.approx(4 * [low[0]], abs=CLOSE)
+
+
+def test_the_last_chosen_is_the_one_clicked_last_and_the_smallest_is_found(four):
+    """Also where it lies between the others in the list, and after the list was turned round."""
+    four.session.selected.choose({0})
+    for place in (3, 1):
+        on = tuple(four.session.views[place].curve.evaluate(0.4).tolist())
+        four.click(on, keys=Qt.KeyboardModifier.ShiftModifier)
+    four.trigger("alignToLast")
+    before = boxes(four)
+    four.trigger("alignBottom")
+    assert boxes(four)[[0, 1, 3], 0, 1] == pytest.approx(3 * [before[1, 0, 1]], abs=2 * CLOSE)
+    four.trigger("undo")
+    four.session.change("Turn", lambda document: replace(document, curves=document.curves[::-1]))
+    assert four.session.selected.last == 2
+    four.session.selected.choose({1, 2, 3})
+    before = boxes(four)
+    four.trigger("alignToSmallest")
+    four.trigger("alignTop")
+    assert boxes(four)[1:, 1, 1] == pytest.approx(3 * [before[1, 1, 1]], abs=2 * CLOSE)
+    four.trigger("alignToEachOther")
 
 
 def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):

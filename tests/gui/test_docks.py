@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QToolButton
+from PySide6.QtWidgets import QApplication, QDockWidget, QTabBar, QToolButton
 
 from app.appearance.theme import ThemeMode
+from app.testing import Editor
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -141,3 +142,30 @@ def test_a_scrub_line_that_was_there_goes_back_where_it_was(editor):
     editor.click(tuple(np.array(editor.session.active_view.curve.evaluate(0.8)).tolist()))
     editor.escape()
     assert editor.session.selected.scrub == t
+
+
+@pytest.mark.parametrize("size", [(1024, 700), (1400, 900)])
+def test_a_panel_that_is_opened_takes_the_room_it_needs_and_gives_it_back(qtbot, size):
+    editor = Editor(qtbot, size=size)
+    points, transform = dock(editor, "pointsDock"), dock(editor, "transformDock")
+    before = points.height()
+    for _ in range(2):
+        editor.key(Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
+        qtbot.waitUntil(lambda: not transform.widget().verticalScrollBar().isVisible())
+        spare = transform.widget().viewport().height() - transform.widget().content.sizeHint().height()
+        assert 0 <= spare <= 2
+        transform.close()
+        qtbot.waitUntil(lambda: abs(points.height() - before) <= 2)
+
+
+def test_titles_of_many_panels_are_whole(qtbot):
+    editor = Editor(qtbot, size=(1024, 700))
+    for name in ("documentDock", "wiggleDock", "laboratoryDock", "transformDock"):
+        editor.show_dock(name)
+    editor.settle()
+    bars = [bar for bar in editor.window.findChildren(QTabBar) if bar.isVisible()]
+    bar = max(bars, key=QTabBar.count)
+    assert bar.count() == 7
+    wanted = [bar.fontMetrics().horizontalAdvance(bar.tabText(at)) for at in range(7)]
+    assert all(bar.tabRect(at).width() > width for at, width in enumerate(wanted))
+    assert bar.width() <= 360, "the others are reached by its arrows"

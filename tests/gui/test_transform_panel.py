@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from extents import CLOSE, sampled_bounds
+from extents import CLOSE, printed_bounds, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -41,6 +41,10 @@ def field(editor, name):
     return found
 
 
+def number_in(editor, name):
+    return float(field(editor, name).text().replace("−", "-"))
+
+
 def enter(editor, name, text, key=Key.Key_Return):
     edit = field(editor, name)
     edit.setFocus()
@@ -66,7 +70,11 @@ def undo_text(editor):
 
 
 def size(editor, *places):
-    return np.ptp(sampled_bounds(editor, *places), axis=0)
+    return np.ptp(printed_bounds(editor, *places), axis=0)
+
+
+def bare_size(editor):
+    return np.ptp(sampled_bounds(editor), axis=0)
 
 
 def points(editor):
@@ -82,12 +90,14 @@ def test_the_key_leads_to_the_width(leaf):
     assert field(leaf, "Width").cursorPosition() == 0, "the first digits are seen"
 
 
-def test_it_shows_the_curve_and_not_its_points(leaf):
-    bounds = sampled_bounds(leaf)
-    assert bounds[1][1] > 22.1
-    shown = [float(field(leaf, name).text()) for name in ("X", "Y", "Width", "Height")]
-    # Seven digits.
-    assert shown == pytest.approx([*bounds.mean(axis=0), *np.ptp(bounds, axis=0)], rel=1e-6)
+def test_it_shows_the_curve_with_its_stroke_or_without_and_not_its_points(leaf):
+    for bounds_of in (printed_bounds, sampled_bounds):
+        bounds = bounds_of(leaf)
+        assert bounds[1][1] > 22.1
+        shown = [float(field(leaf, name).text()) for name in ("X", "Y", "Width", "Height")]
+        # Seven digits.
+        assert shown == pytest.approx([*bounds.mean(axis=0), *np.ptp(bounds, axis=0)], rel=1e-6)
+        leaf.trigger("measureStrokes")
     assert label(leaf, "transformWhat") == "All 4 points"
 
 
@@ -129,9 +139,9 @@ def test_a_locked_curve_cannot_be_changed_and_the_panel_says_why(leaf):
     ("text", "width"), [("70 mm", 70.0), ("7cm", 70.0), ("2in", 50.8), ("100/3", 100 / 3), ("1in+1mm", 26.4)]
 )
 def test_a_typed_width_is_that_of_the_curve_exactly(leaf, text, width):
-    before = sampled_bounds(leaf)
+    before = printed_bounds(leaf)
     enter(leaf, "Width", text)
-    after = sampled_bounds(leaf)
+    after = printed_bounds(leaf)
     assert np.ptp(after, axis=0) == pytest.approx((width, np.ptp(before, axis=0)[1]), abs=CLOSE)
     assert after.mean(axis=0) == pytest.approx(before.mean(axis=0), abs=CLOSE), "about the pivot"
     bounds = leaf.window.canvas.tools.target.bounds
@@ -170,21 +180,53 @@ def test_chosen_curves_have_one_size_together(leaf):
 
 
 def test_strokes_scale_with_the_curve_unless_switched_off(leaf):
-    width = size(leaf)[0]
+    width, height = size(leaf)
     click(leaf, "panelProportionsButton")
     enter(leaf, "Width", f"{2 * width}")
     assert leaf.curve.style.width == pytest.approx(4.0, abs=1e-6)
     click(leaf, "panelProportionsButton")
+    before = np.ptp(points(leaf), axis=0)
     enter(leaf, "Width", "50%")
-    assert leaf.curve.style.width == pytest.approx(math.sqrt(8.0), abs=1e-6)
+    assert size(leaf) == pytest.approx((width, 2 * height), abs=CLOSE)
+    # The mean of the factors of the points: the box with the stroke is what has a half of its width.
+    mean = math.sqrt(np.prod(np.ptp(points(leaf), axis=0) / before))
+    assert leaf.curve.style.width == pytest.approx(4.0 * mean, abs=1e-6)
     before = leaf.curve.style.width
-    box = leaf.window.findChild(QCheckBox, "panelStrokes")
+    box = leaf.window.findChild(QCheckBox, "scaleStrokesSwitch")
     QTest.mouseClick(box, LEFT, pos=_mark(box))
     assert not leaf.window.store.state.scale_strokes
     enter(leaf, "Width", "30")
+    assert size(leaf) == pytest.approx((30.0, 2 * height), abs=CLOSE)
     assert leaf.curve.style.width == before
+    document = leaf.session.document
+    enter(leaf, "Width", "1")
+    assert leaf.session.document is document
+    assert "The strokes alone take 2.87728 mm" in label(leaf, "transformProblem")
     leaf.trigger("scaleStrokes")
     assert box.isChecked()
+
+
+def test_proportions_are_those_of_the_curve_where_its_stroke_stays(leaf):
+    bare = bare_size(leaf)
+    leaf.trigger("scaleStrokes")
+    click(leaf, "panelProportionsButton")
+    click(leaf, "pivotBottomLeft")
+    low = printed_bounds(leaf)[0]
+    enter(leaf, "Height", "70")
+    assert size(leaf)[1] == pytest.approx(70.0, abs=CLOSE)
+    assert bare_size(leaf) / bare == pytest.approx(2 * [68.0 / bare[1]], abs=CLOSE)
+    assert printed_bounds(leaf)[0] == pytest.approx(low, abs=CLOSE), "the corner of the printed box stays"
+    click(leaf, "panelProportionsButton")
+    leaf.trigger("scaleStrokes")
+
+
+def test_without_strokes_a_typed_width_is_that_of_the_line(leaf):
+    box = leaf.window.findChild(QCheckBox, "measureStrokesSwitch")
+    QTest.mouseClick(box, LEFT, pos=_mark(box))
+    enter(leaf, "Width", "70 mm")
+    assert bare_size(leaf)[0] == pytest.approx(70.0, abs=CLOSE)
+    QTest.mouseClick(box, LEFT, pos=_mark(box))
+    assert leaf.window.store.state.measure_strokes
 
 
 def _mark(box):
@@ -204,9 +246,11 @@ def test_strokes_scale_with_typed_factors_and_grips(leaf, how):
     else:
         leaf.trigger("selectAll")
         start = leaf.grip(1, 0)
-        before = size(leaf)[0]
+        before, width = np.ptp(points(leaf), axis=0), size(leaf)[0]
         leaf.drag(start, (start[0] + 10, start[1]))
-        assert leaf.curve.style.width == pytest.approx(2 * math.sqrt(size(leaf)[0] / before), rel=1e-3)
+        assert size(leaf)[0] == pytest.approx(width + 10, abs=2 * leaf.pixel)
+        mean = math.sqrt(np.prod(np.ptp(points(leaf), axis=0) / before))
+        assert leaf.curve.style.width == pytest.approx(2 * mean, rel=1e-3)
     leaf.trigger("undo")
     assert leaf.curve.style.width == 2.0
 
@@ -219,21 +263,38 @@ def test_points_alone_leave_the_stroke(leaf):
     assert undo_text(leaf) == "Set width of 2 points to 30 mm"
 
 
+def test_undo_takes_back_what_was_entered_and_while_typing_the_typing(leaf):
+    for name, text in (("Width", "70"), ("Height", "30")):
+        enter(leaf, name, text)
+    edit, steps = field(leaf, "Height"), leaf.session.undo_stack
+    assert steps.index() == 3
+    leaf.type_text(edit, "12")
+    QTest.keyClick(edit, Key.Key_Z, CTRL)
+    assert (steps.index(), edit.text()) == (3, "30")
+    QTest.keyClick(edit, Key.Key_Escape)
+    for left in (2, 1):
+        QTest.keyClick(edit, Key.Key_Z, CTRL)
+        assert steps.index() == left
+        assert number_in(leaf, "Height") == pytest.approx(size(leaf)[1], rel=1e-6)
+    QTest.keyClick(edit, Key.Key_Z, CTRL | SHIFT)
+    assert size(leaf)[0] == pytest.approx(70.0, abs=CLOSE)
+
+
 # Position and pivot
 
 
 def test_a_place_of_the_box_is_put_at_the_numbers(leaf):
     click(leaf, "pivotBottomLeft")
-    low = sampled_bounds(leaf)[0]
-    assert float(field(leaf, "X").text()) == pytest.approx(low[0], abs=1e-5)
+    low = printed_bounds(leaf)[0]
+    assert number_in(leaf, "X") == pytest.approx(low[0], abs=1e-5)
     enter(leaf, "X", "1in")
     enter(leaf, "Y", "-2")
-    assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE)
+    assert printed_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE)
     assert undo_text(leaf) == "Move all 4 points to y −2 mm"
     assert [leaf.curve.style.width, leaf.session.undo_stack.count()] == [2.0, 3]
     assert leaf.window.findChild(QToolButton, "pivotBottomLeft").isChecked()
     enter(leaf, "Width", "70")
-    assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE), "it grows away from the pivot"
+    assert printed_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE), "it grows away from the pivot"
 
 
 def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
@@ -242,7 +303,7 @@ def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
     assert down() == [True, False]
     click(leaf, "pivotTopRight")
     assert down() == [False, True]
-    assert leaf.window.canvas.marks.pivot == pytest.approx(sampled_bounds(leaf)[1], abs=CLOSE)
+    assert leaf.window.canvas.marks.pivot == pytest.approx(printed_bounds(leaf)[1], abs=CLOSE)
     leaf.trigger("selectAll")
     leaf.drag(leaf.window.canvas.marks.pivot, (20.0, 10.0))
     assert down() == [False, False]
@@ -254,7 +315,7 @@ def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
 
 def test_flips_in_the_panel_are_about_the_pivot(leaf):
     click(leaf, "pivotRight")
-    right = sampled_bounds(leaf)[1][0]
+    right = printed_bounds(leaf)[1][0]
     click(leaf, "flipHorizontallyButton")
     assert points(leaf)[:, 0] == pytest.approx([2 * right - x for x, _ in POINTS], abs=CLOSE)
     assert leaf.window.findChild(QToolButton, "pivotLeft").isChecked(), "the same place is at the left now"
@@ -299,7 +360,7 @@ def test_the_angle_is_that_since_the_selection_and_goes_back_to_zero(leaf):
 
 
 def test_quarter_turns_have_buttons_and_keys(leaf):
-    x, y = sampled_bounds(leaf).mean(axis=0)
+    x, y = printed_bounds(leaf).mean(axis=0)
     click(leaf, "rotateRightButton")
     assert points(leaf) == pytest.approx(np.array([(x + (b - y), y - (a - x)) for a, b in POINTS]), abs=CLOSE)
     assert undo_text(leaf) == "Rotate all 4 points by −90°"
@@ -372,7 +433,7 @@ def test_the_keyboard_chooses_a_place_by_tab_and_arrows(leaf):
     assert QApplication.focusWidget().objectName() == "pivotMiddle"
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Left)
     assert QApplication.focusWidget().objectName() == "pivotLeft"
-    low, high = sampled_bounds(leaf)
+    low, high = printed_bounds(leaf)
     assert leaf.window.canvas.marks.pivot == pytest.approx((low[0], (low[1] + high[1]) / 2), abs=CLOSE)
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Down)
     assert leaf.window.canvas.marks.pivot == pytest.approx(low, abs=CLOSE)

@@ -282,7 +282,8 @@ def test_the_status_line_says_what_a_press_does(whole):
     whole.click(on_curve(whole, 2))
     whole.hover(on_curve(whole, 2))
     assert line.hint == (
-        "Drag to move “C” · Shift: one axis, a click takes it out · Double-click to edit “C”"
+        "Drag to move “C” · Click: grips that rotate and skew · Double-click to edit “C” · "
+        "Shift: one axis, a click takes it out"
     )
     assert whole.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
 

@@ -58,6 +58,7 @@ REMEMBERED = {
     "transform_box",
     "rulers",
     "keep_proportions",
+    "measure_strokes",
     "scale_strokes",
     "with_estimates",
     "theme_mode",

@@ -11,7 +11,7 @@ from app.document.point_group import points_of
 from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import flipping, rotation, scaling
 from app.families import FAMILIES
-from app.view_model.bounds import Bounds, bounds_of
+from app.view_model.bounds import BARE, Bounds, bounds_of
 from app.view_model.curve_view import view_of
 from app.view_model.pivot import Pivot, anchored, turned_since
 from app.view_model.stretch import stretched
@@ -44,7 +44,7 @@ def as_array(bounds):
 def test_the_bounds_of_whole_curves_are_those_of_the_curves(family):
     document = document_of(family, count=3)
     views = views_of(document)
-    found = as_array(bounds_of(views, whole_curves(document, {0, 1, 2})))
+    found = as_array(bounds_of(views, whole_curves(document, {0, 1, 2}), BARE))
     expected = sampled(views)
     # |c''| Δt² / 8 with |c''| up to some 10³; never outside of what was found, but for rounding.
     assert found == pytest.approx(expected, abs=1e-6)
@@ -54,12 +54,12 @@ def test_the_bounds_of_whole_curves_are_those_of_the_curves(family):
 
 def test_the_bounds_of_some_points_are_their_own():
     document = document_of(FAMILIES.named("lagrange"))
-    assert bounds_of(views_of(document), points_of(0, {1, 3})) == Bounds((1.0, 0.5), (4.0, 2.0))
+    assert bounds_of(views_of(document), points_of(0, {1, 3}), BARE) == Bounds((1.0, 0.5), (4.0, 2.0))
 
 
 def test_nothing_has_no_bounds():
     document = document_of(FAMILIES.named("lagrange"))
-    assert bounds_of(views_of(document), points_of(0, ())) is None
+    assert bounds_of(views_of(document), points_of(0, ()), BARE) is None
 
 
 @pytest.mark.parametrize("kind", RULES)
@@ -69,7 +69,7 @@ def test_curves_fill_the_box_that_they_are_given_exactly(family, kind):
     views, group = views_of(document), whole_curves(document, {0})
     wanted = ((-1.0, 2.0), (6.5, 3.5))
     new = stretched(document, views, group, wanted)
-    reached = as_array(bounds_of(views_of(new), group))
+    reached = as_array(bounds_of(views_of(new), group, BARE))
     # Forty corrections, of which each leaves at most a half here; then rounding of numbers of about 6.
     assert reached == pytest.approx(np.array(wanted), abs=1e-11)
 
@@ -77,7 +77,7 @@ def test_curves_fill_the_box_that_they_are_given_exactly(family, kind):
 def test_corners_that_have_changed_places_mirror():
     document = document_of(FAMILIES.named("hermite"), ParametrizationKind.UNIFORM)
     views, group = views_of(document), whole_curves(document, {0})
-    low, high = as_array(bounds_of(views, group)).tolist()
+    low, high = as_array(bounds_of(views, group, BARE)).tolist()
     new = stretched(document, views, group, ((high[0], low[1]), (low[0], high[1])))
     xs = [point.x for point in new.curves[0].points]
     assert xs == pytest.approx([low[0] + high[0] - x for x, _ in POINTS], abs=1e-14)
@@ -98,42 +98,42 @@ def test_the_pivot_goes_where_the_transform_takes_it(how, indices):
         pytest.skip("two points tell no stretch from a turn")
     document = document_of(FAMILIES.named("hermite"), ParametrizationKind.UNIFORM)
     group, place = points_of(0, indices), (5.0, -3.0)
-    pivot = Pivot(place, anchored(views_of(document), group))
+    pivot = Pivot(place, anchored(views_of(document), group, BARE))
     new = mapped(document, group, MAPS[how])
-    found = pivot.at(anchored(views_of(new), group))
+    found = pivot.at(anchored(views_of(new), group, BARE))
     if how == "flip" and len(indices) == 2:
         # A turn maps two points as well; it has the same middle.
         assert found.anchor.points.mean(axis=0) == pytest.approx((2 - 3.5, 1.5))
     else:
         assert found.place == pytest.approx(MAPS[how].point(place), abs=1e-9)
-    assert pivot.at(anchored(views_of(moved(document, group, (2.0, 1.0))), group)).place == pytest.approx(
-        (7.0, -2.0)
-    )
+    assert pivot.at(
+        anchored(views_of(moved(document, group, (2.0, 1.0))), group, BARE)
+    ).place == pytest.approx((7.0, -2.0))
 
 
 def test_the_pivot_stays_to_the_last_bit_where_it_was_turned_about():
     document = document_of(FAMILIES.named("hermite"))
     group, place = points_of(0, range(5)), (0.1, 0.7)
-    pivot = Pivot(place, anchored(views_of(document), group))
+    pivot = Pivot(place, anchored(views_of(document), group, BARE))
     for _ in range(5):
         document = mapped(document, group, rotation(72.0, place))
-        pivot = pivot.at(anchored(views_of(document), group))
+        pivot = pivot.at(anchored(views_of(document), group, BARE))
     assert pivot.place == place
 
 
 def test_points_edited_one_by_one_leave_the_pivot_and_another_selection_has_none():
     document = document_of(FAMILIES.named("hermite"))
-    pivot = Pivot((5.0, -3.0), anchored(views_of(document), points_of(0, range(5))))
+    pivot = Pivot((5.0, -3.0), anchored(views_of(document), points_of(0, range(5)), BARE))
     edited = moved(document, points_of(0, {2}), (0.3, 1.0))
-    assert pivot.at(anchored(views_of(edited), points_of(0, range(5)))).place == (5.0, -3.0)
-    assert pivot.at(anchored(views_of(document), points_of(0, {1, 2}))) is None
+    assert pivot.at(anchored(views_of(edited), points_of(0, range(5)), BARE)).place == (5.0, -3.0)
+    assert pivot.at(anchored(views_of(document), points_of(0, {1, 2}), BARE)) is None
 
 
 @pytest.mark.parametrize("degrees", [0.0, 30.0, -135.0, 180.0])
 def test_the_angle_is_read_off_the_points(degrees):
     document = document_of(FAMILIES.named("hermite"))
     group = points_of(0, range(5))
-    before = anchored(views_of(document), group)
+    before = anchored(views_of(document), group, BARE)
     new = mapped(mapped(document, group, rotation(degrees, (3.0, 3.0))), group, scaling(2.0, 2.0, (0.0, 1.0)))
-    turned = turned_since(before, anchored(views_of(moved(new, group, (1.0, 1.0))), group))
+    turned = turned_since(before, anchored(views_of(moved(new, group, (1.0, 1.0))), group, BARE))
     assert turned % 360.0 == pytest.approx(degrees % 360.0, abs=1e-9)

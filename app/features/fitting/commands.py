@@ -29,7 +29,7 @@ from ...view_model.least_squares import Fitted, fitted_to_curve, is_of_points_al
 from ...view_model.line_styles import CURE_STYLE, LineStyle
 from ...view_model.plane import size_of
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room_once
+from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
 from .. import fitting
 
@@ -117,7 +117,7 @@ class FitCommands(QObject):
         self._panel.begin(view.source.family, tolerance, len(view.points) // 2)
         self._is_seen = True
         self._ask()
-        make_room_once(self._context.window, self._dock, _HEIGHT)
+        make_room(self._context.window, self._dock, _HEIGHT)
 
     def follow(self, _view: CurveView) -> None:
         """Fit anew where the curve is another one."""

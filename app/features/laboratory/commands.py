@@ -19,7 +19,7 @@ from ...view_model.analysis.laboratory_settings import LaboratorySettings, Round
 from ...view_model.curve_view import CurveView
 from ...view_model.growth import growth_of_data
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room_once
+from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
 from .. import laboratory
 from .error_plot import TITLE, error_plot
@@ -114,7 +114,7 @@ class LaboratoryCommands(Guarded, QObject):
     def _open(self) -> None:
         self._dock.bring_up()
         self._switch(True)
-        make_room_once(self._context.window, self._dock, _HEIGHT)
+        make_room(self._context.window, self._dock, _HEIGHT)
 
     @switch(
         "error_plot",

@@ -104,10 +104,13 @@ class AlignCommands:
                 f"Align {group.words} {edge.value}", lambda document: align_points(document, group, edge)
             )
             return
-        curves, reference = session.selected.chosen, self._store.state.align_to
+        curves, state = session.selected.chosen, self._store.state
+        reference, strokes = state.align_to, state.strokes
+
+        first, last = session.active_index, session.selected.last
 
         def aligned(document: Document) -> Document:
-            return align_curves(document, session.views, curves, edge, reference, session.active_index)
+            return align_curves(document, session.views, curves, edge, strokes, reference, first, last)
 
         session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
 
@@ -132,11 +135,13 @@ class AlignCommands:
                 lambda document: distribute_points(document, group, each.axis),
             )
             return
-        curves = session.selected.chosen
+        curves, strokes = session.selected.chosen, self._store.state.strokes
         session.change(
             f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
             f"{each.way}",
-            lambda document: distribute_curves(document, session.views, curves, each.axis, each.spacing),
+            lambda document: distribute_curves(
+                document, session.views, curves, each.axis, each.spacing, strokes
+            ),
         )
 
     @action_for_each(

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
 from ...actions.declaration import Action, action, action_for_each, also_for_each
+from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
@@ -59,6 +60,10 @@ _TRANSFORMS = (
         TransformKind.ROTATE, "Rotate", "R",
         "Rotate what is selected or chosen, or else all points, with the pointer; type the angle",
     ),
+    _Transform(
+        TransformKind.SKEW, "Skew", "Shift+R",
+        "Skew what is selected or chosen, or else all points, with the pointer; type the angle; Y: upright",
+    ),
 )  # fmt: skip
 
 _FLIPS = (
@@ -71,6 +76,10 @@ _TURNS = (
     _Turn("right", -90.0, "Ctrl+]", "rotate-right", 13),
 )
 
+_BOX = Need(
+    "two selected points or more, or a chosen curve", lambda now: len(now.selection) > 1 or bool(now.chosen)
+)
+
 _Amount = TypeVar("_Amount", int, float)
 
 
@@ -80,18 +89,21 @@ class SelectionCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session = context.session
+        self._target = context.central.canvas.tools.target
         self._show_state(None, context.store.state)
         context.store.changed.connect(self._show_state)
-        self._target = context.central.canvas.tools.target
         self._session.history_changed.connect(self._target.keep_pivot)
-        self._session.pivot_changed.connect(context.central.canvas.show_marks)
+        for changed in (self._session.pivot_changed, self._session.grips_changed):
+            changed.connect(context.central.canvas.show_marks)
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
         settings = self._context.central.canvas.tools.settings
-        if (settings.shows_box, settings.scale_strokes) != (state.transform_box, state.scale_strokes):
+        if (settings.shows_box, settings.strokes) != (state.transform_box, state.strokes):
             self._context.central.canvas.change_tool_settings(
-                shows_box=state.transform_box, scale_strokes=state.scale_strokes
+                shows_box=state.transform_box, strokes=state.strokes
             )
+            # A pivot goes with the box as it is measured from now on.
+            self._target.keep_pivot()
 
     @action_for_each(
         _TRANSFORMS,
@@ -154,6 +166,19 @@ class SelectionCommands:
         session.change(text.format(target.words), lambda document: mapped(document, group, by))
 
     @action(
+        "turnGrips",
+        "Grips That Rotate and Skew",
+        EDIT_TRANSFORM_BOX,
+        needs=_BOX,
+        checked=lambda now: now.session.selected.turns,
+        keywords="shear slant second click box",
+    )
+    def _turn_grips(self) -> None:
+        """Have the grips of the box rotate and skew, or scale again, as a click on a chosen curve does."""
+        selected = self._session.selected
+        selected.set_turns(not selected.turns)
+
+    @action(
         "toggleTransformBox",
         "Box with Grips",
         EDIT_TRANSFORM_BOX,
@@ -179,6 +204,18 @@ class SelectionCommands:
         """Let the height follow where a width is typed, and the width a height."""
         store = self._context.store
         store.change(keep_proportions=not store.state.keep_proportions)
+
+    @action(
+        "measureStrokes",
+        "Measure with Strokes",
+        EDIT_TRANSFORM_BOX,
+        checked=lambda now: now.state.measure_strokes,
+        keywords="visual geometric bounding box line width size",
+    )
+    def _toggle_measured(self) -> None:
+        """Let sizes, edges and the box with grips be those of curves as they print, with caps and joins."""
+        store = self._context.store
+        store.change(measure_strokes=not store.state.measure_strokes)
 
     @action(
         "scaleStrokes",

@@ -9,7 +9,7 @@ from functools import partial
 import msgspec
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
@@ -41,6 +41,8 @@ class Situated(msgspec.Struct, frozen=True):
         The words for it.
     bounds
         Its bounds; None of nothing.
+    grows
+        Along which axes it has a length to be set.
     pivot, place
         The pivot, and which of the nine places that is; None for none of them.
     angle
@@ -53,6 +55,7 @@ class Situated(msgspec.Struct, frozen=True):
 
     what: str
     bounds: Bounds | None
+    grows: tuple[bool, bool]
     pivot: Vector
     place: tuple[int, int] | None
     angle: float
@@ -66,7 +69,7 @@ class PanelActions(msgspec.Struct, frozen=True):
     transforms: Sequence[QAction]
     aligning: Sequence[Sequence[QAction]]
     proportions: QAction
-    strokes: QAction
+    strokes: Sequence[QAction]
 
 
 class TransformPanel(FieldForm):
@@ -78,6 +81,8 @@ class TransformPanel(FieldForm):
         The pivot shall lie there, the box shall be so large: along which axis, and the number.
     turned_to, turned_by
         It shall stand at this angle; it shall be turned by one.
+    skewed
+        It shall be skewed along an axis, by this angle.
     pivot_chosen
         One of nine places: −1, 0 or 1 across, and up.
     reference_chosen
@@ -88,13 +93,14 @@ class TransformPanel(FieldForm):
     sized = Signal(int, float)
     turned_to = Signal(float)
     turned_by = Signal(float)
+    skewed = Signal(int, float)
     pivot_chosen = Signal(int, int)
     reference_chosen = Signal(object)
 
     def __init__(self, actions: PanelActions, parent: QWidget | None = None) -> None:
         super().__init__("transformPanel", "transformProblem", parent)
         self._shown: Situated | None = None
-        self._turn_by = 90.0
+        self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
         self.x_edit = self._length("transformX", "X", "x of the pivot", lambda: self._numbers()[0])
@@ -108,10 +114,19 @@ class TransformPanel(FieldForm):
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
+        self.skew_edit = _angle(
+            "transformSkew", "Skew by", "Degrees: the top goes right, or the right side up; Enter: the top"
+        )
+        self.skew_buttons = [
+            tool_button(f"transformSkew{name}", f"Skew {way}", f"Skew by this angle: {tip}", icon_size=ICON)
+            for name, way, tip in (
+                ("Across", "horizontally", "the top goes right, about the pivot"),
+                ("Up", "vertically", "the right side goes up, about the pivot"),
+            )
+        ]
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
-        self.strokes = QCheckBox(actions.strokes.text())
-        self.strokes.setObjectName("panelStrokes")
-        mirror(self.strokes, actions.strokes)
+        words = ("Measured", "Scaled")
+        self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
         self.reference = choice_box(
             "alignReference",
             "Align to",
@@ -150,16 +165,28 @@ class TransformPanel(FieldForm):
         turn = row_of(
             "Angle", (self.angle_edit, 1), "Rotate by", (self.turn_edit, 1), self.turn_button, spacing=6
         )
+        strokes = row_of("Strokes", *self.strokes, 1, spacing=12)
         align = row_of("Align to", (self.reference, 1), spacing=6)
-        rest = [_buttons(row) for row in actions.aligning]
+        rest = [row_of(*map(_button, row), spacing=0) for row in actions.aligning]
         top = row_of((self.chooser, Qt.AlignmentFlag.AlignVCenter), (fields, 1), spacing=12)
-        switches = row_of(_buttons(actions.transforms), 1, self.strokes)
-        parts: list[Part] = [self.what, top, turn, switches, self.problem, align, *rest, 1]
+        parts: list[Part] = [
+            self.what,
+            top,
+            turn,
+            strokes,
+            row_of(
+                "Skew", (self.skew_edit, 1), *self.skew_buttons, *map(_button, actions.transforms), spacing=6
+            ),
+            self.problem,
+            align,
+            row_of(*rest, 1, spacing=8),
+            1,
+        ]
         column_of(*parts, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
-        edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit, self.turn_edit)
-        self.watch(*edits)
+        edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit)
+        self.watch(*edits, self.turn_edit, self.skew_edit)
         self.x_edit.entered.connect(partial(self.placed.emit, 0))
         self.y_edit.entered.connect(partial(self.placed.emit, 1))
         self.width_edit.entered.connect(partial(self.sized.emit, 0))
@@ -169,6 +196,10 @@ class TransformPanel(FieldForm):
         # Enter turns also where the same angle is still there: five leaves are four times Enter.
         self.turn_edit.returnPressed.connect(self._turn)
         self.turn_button.clicked.connect(self._turn)
+        self.skew_edit.entered.connect(self._keep_skew)
+        self.skew_edit.returnPressed.connect(partial(self._skew, 0))
+        for axis, button in enumerate(self.skew_buttons):
+            button.clicked.connect(partial(self._skew, axis))
         self.chooser.chosen.connect(self.pivot_chosen)
         self.reference.activated.connect(lambda at: self.reference_chosen.emit(list(Reference)[at]))
 
@@ -201,10 +232,12 @@ class TransformPanel(FieldForm):
                 edit.show_number(value, _DIGITS)
             edit.setEnabled(is_there)
         for axis, edit in enumerate((self.width_edit, self.height_edit)):
-            edit.setEnabled(is_there and bounds is not None and bounds.size[axis] > 0.0)
+            edit.setEnabled(is_there and shown.grows[axis])
         self.angle_edit.show_number(shown.angle, _DIGITS)
         self.turn_edit.show_number(self._turn_by)
-        for part in (self.angle_edit, self.turn_edit, self.turn_button, self.chooser):
+        self.skew_edit.show_number(self._skew_by)
+        turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons
+        for part in (*turns, self.chooser):
             part.setEnabled(is_there)
         self.chooser.render_place(shown.place if bounds is not None else None)
         self.show_problem(shown.problem)
@@ -218,6 +251,8 @@ class TransformPanel(FieldForm):
         super().set_theme(theme)
         self._units.setStyleSheet(f"color: {theme.muted.name()}")
         self.turn_button.setIcon(icon("rotate", theme))
+        for button, name in zip(self.skew_buttons, ("skew", "skew-vertically"), strict=True):
+            button.setIcon(icon(name, theme))
 
     # What the person did
 
@@ -225,14 +260,31 @@ class TransformPanel(FieldForm):
         self._turn_by = degrees
 
     def _turn(self) -> None:
+        self.turn_edit.enter()
         # A text that is no number stays to be mended.
         if not self.turn_edit.isModified():
             self.turned_by.emit(self._turn_by)
+
+    def _keep_skew(self, degrees: float) -> None:
+        self._skew_by = degrees
+
+    def _skew(self, axis: int) -> None:
+        self.skew_edit.enter()
+        if not self.skew_edit.isModified():
+            self.skewed.emit(axis, self._skew_by)
 
 
 def _angle(name: str, label: str, tip: str) -> NumberEdit:
     return NumberEdit(name, label, tip, lambda text: parse_number(text.rstrip(" °"), decimal_mark()))
 
 
-def _buttons(actions: Sequence[QAction]) -> QLayout:
-    return row_of(*(action_button(action, flat=True) for action in actions), 1, spacing=4)
+def _switch(action: QAction, word: str) -> QCheckBox:
+    box = QCheckBox(word)
+    box.setAccessibleName(action.text())
+    box.setObjectName(f"{action.objectName()}Switch")
+    mirror(box, action)
+    return box
+
+
+def _button(action: QAction) -> QToolButton:
+    return action_button(action, flat=True)

@@ -12,16 +12,16 @@ from ...actions.declaration import action
 from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
-from ...document.several_curves import mapped, moved, scaled_strokes
-from ...document.transforms import rotation, scaling
+from ...document.several_curves import mapped, moved
+from ...document.transforms import rotation, scaling, skewing
 from ...document.words import number
 from ...state.window_state import WindowState
 from ...view_model.bounds import NINE
 from ...view_model.curve_view import CurveView
-from ...view_model.pivot import Anchor, anchored, turned_since
+from ...view_model.pivot import Anchor, turned_since
 from ...view_model.stretch import stretched
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room_once
+from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
 from .. import transform
 
@@ -56,7 +56,7 @@ class TransformPanelCommands(QObject):
                 actions.in_strip(TRANSFORM_BUTTONS)[1],
                 list(actions.in_strip(ALIGN_BUTTONS).values()),
                 actions["keepProportions"],
-                actions["scaleStrokes"],
+                (actions["measureStrokes"], actions["scaleStrokes"]),
             ),
             parent,
         )
@@ -64,6 +64,7 @@ class TransformPanelCommands(QObject):
         panel.sized.connect(self._size)
         panel.turned_to.connect(self._turn_to)
         panel.turned_by.connect(self._turn_by)
+        panel.skewed.connect(self._skew)
         panel.pivot_chosen.connect(self._choose_pivot)
         panel.reference_chosen.connect(lambda reference: self._store.change(align_to=reference))
         panel.refused.connect(self._session.refuse)
@@ -81,7 +82,7 @@ class TransformPanelCommands(QObject):
     def _open(self) -> None:
         """Set position, size and angle by numbers with units; align and distribute."""
         self._dock.bring_up()
-        make_room_once(self._context.window, self._dock, _HEIGHT)
+        make_room(self._context.window, self._dock, _HEIGHT)
         if self._panel is not None:
             self._is_seen = True
             self._render()
@@ -99,6 +100,7 @@ class TransformPanelCommands(QObject):
     def _show_state(self, _before: WindowState, state: WindowState) -> None:
         if self._panel is not None:
             self._panel.render_reference(state.align_to)
+            self._render()
 
     def render(self, _view: CurveView) -> None:
         """Show the selection as it is now."""
@@ -111,20 +113,19 @@ class TransformPanelCommands(QObject):
     def _situation(self) -> Situated:
         target, session = self._target, self._session
         if target.is_nothing:
-            return transform.panel.Situated("nothing chosen", None, (0.0, 0.0), None, 0.0, "", "")
-        bounds, pivot = target.bounds, target.centre
+            return transform.panel.Situated(
+                "nothing chosen", None, (False, False), (0.0, 0.0), None, 0.0, "", ""
+            )
+        bounds, bare, pivot = target.bounds, target.bare_bounds.size, target.centre
         places = [at for at in NINE if bounds.place(*at) == pivot]
         return transform.panel.Situated(
-            target.words, bounds, pivot, places[len(places) // 2] if places else None,
-            self._angle(), session.document.unit, target.refusal_of_keys,
+            target.words, bounds, (bare[0] > 0.0, bare[1] > 0.0), pivot,
+            places[len(places) // 2] if places else None, self._angle(),
+            session.document.unit, target.refusal_of_keys,
         )  # fmt: skip
 
-    def _now(self) -> Anchor:
-        session = self._session
-        return anchored(session.views, self._target.for_keys, live=session.is_previewing)
-
     def _angle(self) -> float:
-        now = self._now()
+        now = self._target.anchored()
         turned = turned_since(self._anchor, now) if self._anchor is not None else None
         if turned is None:
             self._anchor, turned = now, 0.0
@@ -161,14 +162,22 @@ class TransformPanelCommands(QObject):
         if value <= 0.0:
             self._refuse(f"A {what} is greater than 0; Flip mirrors.")
             return
+        thickness = bounds.size[axis] - self._target.bare_bounds.size[axis]
+        if value <= thickness and not state.scale_strokes:
+            self._refuse(
+                f"The strokes alone take {self._length(thickness)}; let them scale, or measure without."
+            )
+            return
         factor = value / bounds.size[axis]
         x, y = (factor, factor) if state.keep_proportions else (factor, 1.0) if axis == 0 else (1.0, factor)
         by = scaling(x, y, pivot)
+        corners, even = (
+            (by.point(bounds.low), by.point(bounds.high)),
+            axis if state.keep_proportions else None,
+        )
 
         def sized(document: Document) -> Document:
-            corners = (by.point(bounds.low), by.point(bounds.high))
-            document = stretched(document, session.views, group, corners)
-            return scaled_strokes(document, group, x, y) if state.scale_strokes else document
+            return stretched(document, session.views, group, corners, state.strokes, even=even, about=pivot)
 
         self._change(f"Set {what} of {self._target.words} to {self._length(value)}", sized)
 
@@ -178,7 +187,7 @@ class TransformPanelCommands(QObject):
 
     def _first_middle(self) -> Vector:
         """Return where the middle that it had at angle 0 is now: back at 0 nothing has moved."""
-        before, now = self._anchor, self._now()
+        before, now = self._anchor, self._target.anchored()
         by = before.since(now) if before is not None else None
         if before is None or before.bounds is None or by is None:
             return self._target.centre
@@ -186,6 +195,13 @@ class TransformPanelCommands(QObject):
 
     def _turn_by(self, degrees: float) -> None:
         self._turn(degrees, self._target.centre, f"by {number(degrees, 6)}°")
+
+    def _skew(self, axis: int, degrees: float) -> None:
+        group, about = self._target.for_keys, self._target.centre
+        self._change(
+            f"Skew {self._target.words} by {number(degrees, 6)}° along {'xy'[axis]}",
+            lambda document: mapped(document, group, skewing(axis, degrees, about)),
+        )
 
     def _turn(self, degrees: float, about: Vector, how: str) -> None:
         group, by = self._target.for_keys, rotation(degrees, about)

@@ -19,7 +19,7 @@ from ...view_model import analysis
 from ...view_model.curve_view import CurveView
 from ...view_model.line_styles import CURE_STYLE
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room_once
+from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
 from .. import wiggle
 
@@ -114,7 +114,7 @@ class WiggleCommands(QObject):
     def _open(self) -> None:
         self._dock.bring_up()
         self.follow(self._session.active_view)
-        make_room_once(self._context.window, self._dock, _HEIGHT)
+        make_room(self._context.window, self._dock, _HEIGHT)
 
     def _keep_scrub(self) -> None:
         if not self._is_seen:

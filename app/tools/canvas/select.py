@@ -134,11 +134,9 @@ class SelectTool(Tool):
 
     def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
         self._drags_grip = True
-        if grip.rotates:
-            turning = context.target.transform(TransformKind.ROTATE, context.pointer)
-            context.drags.press(context.pointer, replace(turning, by_grip=True))
-            return
-        context.drags.press(context.pointer, context.target.scaling(grip, context.pointer))
+        is_scale, target = grip.does is TransformKind.SCALE, context.target
+        drag = (target.scaling if is_scale else target.turning)(grip, context.pointer)
+        context.drags.press(context.pointer, drag)
 
     def _press_on_curve(self, context: ToolContext, hit: Hit) -> None:
         host, pointer = context.host, context.pointer
@@ -172,8 +170,9 @@ class SelectTool(Tool):
         self._lit = _unselected_place(context, hit)
         if takes_pivot:
             return PIVOT_HINT
-        if grip is not None and group is not None and _is_below_grips(hit):
-            return hints.on_grip(grip, group, context.target.refusal_of(group))
+        box = self._box(context)
+        if grip is not None and group is not None and box is not None and _is_below_grips(hit):
+            return hints.on_grip(grip, box, group, context.target.refusal_of(group))
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if hit is not None and is_other and (not hit.inside or self._is_pressed_within(context)):
             return self._picker.hint(context, hit)
@@ -201,7 +200,7 @@ class SelectTool(Tool):
             band=self.gesture.band if isinstance(self.gesture, Band) else None,
             box=box if is_idle else None,
             frame=None if is_idle or is_banding else box,
-            pivot=self._pivot(context) if not is_banding else None,
+            pivot=context.drags.about_at(context.pointer) or (None if is_banding else self._pivot(context)),
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
@@ -280,6 +279,7 @@ SELECT = ToolRecord(
             selected=True,
             curves=True,
         ),
+        GestureRow("Click a chosen curve", "grips that rotate and skew, or scale again", curves=True),
         GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
         GestureRow("Click a guide", "choose it: arrow keys move it, Del removes it"),
         GestureRow(
