@@ -133,6 +133,21 @@ def pytest_xdist_make_scheduler(config, log):
     return WorkStealingScheduling(config, log)
 
 
+def pytest_terminal_summary(terminalreporter):
+    """Say which tests left a window that could not be used again, and where it differed from a new one."""
+    # Of a test that fails, that is no news.
+    left = [
+        (report.nodeid, value)
+        for report in terminalreporter.stats.get("", ())
+        for name, value in report.user_properties
+        if name == "thrown_away" and report.when == "teardown"
+    ]
+    if left:
+        terminalreporter.write_sep("-", f"{len(left)} windows were not as new")
+        for test, place in left:
+            terminalreporter.write_line(f"{test} {place}")
+
+
 # Every document that a session shows, in whatever test, holds plain and finite numbers alone: previews,
 # steps, undo, files, snapshots. The walk is not the one of the program: it knows none of the values' names.
 
