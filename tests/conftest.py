@@ -10,6 +10,15 @@ import sys
 from enum import Enum
 from itertools import compress, count
 from operator import is_not
+from pathlib import Path
+
+if sys.dont_write_bytecode:
+    # Many containers want no bytecode beside the sources. Without any, every run compiles all tests, and
+    # every process that a test starts the whole program.
+    sys.dont_write_bytecode = False
+    sys.pycache_prefix = str(Path(__file__).parents[1] / ".pytest_cache/bytecode")
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
 # Before Qt and NumPy are imported: both read these once.
 if not os.environ.get("QT_QPA_PLATFORM"):

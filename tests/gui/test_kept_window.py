@@ -11,7 +11,6 @@ from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
 
-
 ARCH = make_curve([(0, 0), (1, 2), (2, 0)], name="Arch")
 
 

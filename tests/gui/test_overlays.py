@@ -28,7 +28,6 @@ from app.view_model.analysis.overlays import (
     vectors,
 )
 
-
 NEVER_MS = 600_000
 
 
