@@ -10,6 +10,15 @@ import sys
 from enum import Enum
 from itertools import compress, count
 from operator import is_not
+from pathlib import Path
+
+if sys.dont_write_bytecode:
+    # Many containers want no bytecode beside the sources. Without any, every run compiles all tests, and
+    # every process that a test starts the whole program.
+    sys.dont_write_bytecode = False
+    sys.pycache_prefix = str(Path(__file__).parents[1] / ".pytest_cache/bytecode")
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
 # Before Qt and NumPy are imported: both read these once.
 if not os.environ.get("QT_QPA_PLATFORM"):
@@ -131,6 +140,21 @@ def pytest_xdist_make_scheduler(config, log):
     from xdist.scheduler import WorkStealingScheduling
 
     return WorkStealingScheduling(config, log)
+
+
+def pytest_terminal_summary(terminalreporter):
+    """Say which tests left a window that could not be used again, and where it differed from a new one."""
+    # Of a test that fails, that is no news.
+    left = [
+        (report.nodeid, value)
+        for report in terminalreporter.stats.get("", ())
+        for name, value in report.user_properties
+        if name == "thrown_away" and report.when == "teardown"
+    ]
+    if left:
+        terminalreporter.write_sep("-", f"{len(left)} windows were not as new")
+        for test, place in left:
+            terminalreporter.write_line(f"{test} {place}")
 
 
 # Every document that a session shows, in whatever test, holds plain and finite numbers alone: previews,

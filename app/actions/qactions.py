@@ -188,9 +188,14 @@ class Actions(QObject):
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
         now, on = self._now, set[str]()
+        # Many actions need the same: it is asked once.
+        met: dict[int, bool] = {}
         for name, each in self._declared.items():
-            action = self._actions[name]
-            action.setEnabled(each.needs.is_met(now))
+            action, needs = self._actions[name], each.needs
+            is_met = met.get(id(needs))
+            if is_met is None:
+                is_met = met[id(needs)] = needs.is_met(now)
+            action.setEnabled(is_met)
             if each.checked is not None:
                 is_on = each.checked(now)
                 action.setChecked(is_on)

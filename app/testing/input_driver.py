@@ -72,8 +72,11 @@ class InputDriver:
     window: MainWindow
 
     def click(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Click on the canvas."""
-        self.press(at, keys=keys)
+        """Click on the canvas, before it is painted with the button down."""
+        canvas = self.window.canvas
+        pixel = canvas.to_pixel(*at)
+        self.send(canvas, QEvent.Type.MouseMove, pixel, held=False, keys=keys)
+        self.send(canvas, QEvent.Type.MouseButtonPress, canvas.to_pixel(*at), keys=keys)
         self.release(at, keys=keys)
 
     def double_click(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:

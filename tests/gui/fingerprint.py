@@ -32,6 +32,7 @@ PASSING = {
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
     *("Cardinals._key", "Cardinal.growth", "FunctionLines._shown"),
+    *("PixelMap._corner_and_scales", "PointLayer._kinds_of", "Actions._seen_of"),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *(
         "BasisView.supports",
@@ -77,6 +78,9 @@ PASSING = {
 }
 """Names of attributes that may differ, some of one class only."""
 
+DRAWN = {"PointInk", "Stamps"}
+"""Classes, with those derived from them, of which all that differs is what was drawn last."""
+
 RENDERED_ANEW = {
     *("CommandPalette", "DigitsTable", "NoticeBar", "JobBar", "Legend", "MotionBar", "MotionDialog"),
     *("PlotPane", "PreferencesDialog", "RecoveryBar", "ShortcutSheet", "WeightBars"),
@@ -107,7 +111,8 @@ class _Kind:
         is_known = issubclass(kind, (*_PLAIN, *_FUNCTIONS, set, frozenset, dict, list, tuple))
         self.is_ours = not is_known and package == "app"
         self.is_of_tests = not is_known and package not in {*_LIBRARIES, "app"}
-        self.is_opaque = not (is_known or self.is_ours or self.is_of_tests)
+        is_drawn = any(base.__name__ in DRAWN for base in kind.__mro__)
+        self.is_opaque = is_drawn or not (is_known or self.is_ours or self.is_of_tests)
         is_struct = issubclass(kind, msgspec.Struct)
         config = getattr(kind, "__struct_config__", None)
         self.is_record = is_struct and config.frozen and not config.dict and not self.is_rendered_anew
@@ -116,7 +121,7 @@ class _Kind:
             slots = vars(base).get("__slots__", ())
             names.update((slots,) if isinstance(slots, str) else slots)
         self.name, self.type = kind.__name__, kind
-        self.passing = {name.removeprefix(f"{kind.__name__}.") for name in PASSING}
+        self.passing = {name.removeprefix(f"{base.__name__}.") for base in kind.__mro__ for name in PASSING}
         self.names = sorted(names - self.passing)
 
     def said_of_all(self, name: str) -> object:
@@ -171,6 +176,11 @@ class _Record:
 
 
 _records: dict[int, _Record] = {}
+
+
+def forget() -> None:
+    """Let go of the records that were told of, and of the windows that these refer to."""
+    _records.clear()
 
 
 def _record_of(value: object) -> _Record:

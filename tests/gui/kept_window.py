@@ -19,7 +19,7 @@ from contextlib import contextmanager
 
 import msgspec
 import pytest
-from fingerprint import Fingerprint, differences, named_actions
+from fingerprint import Fingerprint, differences, forget, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
@@ -76,9 +76,10 @@ class KeptEditor:
         self._checkable = [action for action in named_actions(window) if action.isCheckable()]
         self._checked = {action for action in self._checkable if action.isChecked()}
 
-    def take_back(self) -> None:
-        """Reset the window; throw it away where that fails or leaves it different."""
+    def take_back(self) -> list[str]:
+        """Reset the window; throw it away where that fails or leaves it different, and return where it is."""
         window = self._editor.window
+        places: list[str] = []
         try:
             self._reset()
             different = self.differences()
@@ -88,12 +89,15 @@ class KeptEditor:
                 self._editor.trigger(_A_PLOT)
                 self._reset()
                 different = self.differences()
-            is_as_new = not different and QApplication.activeWindow() is window
-        except Exception:
+            places += different
+            if QApplication.activeWindow() is not window:
+                places.append("active window")
+        except Exception as caught:
             # Whatever a test has done to it.
-            is_as_new = False
-        if not is_as_new:
+            places.append(repr(caught))
+        if places:
             self.drop()
+        return places
 
     def differences(self) -> dict[str, object]:
         """Return what is told of the window, and neither of a new one nor of one that was used and reset."""
@@ -145,6 +149,8 @@ class KeptEditor:
             if isinstance(sheet, ShortcutSheet | CommandPalette):
                 sheet.hide()
         window.context.work.jobs.give_up()
+        # Where a menu was opened; it goes with the next movement over the canvas.
+        window.canvas._asked_at = None
         for plot in window.central.plots:
             # Of a press of the right button that took a gesture back, in a test that opens no menu.
             plot._menu_refused = False
@@ -235,6 +241,7 @@ class KeptEditor:
             window.asks_before_closing = False
             window.close()
             window.deleteLater()
+            forget()
 
 
 def is_in_front(dock: QDockWidget) -> bool:

@@ -49,6 +49,9 @@ def ask_to_save(editor, widget=None):
 
     def answer():
         box = editor.window.findChild(QMessageBox, "saveChanges")
+        if box is None or QApplication.activeModalWidget() is not box:
+            QTimer.singleShot(10, answer)
+            return
         asked.append(editor.status)
         box.button(QMessageBox.StandardButton.Cancel).click()
 

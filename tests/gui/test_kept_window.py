@@ -7,9 +7,12 @@ from fingerprint import Fingerprint, differences
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QLabel, QTabWidget
 
+from app.document.model import Document, make_curve
 from app.document.point_group import points_of
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
+
+ARCH = make_curve([(0, 0), (1, 2), (2, 0)], name="Arch")
 
 
 def test_what_is_planted_is_found(editor, monkeypatch):
@@ -56,7 +59,15 @@ def draw_a_guide(editor):
     assert editor.session.document.guides
 
 
+def choose_all_curves(editor):
+    editor.session.commit(Document((*editor.session.document.curves, ARCH)), "Begin", active=1)
+    editor.trigger("selectAllCurves")
+    assert len(editor.session.selected.curves) == 2
+
+
 _WAYS = {
+    "all curves": choose_all_curves,
+    "a menu": lambda editor: editor.open_menu((1.0, 1.0)).close(),
     "another family": lambda editor: editor.choose_family(HERMITE),
     "a dark theme": lambda editor: editor.trigger("themeDark"),
     "a lesson": lambda editor: editor.window.commands[LessonCommands].open("01_basis_functions"),

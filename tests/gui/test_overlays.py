@@ -12,6 +12,8 @@ from app.appearance.theme import ThemeMode
 from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
+from app.features.overlays.commands import OverlayCommands
+from app.tasks.debounced_task import SETTLE_MS
 from app.view_model.analysis.errors import POINT_ERROR
 from app.view_model.analysis.overlay import OVERLAYS
 from app.view_model.analysis.overlays import (
@@ -25,6 +27,8 @@ from app.view_model.analysis.overlays import (
     ticks,
     vectors,
 )
+
+NEVER_MS = 600_000
 
 
 def figures(editor, style):
@@ -117,6 +121,9 @@ def test_what_is_heavy_settles_after_a_drag(dock, qtbot, name):
     editor.trigger(name)
     qtbot.waitUntil(lambda: bool(figures(editor, HEAVY[name])))
     before = first(editor, HEAVY[name])
+    # However slow the machine is, the hand does not rest before it is let go.
+    settling = editor.window.commands[OverlayCommands]._task._timer
+    settling.setInterval(NEVER_MS)
     x, y = editor.point(3)
     editor.press((x, y))
     editor.move((x + 0.3, y + 0.3))
@@ -125,6 +132,7 @@ def test_what_is_heavy_settles_after_a_drag(dock, qtbot, name):
     label = panel(editor, QLabel, f"{name}Note")
     qtbot.waitUntil(lambda: label.text() == "…")
     editor.escape()
+    settling.setInterval(SETTLE_MS)
     qtbot.waitUntil(lambda: bool(figures(editor, HEAVY[name])))
     assert np.array_equal(first(editor, HEAVY[name]), before, equal_nan=True)
 
