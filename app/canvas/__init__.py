@@ -6,7 +6,7 @@
   ``control_polygon_layer``: the curve that is edited.
 - ``drawn_curves``: all curves in the order in which they print.  ``looks``: how they look.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
-  that are selected.
+  that are selected.  ``sections``: which of them are in a picture while others move.
 - ``grid_layer``, ``unit_layer``, ``guides_layer``, ``page_layer``: grid, unit, guides and page.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other
