@@ -27,7 +27,7 @@ from ..view_model.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
 from .hit_test import CURVE_REACH, PixelOutline
 from .looks import Shape, is_plain, line_of, paint_shape
-from .sections import loose_places, sections_of
+from .sections import Section, loose_places, sections_of
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
@@ -67,6 +67,8 @@ class OtherCurvesLayer(Layer):
         self._sections = sections_of((), 0)
         self._changed_last: frozenset[int] = frozenset()
         self._calm_paints = 0
+        # Sheets of what moves, by its first place: they serve until it does, or the view.
+        self._kept: dict[int, tuple[PixelMap, QPixmap]] = {}
         self._picture: _Picture | None = None
         self._seconds = 0.0
         self._is_resting = False
@@ -100,6 +102,7 @@ class OtherCurvesLayer(Layer):
     def _follow(self, changed: frozenset[int], count: int) -> None:
         """Paint what has changed in every frame from now on, where it is few or changes again and again."""
         again, self._changed_last, self._calm_paints = changed <= self._changed_last, changed, 0
+        self._kept.clear()
         if changed and changed <= loose_places(self._sections):
             return
         is_followed = 0 < len(changed) <= (_AT_ONCE if again else _FEW)
@@ -138,6 +141,7 @@ class OtherCurvesLayer(Layer):
                 transparent(shown.width, shown.height, ratio) for each in self._sections if each.is_still
             ]
             picture = self._picture = _Picture(tuple(sheets), shown, key)
+            self._kept.clear()
             self._painted, self._seconds, self._is_resting = 0, 0.0, False
         self._paint_more(picture)
         self._compose(painter, shown, picture)
@@ -155,9 +159,23 @@ class OtherCurvesLayer(Layer):
             if section.is_still:
                 picture.draw(painter, shown, next(sheets))
             else:
-                painter.save()
-                self.paint_shapes(painter, shown, self._shapes[section.span])
-                painter.restore()
+                self._paint_loose(painter, shown, section)
+
+    def _paint_loose(self, painter: QPainter, shown: PixelMap, section: Section) -> None:
+        """Paint shapes that move; many on a sheet, which is kept until they do: not all frames move them."""
+        shapes, begin = self._shapes[section.span], section.places.start
+        if len(shapes) <= _FEW:
+            painter.save()
+            self.paint_shapes(painter, shown, shapes)
+            painter.restore()
+            return
+        if begin not in self._kept or self._kept[begin][0] != shown:
+            sheet = transparent(shown.width, shown.height, painter.device().devicePixelRatioF())
+            self._kept[begin] = (shown, sheet)
+            with QPainter(sheet) as beside:
+                beside.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+                self.paint_shapes(beside, shown, shapes)
+        painter.drawPixmap(0, 0, self._kept[begin][1])
 
     def _paint_more(self, picture: _Picture) -> None:
         """Paint the next curves into the picture; thousands take several steps."""
