@@ -15,7 +15,7 @@ from .dock import Dock, LateDock
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
 _WIDTH = 350
-"""Of the docks at the right, in a new window: what any panel asks for at most, so that none makes it wider."""
+"""Of the docks at the right, in a new window: no panel asks for more, so that none makes them wider."""
 
 _DECLARED = "docked_panel"
 _Builder = TypeVar("_Builder", bound=Callable[..., QWidget])
