@@ -14,8 +14,8 @@ from ..actions.declaration import marked
 from .dock import Dock, LateDock
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-_WIDTH = 340
-"""Of the docks at the right, in a new window."""
+_WIDTH = 350
+"""Of the docks at the right, in a new window: no panel asks for more, so that none makes them wider."""
 
 _DECLARED = "docked_panel"
 _Builder = TypeVar("_Builder", bound=Callable[..., QWidget])

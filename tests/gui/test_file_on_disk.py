@@ -808,7 +808,7 @@ def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
     assert not bar.geometry().intersects(editor.window.message_bar.geometry())
     editor.window.message_bar.hide()
     editor.settle()
-    assert bar.y() == 10
+    assert bar.y() == 10 + round(canvas.rulers.thickness)
     editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
