@@ -8,8 +8,8 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``tasks``: work beside the window's thread: progress, cancelling, debouncing. No Qt in ``progress``.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``tools``: press, move and release turned into edits. No Qt.
-- ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
-- ``qt``: exceptions end in the method that Qt called; words of others as they are written.
+- ``qt``: exceptions end in the method that Qt called; words of others as they are written; styles as pens.
+- ``exchange``: files in and out. Qt only in ``drawing``, where it paints.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``appearance``: themes, colours, icons.
 - ``settings``: what is remembered between starts, and the ini file that holds it.

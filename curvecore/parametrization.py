@@ -1,7 +1,7 @@
 """Rules that give the parameters t_i of points.
 
 Every rule returns n strictly increasing values, the first exactly 0 and the
-last exactly 1; the caller maps them to its own interval.
+last exactly 1; the caller maps them to its own interval (`spread`).
 
 References
 ----------
@@ -299,3 +299,10 @@ def with_one_more(parameters: FloatArray, t: float) -> FloatArray:
         t = 0.5 * (t + float(parameters[index + 1]))
         index += 1
     return np.insert(parameters, index, t)
+
+
+def spread(shares: FloatArray, start: float, end: float) -> FloatArray:
+    """Return the parameters at shares of an interval, (n,); the last one is its end exactly."""
+    t: FloatArray = start + shares * (end - start)
+    t[-1] = end
+    return t

@@ -22,6 +22,7 @@ from app.document.style import Style
 from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
+from app.workbench.document_files import file_stem, title_of
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "resources" / "examples"
@@ -650,13 +651,36 @@ def test_one_file_that_is_no_document_does_not_keep_the_others_from_opening(qtbo
     )
 
 
-def test_a_table_alone_comes_to_the_first_sketch(qtbot, tmp_path):
-    table = tmp_path / "a.csv"
-    table.write_text("0,0\n1,1\n", encoding="utf-8")
-    (window,) = open_windows([str(table)])
+_INCH = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="1in" height="1in" viewBox="0 0 9 9">'
+    '<path d="M0 0H9"/></svg>'
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "dialog", "unit"),
+    [
+        ("dots.csv", "0,0\n1,1\n", "importTableDialog", ""),
+        ("inch.svg", _INCH, "importDrawingDialog", "in"),
+    ],
+)
+@pytest.mark.usefixtures("drawings_read_here")
+def test_a_drawing_or_a_table_alone_is_the_document(qtbot, tmp_path, name, content, dialog, unit):
+    path = tmp_path / name
+    path.write_text(content, encoding="utf-8")
+    (window,) = open_windows([str(path)])
     qtbot.addWidget(window)
-    qtbot.waitUntil(lambda: window.findChild(QDialog, "importTableDialog") is not None)
-    assert window.session.files.path is None
+    session = window.session
+    qtbot.waitUntil(lambda: window.findChild(QDialog, dialog) is not None)
+    assert session.files.is_untouched
+    asked = window.findChild(QDialog, dialog)
+    qtbot.waitUntil(lambda: asked.ok.isEnabled() and not asked.jobs.is_busy)
+    asked.ok.click()
+    document, stem = session.document, path.stem
+    assert ([len(curve.points) for curve in document.curves], document.unit) == ([2], unit)
+    assert (title_of(session), file_stem(session), session.files.path) == (stem, stem, None)
+    assert not session.files.is_modified, "closing it asks nothing"
+    assert not session.undo_stack.canUndo()
 
 
 # What goes into a picture
@@ -684,10 +708,22 @@ def test_a_dark_svg_without_paper(tmp_path):
     assert 'id="paper"' in rendered(tmp_path, "--theme", "dark").read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("ending", ["png", "svg"])
+def test_a_picture_has_no_paper_unless_a_theme_is_asked_for(ending, tmp_path):
+    images = pytest.importorskip("PySide6.QtGui")
+    # As the window exports it; a PNG had light paper.
+    for words, alpha in (((), 0), (("--theme", "light"), 255), (("--theme", "light", "--transparent"), 0)):
+        path = rendered(tmp_path, "--width", "100", *words, ending=ending)
+        if ending == "png":
+            assert images.QImage(str(path)).pixelColor(0, 0).alpha() == alpha
+        else:
+            assert ('id="paper"' in path.read_text(encoding="utf-8")) is bool(alpha)
+
+
 def test_a_sharper_png_without_paper(tmp_path):
     images = pytest.importorskip("PySide6.QtGui")
-    plain = images.QImage(str(rendered(tmp_path, "--width", "300", ending="png")))
-    sharp = rendered(tmp_path, "--width", "300", "--scale", "2", "--transparent", ending="png")
+    plain = images.QImage(str(rendered(tmp_path, "--width", "300", "--theme", "light", ending="png")))
+    sharp = rendered(tmp_path, "--width", "300", "--scale", "2", ending="png")
     image = images.QImage(str(sharp))
     assert (plain.width(), image.width()) == (300, 600)
     assert image.dotsPerMeterX() == pytest.approx(2 * plain.dotsPerMeterX(), abs=2)

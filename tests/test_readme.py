@@ -8,8 +8,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
+from app.cli.command_line import main
 from app.exchange.formats import FORMATS
 from app.families import FAMILIES
+from app.window.connect import all_actions
 
 ROOT = Path(__file__).parents[1]
 
@@ -51,6 +55,38 @@ def test_the_table_of_families_is_that_of_the_registry():
     )
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert text.partition(head)[2].partition("\n\n")[0] + "\n" == rows
+
+
+def test_every_option_of_the_command_line_is_named_and_no_other(capsys):
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    block = text.partition("```text\n")[2].partition("```")[0]
+    named, known = set(re.findall(r"--[a-z-]+", block)), {"--help", "--output", "--no-points"}
+    for command in ("render", "convert", "info", "lesson"):
+        assert f"curvebench {command}" in block
+        with pytest.raises(SystemExit):
+            main([command, "--help"])
+        options = set(re.findall(r"^ +(?:-\w[^-]*)?(--[a-z-]+)", capsys.readouterr().out, re.MULTILINE))
+        assert options - named - known == set(), command
+        known |= options
+    assert named - known == set()
+
+
+def test_keys_and_menus_are_those_of_the_actions():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    known = {(key, each.text.removesuffix("…")) for each in all_actions() for key in each.key.split(", ")}
+    rows = re.findall(r"^\| (<kbd>.*) \| (.*) \|$", text, re.MULTILINE)
+    assert len(rows) > 5
+    for keys, names in rows:
+        pairs = zip(re.findall("<kbd>(.*?)</kbd>", keys), names.split(", "), strict=True)
+        assert set(pairs) - known == set()
+    entries = {
+        " › ".join(filter(None, (each.section.menu.title, each.section.submenu, each.text)))
+        for each in all_actions()
+    }
+    menus = {entry.rpartition(" › ")[0] for entry in entries}
+    paths = set(re.findall(r"\*((?:File|Edit|Curve|Analysis|View|Help) [›>] [^*]+)\*", text))
+    assert len(paths) > 4
+    assert paths - entries - menus == set()
 
 
 def test_the_core_example_prints_what_it_says(tmp_path):

@@ -10,6 +10,10 @@ A decorator on the method of a command set says everything about an action::
     def _switch(self, overlay: Overlay) -> None:
         …
 
+    @switch("rulers", "toggleRulers", "Rulers", VIEW_DRAWING)  # a field of the window's state
+    def _toggle_rulers(self) -> None:
+        '''Show rulers above the canvas and at its left.'''
+
 What an action does is said by the docstring of its handler: it is the action's tip.
 """
 
@@ -17,11 +21,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache, partial
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import msgspec
 from msgspec.structs import replace
 
+from ..state.window_state import WindowState
 from .needs import NOTHING, Need
 from .sections import Section
 from .situation import Situation
@@ -75,6 +80,8 @@ class Action(msgspec.Struct, frozen=True):
         What must be there before it can be used.
     checked
         Whether it is on; makes it a switch.
+    field
+        The field of the window's state that it turns on and off; empty for none.
     group
         Name of the group of which one is on; empty for a switch of its own.
     title
@@ -104,6 +111,7 @@ class Action(msgspec.Struct, frozen=True):
     during_gesture: bool = False
     keywords: str = ""
     on_sight: Callable[[Situation], Sight] | None = None
+    field: str = ""
 
     @property
     def interrupts(self) -> bool:
@@ -160,6 +168,24 @@ def _decorator_of(make: Callable[_Fields, Action]) -> Callable[_Fields, Decorato
 
 action = _decorator_of(Action)
 """Declare the decorated method as the handler of an action; takes the fields of `Action`."""
+
+
+def _switch_of(make: Callable[_Fields, Action]) -> Callable[Concatenate[str, _Fields], Decorator]:
+    def declare(field: str, /, *fields: _Fields.args, **more: _Fields.kwargs) -> Decorator:
+        assert field in WindowState.__struct_fields__, field
+        described = replace(
+            make(*fields, **more), field=field, checked=lambda now: bool(getattr(now.state, field))
+        )
+        return Decorator(lambda: [(described, ())])
+
+    return declare
+
+
+switch = _switch_of(Action)
+"""Declare an action that turns a field of the window's state on and off; takes that, and those of `Action`.
+
+The decorated method does what comes after that, often nothing: then it has a docstring, which is the tip.
+"""
 
 
 def also(*places: Place) -> Callable[[_Handler], _Handler]:

@@ -30,8 +30,6 @@ class Need(msgspec.Struct, frozen=True):
 NOTHING = Need("", lambda _now: True)
 
 HIGHLIGHTED = Need("a curve or a point", lambda now: now.has_highlight)
-TWO_SELECTED = Need("two selected points or more", lambda now: len(now.selection) > 1)
-THREE_SELECTED = Need("three selected points or more", lambda now: len(now.selection) > 2)
 HERMITE_CURVE = Need("a Hermite curve", lambda now: now.has_derivatives)
 HERMITE_POINTS = Need(
     "selected points of a Hermite curve",

@@ -19,6 +19,7 @@ from ..tools.toolbox import Toolbox
 from ..tools.transform import TransformKind
 from .fitting import Framing
 from .scene import CanvasScene
+from .steady_view import SteadyView
 
 
 class Canvas(ToolPlot):
@@ -53,8 +54,10 @@ class Canvas(ToolPlot):
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
         self.framing = Framing(self.camera, self.drawing)
+        self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self._move_again)
+        tools.curves_at = self.drawing.curves_at
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
 

@@ -13,7 +13,7 @@ from ..view_model.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
 from .looks import Shape, is_plain
-from .other_curves_layer import OtherCurvesLayer
+from .other_curves_layer import OtherCurvesLayer, is_on_line
 from .selected_curves_layer import SelectedCurvesLayer, SiblingCurvesLayer
 
 _ABOVE = -0.8
@@ -114,6 +114,21 @@ class DrawnCurves:
         _, active, _ = self._shown
         line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
         return line if self._is_thin else self.areas.hit(pixel, shown, active, line)
+
+    def all_at(self, pixel: Vector, shown: PixelMap) -> list[int]:
+        """Return the places of all curves at `pixel`, the topmost first: one of each shape.
+
+        It is the one whose line is hit, or else the first.
+        """
+        views, _, _ = self._shown
+        areas = set() if self._is_thin else {each.start for each in self.areas.all_at(pixel, shown)}
+        found = []
+        for places in reversed([*shapes([view.source for view in views])]):
+            on_line = (place for place in places if is_on_line(views[place], pixel, shown))
+            place = next(on_line, places.start if places.start in areas else None)
+            if place is not None:
+                found.append(place)
+        return found
 
     def set_thin(self, thin: bool) -> None:
         """Draw plain lines, whatever the styles."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QPointF
 
 from curvecore.arrays import FloatArray
 
+from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
 from ..view_model.curve_view import CurveView
@@ -77,6 +78,8 @@ class Framing:
     def __init__(self, camera: Camera, drawing: CanvasScene) -> None:
         self._camera, self._drawing = camera, drawing
         self.covered_top: Callable[[], float] = lambda: 0.0
+        self._fitted: Sequence[Curve] | None = None
+        camera.moved.connect(self._forget_fit)
 
     @property
     def shows_all_points(self) -> bool:
@@ -89,6 +92,18 @@ class Framing:
         boxes, _sizes = _limited([self._drawing.views[place] for place in places])
         return all_inside(self._camera.pixel_map, boxes.reshape(-1, 2))
 
+    @property
+    def is_as_fitted(self) -> bool:
+        """Whether neither the view nor the drawing has changed since all was fitted into it."""
+        return self._fitted == self._curves
+
+    @property
+    def _curves(self) -> Sequence[Curve]:
+        return [view.source for view in self._drawing.views]
+
+    def _forget_fit(self) -> None:
+        self._fitted = None
+
     def fit(self) -> None:
         """Show all visible curves and the active one; of a wild one, its points and their surroundings.
 
@@ -100,6 +115,7 @@ class Framing:
             views.append(drawing.view)
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
         self._show(box_of(views) or drawing.image.box)
+        self._fitted = self._curves
 
     def fit_views(self, views: Sequence[CurveView]) -> None:
         """Show these curves, with a margin."""

@@ -15,7 +15,7 @@ from ..document.model import Vector
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve_view import CurveView, ParametricCurve, Polyline
-from ..view_model.handles import Handle
+from ..view_model.handles import NO_HANDLES, Handles
 
 POINT_REACH = 10.0
 """Pixels from the pointer within which a point or a handle is grabbed."""
@@ -33,11 +33,16 @@ def hit_test(
     view: CurveView,
     polyline: Polyline | None,
     selection: frozenset[int],
-    handles: Sequence[Handle],
+    handles: Handles,
+    facing: Handles = NO_HANDLES,
 ) -> Hit | None:
-    """Return what lies under `pixel`: a selected point before its handles, then points, then the curve."""
+    """Return what lies under `pixel`.
+
+    A selected point comes before the handles of the selected points, then other points, the handles that face
+    the selected ones, and the curve.
+    """
     selected = _nearest_point(pixel, shown, view, sorted(selection))
-    handle = _nearest_handle(pixel, shown, handles, selection)
+    handle = _nearest_handle(pixel, shown, handles)
     if selected is not None and (handle is None or selected[1] <= handle[1]):
         return selected[0]
     point = _nearest_point(pixel, shown, view, range(len(view.points)))
@@ -46,6 +51,8 @@ def hit_test(
         return replace(handle[0], over=over)
     if point is not None:
         return point[0]
+    if (facing_handle := _nearest_handle(pixel, shown, facing)) is not None:
+        return facing_handle[0]
     return _on_curve(pixel, shown, view, polyline) if polyline is not None else None
 
 
@@ -65,17 +72,18 @@ def _nearest_point(
     return Hit(Part.POINT, index, view.source.points[index].position), float(distances[best])
 
 
-def _nearest_handle(
-    pixel: Vector, shown: PixelMap, handles: Sequence[Handle], selection: frozenset[int]
-) -> tuple[Hit, float] | None:
-    away = [(math.dist(shown.point(*handle.position), pixel), handle) for handle in handles]
-    near = [each for each in away if each[0] <= POINT_REACH]
-    if not near:
+def _nearest_handle(pixel: Vector, shown: PixelMap, handles: Handles) -> tuple[Hit, float] | None:
+    if not len(handles):
         return None
-    distance, nearest = min(near, key=lambda each: each[0])
-    index = next(iter(selection))
-    hit = Hit(Part.HANDLE, index, nearest.position, ahead=nearest.ahead, kind=nearest.kind)
-    return hit, distance
+    away = shown.points(handles.positions) - pixel
+    distances = np.hypot(away[:, 0], away[:, 1])
+    best = int(np.argmin(distances))
+    # Written so that NaN fails.
+    if not distances[best] <= POINT_REACH:
+        return None
+    nearest = handles[best]
+    hit = Hit(Part.HANDLE, nearest.index, nearest.position, ahead=nearest.ahead, kind=nearest.kind)
+    return hit, float(distances[best])
 
 
 def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:

@@ -38,11 +38,6 @@ def is_plain(style: Style) -> bool:
     )
 
 
-def thinned_out(style: Style) -> Style:
-    """Return the plain line that stands for a style while lines are thin."""
-    return Style(stroke=style.colour)
-
-
 def line_of(view: CurveView, shown: PixelMap) -> Polyline:
     """Return a curve as a polyline of the plane, exact enough to be drawn as wide as it is."""
     scale = max(shown.sx, shown.sy)

@@ -27,6 +27,7 @@ from ..view_model.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
 from .hit_test import CURVE_REACH, PixelOutline
 from .looks import Shape, is_plain, line_of, paint_shape
+from .sections import loose_places, sections_of
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
@@ -37,7 +38,10 @@ _AT_ONCE = 400
 """Curves that are painted before the window is heard again: some hundredths of a second."""
 
 _FEW = 8
-"""Shapes that may be painted in every frame, beside the picture of those that stay."""
+"""Shapes that may be painted in every frame, whether they move or not, beside the picture of the others."""
+
+_CALM = 8
+"""Frames in which nothing has changed, after which what is more than a few is in the picture again."""
 
 
 class OtherCurvesLayer(Layer):
@@ -45,7 +49,7 @@ class OtherCurvesLayer(Layer):
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are. While some of them are dragged the
-    picture is in two: what prints below these, and what prints over them.
+    picture is in several sheets: what prints below these, between them, and over them.
     """
 
     z = -1.0
@@ -59,8 +63,10 @@ class OtherCurvesLayer(Layer):
         self._is_thin = False
         self._views: list[tuple[int, CurveView]] = []
         self._shapes: list[Shape] = []
-        # Those of the shapes that have changed last, which are in no picture.
-        self._moving = range(0)
+        # Which shapes are in the picture, and which have changed last and are painted in every frame.
+        self._sections = sections_of((), 0)
+        self._changed_last: frozenset[int] = frozenset()
+        self._calm_paints = 0
         self._picture: _Picture | None = None
         self._seconds = 0.0
         self._is_resting = False
@@ -86,12 +92,18 @@ class OtherCurvesLayer(Layer):
         if found != self._views:
             self._views, self._outline = found, None
         if shapes != self._shapes:
-            moving = _changed(self._shapes, shapes)
-            if not (moving and moving[0] in self._moving and moving[-1] in self._moving):
-                self._moving, self._picture = moving, None
+            self._follow(_changed(self._shapes, shapes), len(shapes))
             self._shapes = shapes
             self.set_visible(bool(shapes))
             self.update()
+
+    def _follow(self, changed: frozenset[int], count: int) -> None:
+        """Paint what has changed in every frame from now on, where it is few or changes again and again."""
+        again, self._changed_last, self._calm_paints = changed <= self._changed_last, changed, 0
+        if changed and changed <= loose_places(self._sections):
+            return
+        is_followed = 0 < len(changed) <= (_AT_ONCE if again else _FEW)
+        self._sections, self._picture = sections_of(sorted(changed) if is_followed else (), count), None
 
     def set_cased(self, cased: bool) -> None:
         """Keep the lines apart from what lies below them, a picture to trace, or not."""
@@ -112,6 +124,7 @@ class OtherCurvesLayer(Layer):
         """
         if not self._shapes:
             return
+        self._rejoin()
         ratio = painter.device().devicePixelRatioF()
         key = (self.theme, self.scale, ratio)
         picture = self._picture
@@ -121,39 +134,49 @@ class OtherCurvesLayer(Layer):
             self._compose(painter, shown, picture)
             return
         if picture is None or picture.key != key or picture.shown != shown:
-            sheets = [transparent(shown.width, shown.height, ratio) for _ in range(2 if self._moving else 1)]
+            sheets = [
+                transparent(shown.width, shown.height, ratio) for each in self._sections if each.is_still
+            ]
             picture = self._picture = _Picture(tuple(sheets), shown, key)
             self._painted, self._seconds, self._is_resting = 0, 0.0, False
-        if self._painted < len(self._shapes) - len(self._moving):
-            self._paint_more(picture)
+        self._paint_more(picture)
         self._compose(painter, shown, picture)
+
+    def _rejoin(self) -> None:
+        """Have all in one picture again, when many were painted in frame after frame for nothing."""
+        self._calm_paints += 1
+        if self._calm_paints > _CALM and len(loose_places(self._sections)) > _FEW:
+            self._sections, self._picture = sections_of((), len(self._shapes)), None
 
     def _compose(self, painter: QPainter, shown: PixelMap, picture: _Picture) -> None:
         """Draw the picture, and within it what moves."""
-        picture.draw(painter, shown, 0)
-        if self._moving:
-            painter.save()
-            self.paint_shapes(painter, shown, self._shapes[self._moving.start : self._moving.stop])
-            painter.restore()
-            picture.draw(painter, shown, 1)
+        sheets = iter(picture.sheets)
+        for section in self._sections:
+            if section.is_still:
+                picture.draw(painter, shown, next(sheets))
+            else:
+                painter.save()
+                self.paint_shapes(painter, shown, self._shapes[section.span])
+                painter.restore()
 
     def _paint_more(self, picture: _Picture) -> None:
         """Paint the next curves into the picture; thousands take several steps."""
-        began, below = perf_counter(), self._shapes[: self._moving.start] if self._moving else self._shapes
-        is_over = self._painted >= len(below)
-        start = self._painted - len(below) + self._moving.stop if is_over else self._painted
-        some = (self._shapes if is_over else below)[start : start + _AT_ONCE]
-        painter = QPainter(picture.sheets[is_over])
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        self.paint_shapes(painter, picture.shown, some)
-        painter.end()
-        self._painted += len(some)
-        self._seconds += perf_counter() - began
-        if self._painted < len(self._shapes) - len(self._moving):
-            if is_over or len(some) == _AT_ONCE:
+        began, left, before = perf_counter(), _AT_ONCE, 0
+        still = [section for section in self._sections if section.is_still]
+        for sheet, section in zip(picture.sheets, still, strict=True):
+            begin = max(self._painted - before, 0)
+            some = self._shapes[section.span][begin : begin + left]
+            before += len(section.places)
+            if some:
+                painter = QPainter(sheet)
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+                self.paint_shapes(painter, picture.shown, some)
+                painter.end()
+                self._painted, left = self._painted + len(some), left - len(some)
+        if left < _AT_ONCE:
+            self._seconds += perf_counter() - began
+            if self._painted < before:
                 self._next.start()
-            else:
-                self._paint_more(picture)
 
     def _may_wait(self, shown: PixelMap) -> bool:
         """Whether the picture is slow to make, and good enough for a view that is moving."""
@@ -213,19 +236,19 @@ class FileLayer(OtherCurvesLayer):
 class _Picture(msgspec.Struct, frozen=True, eq=False):
     """The curves as painted for one part of the plane, and for one theme and size of lines.
 
-    There are two sheets of it where something moves between them.
+    There are several sheets of it where something moves between them.
     """
 
     sheets: tuple[QPixmap, ...]
     shown: PixelMap
     key: tuple[Theme, float, float]
 
-    def draw(self, painter: QPainter, shown: PixelMap, sheet: int) -> None:
+    def draw(self, painter: QPainter, shown: PixelMap, sheet: QPixmap) -> None:
         """Draw a sheet, where it lies when this part of the plane is visible."""
         if shown is self.shown or shown == self.shown:
-            painter.drawPixmap(0, 0, self.sheets[sheet])
+            painter.drawPixmap(0, 0, sheet)
         else:
-            painter.drawPixmap(self.place_in(shown), self.sheets[sheet], QRectF(self.sheets[sheet].rect()))
+            painter.drawPixmap(self.place_in(shown), sheet, QRectF(sheet.rect()))
 
     def place_in(self, shown: PixelMap) -> QRectF:
         """Return where the picture lies when another part of the plane is visible."""
@@ -251,13 +274,20 @@ class _Outline:
         return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
 
 
-def _changed(before: list[Shape], after: list[Shape]) -> range:
-    """Return the places where two lists of shapes differ, as far as they are few and the rest is the same."""
+def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
+    """Whether the line of a curve that is seen lies within reach of a pixel."""
+    if not (view.source.visible and view.has_curve):
+        return False
+    nearest = PixelOutline([pixels_of(view, shown)]).nearest(pixel)
+    return nearest is not None and nearest.distance <= CURVE_REACH
+
+
+def _changed(before: list[Shape], after: list[Shape]) -> frozenset[int]:
+    """Return the places where two lists of shapes differ; none where they are not as many."""
     if len(before) != len(after):
-        return range(0)
-    places = [place for place, (old, new) in enumerate(zip(before, after, strict=True)) if old != new]
-    found = range(places[0], places[-1] + 1) if places else range(0)
-    return found if len(found) <= _FEW else range(0)
+        return frozenset()
+    pairs = enumerate(zip(before, after, strict=True))
+    return frozenset(place for place, (old, new) in pairs if old != new)
 
 
 def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:

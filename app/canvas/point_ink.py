@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QBrush, QFontMetrics, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QBrush, QColor, QFontMetrics, QFontMetricsF, QPainter, QPen
 
-from ..appearance.theme import Theme
+from ..appearance.theme import Theme, mix
 from ..plotting.fonts import Sizes
 
 _LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 """The lines of handles, by the order of their derivatives."""
+
+
+_FACING = 0.6
+"""Share of ink in the handles of points that are not selected; the rest is paper."""
+
+
+class HandleInk:
+    """Pens and brush of handles in one colour."""
+
+    def __init__(self, colour: QColor, scale: float) -> None:
+        self.lines = [QPen(colour, 1.2 * scale, style) for style in _LINES]
+        self.outline, self.filled = QPen(colour, 1.5 * scale), QBrush(colour)
 
 
 class PointInk:
@@ -20,9 +32,10 @@ class PointInk:
         # In the grey of a faded letter grey handles cannot be seen.
         ink = theme.curve if over_picture else theme.handle
         self.rim, self.ring = QPen(theme.paper, 1.5 * scale), QPen(theme.accent, 2 * scale)
-        self.lines = [QPen(ink, 1.2 * scale, style) for style in _LINES]
-        self.outline, self.filled, self.hollow = QPen(ink, 1.5 * scale), QBrush(ink), QBrush(theme.paper)
-        self.beneath = QPen(theme.paper, 4 * scale)
+        self.strong, self.faint = (
+            HandleInk(colour, scale) for colour in (ink, mix(ink, theme.paper, _FACING))
+        )
+        self.paper, self.beneath = QBrush(theme.paper), QPen(theme.paper, 4 * scale)
         self.font = fonts.times(0.95 * scale)
         self._written: dict[tuple[str, float], tuple[QSize, QPointF]] = {}
 

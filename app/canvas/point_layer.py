@@ -18,14 +18,14 @@ from ..document.words import with_decimals
 from ..plotting.drawing import is_near
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import size_of, write_on_plate
+from ..plotting.plates import write_in_corner
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
-from ..view_model.handles import Handle, handles_of
+from ..view_model.handles import Handles
 from ..view_model.point_kinds import kinds_of
-from .handle_marks import paint_handles
+from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 from .point_ink import PointInk
@@ -78,9 +78,9 @@ class PointLayer(Layer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
+        self._plot = plot
         self.selection: frozenset[int] = frozenset()
-        # Those on screen, of the selected point.
-        self.handles: Sequence[Handle] = ()
+        self.shown_handles = ShownHandles()
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
         self.shows_new_handle = False
@@ -113,11 +113,15 @@ class PointLayer(Layer):
         self.set_opacity(opacity_of(view))
         self.refresh()
 
+    @property
+    def handles(self) -> Handles:
+        """The handles of the selected points, as far as they are shown."""
+        return self.shown_handles.of_selected(self._plot.pixel_map)
+
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""
-        self.handles = ()
-        if self._view is not None and len(self.selection) == 1:
-            self.handles = handles_of(self._view, next(iter(self.selection)), free=self.shows_new_handle)
+        if self._view is not None:
+            self.shown_handles.find(self._view, self.selection, free=self.shows_new_handle)
         self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
@@ -132,7 +136,7 @@ class PointLayer(Layer):
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
             self._paint_weights(painter, pixels, visible, colours)
-        paint_handles(painter, shown, self.handles, self._ink)
+        self.shown_handles.paint(painter, shown, self._ink)
         self._paint_points(painter, pixels, visible, colours)
         self._paint_numbers(painter, pixels)
         if self.scrub is not None:
@@ -202,8 +206,9 @@ class PointLayer(Layer):
             paint_mark(painter, place, radius, kinds[index], self.theme.paper)
         for index in roles.selected:
             self._paint_selected(painter, QPointF(*pixels[index].tolist()), colours[index], kinds[index])
-        if discs.crowded:
-            self._paint_note(painter, shown=painter.clipBoundingRect())
+        if self.note:
+            painter.setFont(self.fonts.times(0.9 * self.scale))
+            write_in_corner(painter, self.note, self.theme.paper, self.theme.muted)
 
     def _have_roles(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
         """Return the roles of the visible points; under a drag they stay."""
@@ -238,16 +243,12 @@ class PointLayer(Layer):
 
     @property
     def note(self) -> str:
-        """The sentence about points that are left away; empty where all are drawn."""
-        if self._view is None or not self._discs_now.crowded:
+        """The sentence about points, or handles, that are left away; empty where all are drawn."""
+        if self._view is None:
             return ""
-        return f"{len(self._view.points)} points: selection only · zoom in to see all"
-
-    def _paint_note(self, painter: QPainter, shown: QRectF) -> None:
-        painter.setFont(self.fonts.times(0.9 * self.scale))
-        plate = QRectF(QPointF(0, 0), size_of(painter, self.note))
-        plate.moveBottomLeft(shown.bottomLeft() + QPointF(6, -6))
-        write_on_plate(painter, plate, self.note, self.theme.paper, self.theme.muted)
+        if self._discs_now.crowded:
+            return f"{len(self._view.points)} points: selection only · zoom in to see all"
+        return self.shown_handles.note(self._plot.pixel_map)
 
     def _stamp(self, painter: QPainter, radius: float, kind: int) -> None:
         paint_mark(painter, QPointF(0, 0), radius, kind, self.theme.paper)

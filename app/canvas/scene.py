@@ -208,12 +208,18 @@ class CanvasScene:
         hit = None
         if self.is_editing:
             polyline = self.curve.polyline(shown)
-            hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
+            handles = points.shown_handles
+            found = handles.of_selected(shown), handles.facing(shown)
+            hit = hit_test(pixel, shown, self.view, polyline, points.selection, *found)
         if hit is None and tool.finds_other_curves:
             hit = self.curves.hit(pixel, shown)
         if tool.finds_guides and (hit is None or hit.inside):
             hit = self.guides.hit(pixel, shown) or hit
         return hit
+
+    def curves_at(self, pointer: Pointer) -> list[int]:
+        """Return the places of all curves at the pointer, the topmost first, one of each shape."""
+        return self.curves.all_at(pointer.pixel, self._plot.pixel_map)
 
     @property
     def area(self) -> QRect:
@@ -242,8 +248,7 @@ class CanvasScene:
     def _surroundings_of(self, pixel: Vector) -> Surroundings:
         """Return what words beside a pixel should not cover: curve, handles, and numbers of points."""
         shown, layer = self._plot.pixel_map, self.points
-        lines = [(*shown.point(*each.anchor), *shown.point(*each.position)) for each in layer.handles]
-        segments = np.array(lines).reshape(-1, 4)
+        segments = shown.points(layer.handles.lines.reshape(-1, 2)).reshape(-1, 4)
         polyline = self.curve.polyline(shown)
         if polyline is not None:
             segments = np.vstack([segments, segments_near(polyline.points, pixel, shown)])

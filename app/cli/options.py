@@ -97,8 +97,8 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
 
 def _add_look_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("--theme", choices=STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)")
-    add("--transparent", action="store_true", help="leave the paper out")
+    add("--theme", choices=STYLES, help="colours, paper included (default: those for light paper, and none)")
+    add("--transparent", action="store_true", help="leave the paper of --theme out")
     add(
         "--points",
         action=argparse.BooleanOptionalAction,
@@ -331,7 +331,8 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
         dpi=options.dpi,
         scale=options.scale,
         unit=options.unit or document.unit,
-        transparent=options.transparent,
+        # As in the window: nobody has asked for paper.
+        transparent=options.transparent or not options.theme,
         handles=options.handles,
         grid=options.grid,
         basis=options.basis - 1 if options.basis else None,

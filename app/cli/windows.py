@@ -35,7 +35,12 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
     for window, path in zip(windows, documents, strict=False):
         if path in large:
             window.open_file(path)
-    windows[0].commands.drops.take(replace(others, documents=()), problems)
+    imports = others.imports
+    if imports and not others.documents and not others.pictures:
+        # Nobody means it to lie on a sketch that was there before.
+        windows[0].open_file(imports[0])
+        imports = imports[1:]
+    windows[0].commands.drops.take(replace(others, documents=(), imports=imports), problems)
     if lesson:
         windows[0].commands[LessonCommands].open(lesson)
     return windows

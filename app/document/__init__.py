@@ -4,7 +4,8 @@
   rules that estimate them.  ``limits``: the numbers that they may hold.
 - ``style``: stroke and fill of a curve.  ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
-- ``value``: their base.  ``plain``: NumPy's numbers turned into Python's before a document holds them.
+- ``value``: their base.  ``fields``: what each field holds, and what it is called.
+- ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.

@@ -62,6 +62,16 @@ def fresh_curve(document: Document, model: Curve, parametrization: Parametrizati
     return fresh.with_rules_of(model)
 
 
+def unstyled_model(curve: Curve) -> Curve:
+    """Return an empty curve of the usual style with the family and the rules of another.
+
+    Parameters set by hand say nothing about other points; the interval that they span is that curve's own.
+    """
+    rule = curve.parametrization
+    usual = Parametrization() if curve.is_manual else Parametrization(rule.kind, rule.alpha)
+    return replace(fresh_curve(Document(()), curve, usual), style=PLAIN_STYLE)
+
+
 def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:
     """Run through a curve the other way; its shape stays.
 

@@ -177,7 +177,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
     if closed and not old.family.curve_class.can_close:
         raise EditError(
             f"Choose {titles(each for each in FAMILIES if each.curve_class.can_close)} to close the curve: "
-            f"{old.family.a_curve} {_why_open(old.family)}."
+            f"{_why_open(old.family)}."
         )
     if closed and len(old.points) < old.family.least_to_close:
         raise EditError(_why_too_few(old.family))
@@ -186,10 +186,9 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
 
 
 def _why_open(family: Family) -> str:
-    """Return the reason for its curves not to return to their first point, as said of one of them."""
-    if family.curve_class.is_one_polynomial:
-        return "is one polynomial, and one that is not constant cannot repeat itself smoothly"
-    return "does not come back smoothly to its first point"
+    """Return the reason for its curves not to return to their first point, in few words."""
+    reason = "is one polynomial" if family.curve_class.is_one_polynomial else "does not return smoothly"
+    return f"{family.a_curve} {reason}"
 
 
 def _why_too_few(family: Family) -> str:

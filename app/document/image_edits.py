@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from .limits import EditError, checked, checked_vector
 from .model import Document, ReferenceImage, Vector
+from .transforms import decimal_sum
 
 _LEAST_SIZE = 1e-9
 
@@ -41,6 +42,12 @@ def move_image(document: Document, by: Vector) -> Document:
     """Move the picture by the vector `by`."""
     image = _image(document)
     return place_image(document, (image.x + by[0], image.y + by[1]))
+
+
+def step_image(document: Document, by: Vector) -> Document:
+    """Move the picture by a decimal step, as `step_points` does."""
+    image = _image(document)
+    return place_image(document, (decimal_sum(image.x, by[0]), decimal_sum(image.y, by[1])))
 
 
 def scale_image(document: Document, corner: Vector, factor: float) -> Document:

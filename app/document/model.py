@@ -5,17 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from operator import attrgetter
+from typing import Annotated
 
 from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .export import NEVER_EXPORTED, Export
+from .fields import Requirement, above, at_least, between, printed
 from .style import PLAIN_STYLE, Style
 from .value import Value
 from .words import NamedEnum
 
 Vector = tuple[float, float]
+
+LONGEST_UNIT = 12
+"""Characters of a unit's name."""
 
 MAX_MAGNITUDE = 1e12
 """Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
@@ -149,7 +154,7 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
     """
 
     kind: ParametrizationKind = ParametrizationKind.CHORD_LENGTH
-    alpha: float = 0.5
+    alpha: Annotated[float, between(0, 1)] = 0.5
     start: float = 0.0
     end: float = 1.0
 
@@ -251,6 +256,14 @@ class Curve(Value, frozen=True, dict=True):
         return self.parametrization.kind is ParametrizationKind.MANUAL
 
 
+_PATH = Requirement(lambda path: bool(path.strip()) and path.isprintable(), "be the name of a file")
+_OF_THIS_COMPUTER = Requirement(
+    # Opening another would knock at that computer, and on some systems with the person's password.
+    lambda path: not path.startswith(("//", "\\\\")),
+    "lead to a file of this computer, not to one of the network",
+)
+
+
 class ReferenceImage(Value, frozen=True, omit_defaults=False):
     """A picture to trace, behind the curves.
 
@@ -269,12 +282,12 @@ class ReferenceImage(Value, frozen=True, omit_defaults=False):
         Whether it is safe from being moved.
     """
 
-    path: str
+    path: Annotated[str, _PATH, _OF_THIS_COMPUTER]
     x: float
     y: float
-    width: float
-    height: float
-    opacity: float = 0.5
+    width: Annotated[float, above(0)]
+    height: Annotated[float, above(0)]
+    opacity: Annotated[float, between(0, 1)] = 0.5
     locked: bool = False
 
 
@@ -313,8 +326,8 @@ class Page(Value, frozen=True, omit_defaults=False):
 
     x: float
     y: float
-    width: float
-    height: float
+    width: Annotated[float, above(0)]
+    height: Annotated[float, above(0)]
 
 
 class Document(Value, frozen=True):
@@ -340,8 +353,8 @@ class Document(Value, frozen=True):
 
     curves: tuple[Curve, ...]
     image: ReferenceImage | None = None
-    unit: str = ""
-    grid_spacing: float = 0.0
+    unit: Annotated[str, printed(LONGEST_UNIT, f"be a name of at most {LONGEST_UNIT} characters")] = ""
+    grid_spacing: Annotated[float, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
     export: Export = NEVER_EXPORTED

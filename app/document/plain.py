@@ -8,26 +8,21 @@ float raises. Each is a surprise far from where the number came from.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from functools import cache
 from itertools import compress
 from numbers import Real
 from operator import is_not
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from msgspec.structs import replace
 
-from .derivatives import VECTORS
+from .fields import Field, fields_of
 from .model import Curve, Document, Point, Vector, vectors_of
 from .ties import holds
 from .value import Value
 
 Values = TypeVar("Values", bound=Value)
-
-_FLAGS = ("closed", "visible", "locked")
-_OF_RULE = ("alpha", "start", "end")
-_OF_IMAGE = ("x", "y", "width", "height", "opacity")
-_OF_PAGE = ("x", "y", "width", "height")
-_OF_STYLE = ("width", "miter_limit", "dash_offset", "stroke_opacity", "fill_opacity", "opacity")
 
 
 def plain(document: Document, before: Document | None = None) -> Document:
@@ -38,39 +33,43 @@ def plain(document: Document, before: Document | None = None) -> Document:
     known = {id(curve) for curve in before.curves} if before is not None else set()
     places = before.curves if before is not None else ()
     curves = tuple(
-        curve if id(curve) in known else _plain_curve(curve, places[place] if place < len(places) else None)
+        curve if id(curve) in known else _plain_values(curve, places[place] if place < len(places) else None)
         for place, curve in enumerate(document.curves)
     )
-    image = document.image
-    if image is not None and (before is None or image is not before.image):
-        image = _with_plain(image, _OF_IMAGE, ("locked",))
-    document = _with_plain(document, ("grid_spacing",))
-    if before is None or document.guides is not before.guides:
-        document = _with_each(document, "guides", lambda guide: _with_plain(guide, ("position",)))
-    if document.page is not None and (page := _with_plain(document.page, _OF_PAGE)) is not document.page:
-        document = replace(document, page=page)
-    if image is document.image and not any(map(is_not, curves, document.curves)):
-        return document
-    return replace(document, curves=curves, image=image)
+    document = _plain_values(document, before)
+    return replace(document, curves=curves) if any(map(is_not, curves, document.curves)) else document
 
 
-def _plain_curve(curve: Curve, before: Curve | None) -> Curve:
-    points = _plain_points(curve.points, before.points if before is not None else ())
-    if before is not None and _beside_points(curve) == _beside_points(before):
-        return curve if points is curve.points else replace(curve, points=points)
-    curve = _with_plain(curve, (), _FLAGS)
-    rule = _with_plain(curve.parametrization, _OF_RULE)
-    style = _with_each(_with_plain(curve.style, _OF_STYLE), "dash", _plain_number)
-    if rule is curve.parametrization and style is curve.style and points is curve.points:
-        return curve
-    return replace(curve, parametrization=rule, style=style, points=points)
+@cache
+def _fields(kind: type[Value]) -> tuple[Field, ...]:
+    """Return the fields of a kind of value that may hold what is not plain; curves are looked at apart."""
+    found = (field for field in fields_of(kind) if field.kind is not Curve)
+    return tuple(field for field in found if field.kind in (float, bool) or field.holds_values)
 
 
-def _beside_points(curve: Curve) -> tuple[int, ...]:
-    """Return the identities of what else of a curve may not be plain."""
-    return (
-        id(curve.parametrization), id(curve.style), id(curve.closed), id(curve.visible), id(curve.locked)
-    )  # fmt: skip
+def _plain_values(values: Values, before: object = None) -> Values:
+    """Return one of the document's values with plain ones in it: itself where it has them."""
+    changed = {}
+    for field in _fields(type(values)):
+        held, known = getattr(values, field.name), getattr(before, field.name, None)
+        if held is not known and (new := _plain_field(field, held, known)) is not held:
+            changed[field.name] = new
+    return replace(values, **changed) if changed else values
+
+
+def _plain_field(field: Field, held: object, known: object) -> object:
+    if not field.is_many or not isinstance(held, Iterable):
+        return _plain_value(field, held, known)
+    if field.kind is Point and isinstance(held, tuple):
+        return _plain_points(held, known if isinstance(known, tuple) else ())
+    new = tuple(_plain_value(field, each) for each in held)
+    return held if isinstance(held, tuple) and not any(map(is_not, new, held)) else new
+
+
+def _plain_value(field: Field, value: object, known: object = None) -> object:
+    if isinstance(value, Value):
+        return _plain_values(value, known)
+    return bool(value) if field.kind is bool else _plain_number(value)
 
 
 def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple[Point, ...]:
@@ -98,28 +97,8 @@ def _is_plain_vector(vector: Vector) -> bool:
 
 
 def _plain_point(point: Point) -> Point:
-    vectors = {
-        name: tuple(map(_plain_number, vector))
-        for _, name in VECTORS
-        if (vector := getattr(point, name)) is not None
-    }
-    changed = replace(_with_plain(point, ("x", "y", "t"), ("corner", "tied")), **vectors)
+    changed = _plain_values(point)
     return replace(changed, tied=changed.tied and holds(changed))
-
-
-def _with_plain(values: Values, numbers: Iterable[str], flags: Iterable[str] = ()) -> Values:
-    """Return one of the document's values with plain numbers and flags: itself where it has them."""
-    wanted = {name: _plain_number(getattr(values, name)) for name in numbers}
-    wanted |= {name: bool(getattr(values, name)) for name in flags}
-    changed = {name: value for name, value in wanted.items() if value is not getattr(values, name)}
-    return replace(values, **changed) if changed else values
-
-
-def _with_each(values: Values, name: str, plain_of: Callable[[Any], object]) -> Values:
-    """Return one of the document's values with everything in one of its tuples made plain."""
-    old = getattr(values, name)
-    new = tuple(map(plain_of, old))
-    return replace(values, **{name: new}) if any(map(is_not, new, old)) else values
 
 
 def _plain_number(value: object) -> object:

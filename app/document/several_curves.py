@@ -17,7 +17,7 @@ from .curve_tree import OUTSIDE, Container, whole_nodes
 from .edits import EditError, move_points
 from .model import Curve, Document, Vector
 from .shape_edits import contained, with_own_names
-from .shapes import tidy_shapes, whole_shapes
+from .shapes import shape_of, tidy_shapes, whole_shapes
 from .transforms import Affine, transform_points
 from .words import points
 
@@ -193,12 +193,15 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
 def add_copies(document: Document, curves: Collection[int]) -> Added:
     """Add copies of curves right in front of them, in their order, as they look, visible and free.
 
-    Copies of whole shapes and groups are shapes and groups of their own.
+    Copies of whole shapes and groups are shapes and groups of their own; those of a part of a shape are in
+    front of it, and not in it.
     """
     last = whole_nodes(document.curves, curves)[-1]
-    copies = list(contained(document.curves, curves, last.around).values())
-    at = last.places.stop
-    return Added(add_curves(document, copies, at, last.around), range(at, at + len(copies)))
+    around, at = last.around, last.places.stop
+    if around.shape:
+        around, at = around.around, shape_of(document, last.places.start).stop
+    copies = list(contained(document.curves, curves, around).values())
+    return Added(add_curves(document, copies, at, around), range(at, at + len(copies)))
 
 
 def add_curves(

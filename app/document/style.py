@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Annotated, Final
 
 from msgspec.structs import replace
 
+from .fields import Requirement, at_least, between, few, matching
 from .value import Value
 from .words import NamedEnum
 
@@ -17,6 +18,11 @@ NO_PAINT: Final = "none"
 
 LARGEST_DASHES: Final = 64
 """Dashes and gaps that a style may have."""
+
+_PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
+_SHARE = between(0, 1)
+_DASHES = few(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")
+_SEEN = Requirement(lambda dash: not dash or any(dash), "hold a number greater than 0", of_all=True)
 
 
 class LineCap(NamedEnum):
@@ -61,18 +67,18 @@ class Style(Value, frozen=True):
         Of stroke and fill together.
     """
 
-    stroke: str = INK
-    width: float | None = None
-    cap: LineCap = LineCap.ROUND
-    join: LineJoin = LineJoin.ROUND
-    miter_limit: float = 4.0
-    dash: tuple[float, ...] = ()
-    dash_offset: float = 0.0
-    stroke_opacity: float = 1.0
-    fill: str = NO_PAINT
-    fill_rule: FillRule = FillRule.NONZERO
-    fill_opacity: float = 1.0
-    opacity: float = 1.0
+    stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
+    width: Annotated[float | None, at_least(0), "Stroke width"] = None
+    cap: Annotated[LineCap, "Line ends"] = LineCap.ROUND
+    join: Annotated[LineJoin, "Line corners"] = LineJoin.ROUND
+    miter_limit: Annotated[float, at_least(1), "Miter limit"] = 4.0
+    dash: Annotated[tuple[float, ...], _DASHES, at_least(0), _SEEN, "Dashes"] = ()
+    dash_offset: Annotated[float, "Start of the dashes"] = 0.0
+    stroke_opacity: Annotated[float, _SHARE, "Stroke opacity"] = 1.0
+    fill: Annotated[str, _PAINT, "Fill"] = NO_PAINT
+    fill_rule: Annotated[FillRule, "Fill rule"] = FillRule.NONZERO
+    fill_opacity: Annotated[float, _SHARE, "Fill opacity"] = 1.0
+    opacity: Annotated[float, _SHARE, "Opacity"] = 1.0
 
     @property
     def has_stroke(self) -> bool:
@@ -83,6 +89,11 @@ class Style(Value, frozen=True):
     def has_fill(self) -> bool:
         """Whether the inside is painted."""
         return self.fill != NO_PAINT
+
+    @property
+    def dashes_and_gaps(self) -> tuple[float, ...]:
+        """The dashes as they are drawn, an even number: of an odd one, dashes and gaps change their roles."""
+        return self.dash if len(self.dash) % 2 == 0 else self.dash * 2
 
     def in_colour(self, paint: str) -> Style:
         """Return the style with another colour: of its line, or of its inside where it has no line."""

@@ -11,24 +11,12 @@ from typing import Final
 from msgspec.structs import replace
 
 from .curve_edits import with_each
+from .fields import fields_of
 from .model import Document
 from .shapes import whole_shapes
 from .style import Style
 
-STYLE_WORDS: Final = {
-    "stroke": "Stroke colour",
-    "width": "Stroke width",
-    "cap": "Line ends",
-    "join": "Line corners",
-    "miter_limit": "Miter limit",
-    "dash": "Dashes",
-    "dash_offset": "Start of the dashes",
-    "stroke_opacity": "Stroke opacity",
-    "fill": "Fill",
-    "fill_rule": "Fill rule",
-    "fill_opacity": "Fill opacity",
-    "opacity": "Opacity",
-}
+STYLE_WORDS: Final = {field.name: field.words for field in fields_of(Style)}
 """The fields of a style in words, as steps of the history name them: "Stroke width of Leaf"."""
 
 

@@ -142,6 +142,13 @@ def clean_step(least: float) -> float:
     return next((step for step in steps if step >= least), float(f"2e{power + 1}"))
 
 
+def clean_step_within(most: float) -> float:
+    """Return the largest of 1, 2 and 5 times a power of ten that is not above `most`, which is positive."""
+    power = math.floor(math.log10(most))
+    steps = (float(f"{digit}e{power}") for digit in (5, 2, 1))
+    return next((step for step in steps if step <= most), float(f"5e{power - 1}"))
+
+
 def _middle(values: Sequence[float]) -> float:
     return min(values) / 2 + max(values) / 2
 

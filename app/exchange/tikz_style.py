@@ -29,8 +29,8 @@ def _of_line(style: Style, width: float) -> list[str]:
     if style.join is LineJoin.MITER:
         pairs.append(f"miter limit={style.miter_limit:g}")
     if style.dash:
-        lengths = style.dash if len(style.dash) % 2 == 0 else style.dash * 2
-        words = (f"{'off' if i % 2 else 'on'} {_length(each * width)}" for i, each in enumerate(lengths))
+        lengths = enumerate(style.dashes_and_gaps)
+        words = (f"{'off' if i % 2 else 'on'} {_length(each * width)}" for i, each in lengths)
         pairs.append(f"dash pattern={' '.join(words)}")
         pairs += [f"dash phase={_length(style.dash_offset * width)}"] if style.dash_offset else []
     return pairs

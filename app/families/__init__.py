@@ -3,7 +3,7 @@
 Whatever offers, names, stores or draws a family reads it here: menus, toolbar, table, ghosts, exports,
 command line and tests.
 
-- ``family``: `Family`, the record, made from a curve class.
+- ``family``: `Family`, the record, made from a curve class.  ``family_words``: what it is called.
 - ``settings``: `FamilySettings`, those of a family; `ChosenSettings`, those that are not at their defaults.
 - ``registry``: `FAMILIES`, those of the program and then those of installed packages and of files.
 - ``family_file``: families that a person wrote in a file of Python, checked before they are used.

@@ -7,8 +7,8 @@
 - ``printed``: shapes as they print, with fills, ends and dashes.  ``rings``: areas cut to what is seen.
 - ``painted_plot``: a pyqtgraph plot that we paint.  ``plot_widget``: one with mouse and keys.  ``tool_plot``:
   one with tools.
-- ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``axes``,
-  ``ticks``: the axes beside it, and where their numbers stand.  ``rulers``: marks on them.
+- ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``view_box``: its ranges.
+  ``axes``, ``ticks``: the axes beside it, and where their numbers stand.  ``rulers``: marks on them.
 - ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``edge_scroll``: a
   drag at the edge.  ``keys``: keys and shapes of the pointer, as Qt has them.
 - ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.

@@ -58,6 +58,7 @@ class Axis:
         self.is_ruler = False
         self.set_font(QFont(), 1.0)
         self._factor = 1.0
+        self._least = -math.inf
         # Distances of ticks and numbers, None for such as suit the zoom; or all that is shown.
         self._distances: tuple[float, float] | None = None
         self._given: Ticks | None = None
@@ -74,6 +75,12 @@ class Axis:
         """Put ticks so far apart, and numbers too where there is room; a number stands at a tick."""
         if self._distances != (tick, number):
             self._distances = (tick, number)
+            self._changed()
+
+    def set_least(self, least: float) -> None:
+        """Show no ticks below this: what is drawn there is no part of the plot."""
+        if least != self._least:
+            self._least = least
             self._changed()
 
     def set_factor(self, factor: float) -> None:
@@ -110,7 +117,8 @@ class Axis:
         """Return the ticks of the part that a map shows."""
         x_min, y_min, x_max, y_max = shown.box
         if self._is_upright:
-            return self.ticks(y_min, y_max, shown.height)
+            least = max(y_min, self._least) if self._least < y_max else y_min
+            return self.ticks(least, y_max, shown.height * (y_max - least) / (y_max - y_min))
         return self.ticks(x_min, x_max, shown.width)
 
     def _find(self, seen: Stretch) -> Ticks:

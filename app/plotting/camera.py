@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pyqtgraph as pg
 from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
 
 from .pixel_map import PixelMap
+from .view_box import ViewBox
 
 _INSET = 2
 """Pixels by which layers stay inside the plot area: what is nearer to its edge belongs to the axes."""
@@ -23,6 +26,8 @@ class Camera(QObject):
     ----------
     area
         The part of the viewport that layers paint on, as it was found when it was last painted.
+    resized
+        Says what is shown when the plot area has another size; else it is the same part as far as that goes.
 
     Signals
     -------
@@ -30,6 +35,8 @@ class Camera(QObject):
         Another part of the plane is visible.
     steered
         The person has zoomed or panned.
+    moved
+        Another part has been chosen to be seen.
 
     Parameters
     ----------
@@ -41,13 +48,16 @@ class Camera(QObject):
 
     changed = Signal()
     steered = Signal()
+    moved = Signal()
 
-    def __init__(self, view: pg.GraphicsView, box: pg.ViewBox) -> None:
+    def __init__(self, view: pg.GraphicsView, box: ViewBox) -> None:
         super().__init__(view)
-        self._view, self._box = view, box
+        self._box = box
         self._map: PixelMap | None = None
         self._origin: QPointF | None = None
         self.area = QRect()
+        self.resized: Callable[[], object] | None = None
+        box.resized = self.follow_area
         box.setMouseEnabled(x=False, y=False)
         box.disableAutoRange()
         box.setLimits(
@@ -59,6 +69,12 @@ class Camera(QObject):
     def _reset(self) -> None:
         self._map = self._origin = None
         self.changed.emit()
+
+    def follow_area(self) -> None:
+        """Show what is to be shown, for the plot area has another size or another place."""
+        self._map = self._origin = None
+        if self.resized is not None:
+            self.resized()
 
     def reset_origin(self) -> None:
         """Find out anew where the plot area lies; the widget has another size."""
@@ -80,7 +96,8 @@ class Camera(QObject):
         """The place in the viewport where the plot area begins."""
         if self._origin is None:
             box = self._box
-            self._origin = QPointF(self._view.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
+            # The scene has the pixels of the viewport, and the view's own map is behind while it is resized.
+            self._origin = QPointF(box.mapToScene(QPointF(0, 0)))
             rect = box.rect().translated(self._origin)
             self.area = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET).toAlignedRect()
         return self._origin
@@ -112,7 +129,15 @@ class Camera(QObject):
 
     def show_box(self, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
         """Show this part of the plane."""
+        self.moved.emit()
         self._box.setRange(xRange=x_range, yRange=y_range, padding=0)
+
+    def keep(self, seen: PixelMap, moved: tuple[float, float]) -> None:
+        """Show the plane as it was `seen`, on the same pixels, though the plot area has `moved` by some."""
+        rect = self._box.rect()
+        left, top = seen.plane(*moved)
+        right, bottom = left + max(rect.width(), 1.0) / seen.sx, top - max(rect.height(), 1.0) / seen.sy
+        self._box.setRange(xRange=(left, right), yRange=(bottom, top), padding=0)
 
     def zoom(self, factor: float, pixel: QPointF) -> None:
         """Zoom in by `factor` (out where it is below one), keeping what lies under the pixel there."""
@@ -147,7 +172,7 @@ class CameraOverT(Camera):
 
     range_asked = Signal(float, float)
 
-    def __init__(self, view: pg.GraphicsView, box: pg.ViewBox) -> None:
+    def __init__(self, view: pg.GraphicsView, box: ViewBox) -> None:
         super().__init__(view, box)
         self.led = False
 

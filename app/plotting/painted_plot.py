@@ -17,6 +17,7 @@ from .camera import Camera
 from .layers import LayerStack
 from .pixel_map import PixelMap
 from .rulers import Rulers
+from .view_box import ViewBox
 
 _FOCUS_WIDTH = 2
 
@@ -51,7 +52,7 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._box = pg.ViewBox(enableMenu=False)
+        self._box = ViewBox()
         self._axes = Axes(self._box, self._repaint_all)
         self.camera = self.camera_class(self, self._box)
         self.layers = LayerStack(self.viewport(), lambda: self.camera.area, self._axes.paint)
@@ -100,7 +101,7 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         """Show the axes as rulers, the one along x above the drawing, or as plain axes."""
         if shown != self._axes.are_rulers:
             self._axes.set_rulers(shown)
-            self.camera.reset_origin()
+            self.camera.follow_area()
             self.camera.changed.emit()
 
     # Painting

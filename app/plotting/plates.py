@@ -52,3 +52,10 @@ def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, i
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(ink)
     painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), text)
+
+
+def write_in_corner(painter: QPainter, text: str, paper: QColor, ink: QColor) -> None:
+    """Write text on a plate in the lower left corner of what is painted."""
+    plate = QRectF(QPointF(0, 0), size_of(painter, text))
+    plate.moveBottomLeft(painter.clipBoundingRect().bottomLeft() + QPointF(6, -6))
+    write_on_plate(painter, plate, text, paper, ink)

@@ -6,28 +6,17 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from curvecore.arrays import FloatArray
 
-from ..document.style import FillRule, LineCap, LineJoin, Style
+from ..document.style import LineCap, LineJoin, Style
+from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pictures import transparent
 from .pixel_map import PixelMap
 from .rings import ring_within
-
-_CAPS = {
-    LineCap.BUTT: Qt.PenCapStyle.FlatCap,
-    LineCap.ROUND: Qt.PenCapStyle.RoundCap,
-    LineCap.SQUARE: Qt.PenCapStyle.SquareCap,
-}
-_JOINS = {
-    LineJoin.MITER: Qt.PenJoinStyle.SvgMiterJoin,
-    LineJoin.ROUND: Qt.PenJoinStyle.RoundJoin,
-    LineJoin.BEVEL: Qt.PenJoinStyle.BevelJoin,
-}
-_RULES = {FillRule.NONZERO: Qt.FillRule.WindingFill, FillRule.EVENODD: Qt.FillRule.OddEvenFill}
 
 _NARROW = 4.0
 """Pixels of a line up to which it is cut where others are."""
@@ -37,9 +26,6 @@ _WIDEST = 1e7
 
 _SHORTEST_DASHES = 0.5
 """Pixels of a pattern below which dashes cannot be told apart, and are a paler line."""
-
-_LEAST_DASH = 1e-3
-"""In place of a dash of length 0, of which Qt draws no cap."""
 
 _FARTHEST_DASH = 20_000.0
 """Pixels from the area to which dashes are counted through; a dashed line is not cut nearer by."""
@@ -88,28 +74,24 @@ def _paint_together(
 
 def _fill(painter: QPainter, parts: Sequence[Part], style: Style, colour: QColor, shown: PixelMap) -> None:
     area = QPainterPath()
-    area.setFillRule(_RULES[style.fill_rule])
+    area.setFillRule(FILL_RULES[style.fill_rule])
     for part in parts:
         ring = ring_within(shown.points(part.points), shown.width, shown.height, MARGIN)
         if len(ring) > 2:
             area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
             area.closeSubpath()
-    painter.fillPath(area, _with_opacity(colour, style.fill_opacity * style.opacity))
+    painter.fillPath(area, with_opacity(colour, style.fill_opacity * style.opacity))
 
 
 def _stroke(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
     width = min(ink.width, _WIDEST)
     opacity = style.stroke_opacity * style.opacity
-    dash = _dash_of(style, width)
-    if style.dash and not dash:
-        opacity *= sum(style.dash[::2]) / sum(style.dash)
-    pen = QPen(_with_opacity(ink.stroke, opacity), width)
-    pen.setCapStyle(_CAPS[style.cap])
-    pen.setJoinStyle(_JOINS[style.join])
-    pen.setMiterLimit(style.miter_limit)
-    reach = _reach_of(style, width)
-    if dash:
-        pen.setDashPattern(dash)
+    is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
+    if style.dash and not is_dashed:
+        opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)
+    pen = pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
+    reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
+    if is_dashed:
         _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
     elif opacity == 1.0 and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
         painter.setPen(pen)
@@ -164,23 +146,3 @@ def _stretches(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[tu
     edges = np.flatnonzero(np.diff(np.concatenate([[False], is_near, [False]]).astype(np.int8)))
     for first, last in edges.reshape(-1, 2).tolist():
         yield first, last + 1
-
-
-def _reach_of(style: Style, width: float) -> float:
-    """Return how far beyond the area a line may be cut without its end being seen."""
-    is_pointed = style.join is LineJoin.MITER
-    return MARGIN if width <= _NARROW else MARGIN + width * (style.miter_limit if is_pointed else 1.0)
-
-
-def _dash_of(style: Style, width: float) -> list[float]:
-    """Return the pattern for a pen, an even number of lengths; empty where it cannot be seen."""
-    if not style.dash or sum(style.dash) * width < _SHORTEST_DASHES:
-        return []
-    pattern = style.dash if len(style.dash) % 2 == 0 else style.dash * 2
-    return [max(length, _LEAST_DASH) for length in pattern]
-
-
-def _with_opacity(colour: QColor, opacity: float) -> QColor:
-    result = QColor(colour)
-    result.setAlphaF(opacity)
-    return result

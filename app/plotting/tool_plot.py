@@ -35,6 +35,8 @@ class ToolPlot(PlotWidget):
         How far the gesture in flight has come (a sentence); empty when it has ended.
     gesture_began, gesture_ended
         A press begins a gesture; none is in flight any more.
+    errands_changed
+        A tool has something more, or less, done beside the window.
     pointed_at
         The place under the pointer, or None when it has left: the position on a canvas, t over t.
     """
@@ -43,6 +45,7 @@ class ToolPlot(PlotWidget):
     progress_changed = Signal(str)
     gesture_began = Signal()
     gesture_ended = Signal()
+    errands_changed = Signal()
     pointed_at = Signal(object)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
@@ -52,7 +55,7 @@ class ToolPlot(PlotWidget):
         self.jobs = SingleTask(self)
         self.jobs.progressed.connect(self._show_share)
         self.jobs.ended.connect(self._show_progress)
-        tools.background.jobs, tools.background.changed = self.jobs, self.show_marks
+        tools.background.jobs, tools.background.changed = self.jobs, self._show_errands
         # Later: whoever has ended it may be within a change of the document.
         self.gesture_ended.connect(tools.background.hand_over, Qt.ConnectionType.QueuedConnection)
         # Words that wait; at first they come at once, then as the timer runs out.
@@ -80,6 +83,10 @@ class ToolPlot(PlotWidget):
     def walk(self, forward: bool) -> bool:
         """Go to the next thing with Tab, or to the one before; return whether there is one."""
         return False
+
+    def _show_errands(self) -> None:
+        self.show_marks()
+        self.errands_changed.emit()
 
     # Gestures
 

@@ -13,11 +13,13 @@ from ..document.edits import EditError
 from ..document.export import NEVER_EXPORTED, Export
 from ..document.model import Document, empty_document
 from ..document.plain import plain
+from ..document.shapes import tidy_shapes
 from ..storage.examples import template_title
 from ..storage.files import load
 from ..storage.open_file import FileChange, OpenFile, Reading
 from ..storage.resources import is_resource
 from ..view_model.curve_view import CurveView
+from .change import why_not_kept
 from .history import Beginning, State
 
 if TYPE_CHECKING:
@@ -46,7 +48,7 @@ class Files:
         self._session = session
         self.path: Path | None = None
         self.file: OpenFile | None = None
-        self.beginning = Beginning()
+        self.beginning = Beginning(gives_way=True)
         # By the beginnings of the documents that undo and redo go to.
         self._exports: dict[Beginning, Export] = {}
         self._is_noted = False
@@ -66,6 +68,12 @@ class Files:
     def is_modified(self) -> bool:
         """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
         return self.has_changes or (self.file is not None and self.file.has_lost_document)
+
+    @property
+    def is_untouched(self) -> bool:
+        """Whether this is the first sketch or an empty document, as it came."""
+        is_as_it_came = not self._session.undo_stack.canUndo() and not self.is_modified
+        return self.beginning.gives_way and self.path is None and is_as_it_came
 
     @property
     def last_export(self) -> Export:
@@ -98,7 +106,32 @@ class Files:
 
     def new(self) -> None:
         """Start an empty document."""
-        self.replace(plain(self.blank()), None)
+        self.begin(self.blank())
+
+    def begin(self, document: Document) -> None:
+        """Begin with the first sketch, or with an empty document."""
+        self.replace(plain(document), None, beginning=Beginning(gives_way=True))
+
+    def begin_imported(self, document: Document, name: str, step: str = "") -> None:
+        """Begin with the content of a file of another format; saving it suggests its `name`.
+
+        Undo goes back to the document before where it is a `step` of the history.
+
+        Raises
+        ------
+        EditError
+            If no file of ours may hold it.
+        """
+        document = tidy_shapes(plain(document))
+        if reason := why_not_kept(self.blank(), document):
+            raise EditError(reason)
+        session, beginning = self._session, Beginning(title=name, file_stem=name)
+        if not step:
+            self.replace(document, None, beginning=beginning)
+            return
+        session.cancel()
+        session.history.push(session.state, State(document, 0, beginning), step)
+        self._take_note_of(document.export)
 
     def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
         """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.

@@ -30,11 +30,17 @@ class Beginning(msgspec.Struct, frozen=True, eq=False):
     before
         The beginning of the document that it was opened in the place of, as a step of the history; None where
         the history begins with it.
+    file_stem
+        Name for its file without ending; empty for that of a curve.
+    gives_way
+        Whether it is the first sketch or an empty document: unchanged, it is nobody's work.
     """
 
     copied: Path | None = None
     title: str = ""
     before: Beginning | None = None
+    file_stem: str = ""
+    gives_way: bool = False
 
 
 class State(msgspec.Struct, frozen=True):

@@ -26,10 +26,12 @@ from typing import Any, Final, Generic, Protocol, TypeVar, overload
 import msgspec
 from PySide6.QtCore import QByteArray
 
+from ..document.model import Curve, Document, empty_document
 from ..document.style import PLAIN_STYLE, Style
 from ..document.words import enumerated
+from ..storage.field_check import check_fields
+from ..storage.format import decode, encode
 from ..storage.format_error import FormatError
-from ..storage.style_check import validate_style
 from .file import SettingsFile
 
 Value = TypeVar("Value")
@@ -210,13 +212,31 @@ class SavedStyle(TextSetting[Style]):
     def _parse(self, text: str) -> Style:
         try:
             style = msgspec.json.decode(text, type=Style)
-            validate_style(style, "style")
+            check_fields(style, "style")
         except (msgspec.DecodeError, FormatError):
             raise _UnusableError("it is no style") from None
         return style
 
     def _stored(self, value: Style) -> object:
         return msgspec.json.encode(value).decode()
+
+
+class SavedCurve(TextSetting[Curve]):
+    """A curve without points, as a document of ours; the usual one where nothing is remembered."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(key, empty_document().curves[0])
+
+    def _parse(self, text: str) -> Curve:
+        try:
+            curve = decode(text.encode()).curves[0]
+        except FormatError:
+            raise _UnusableError("it is no curve") from None
+        # Its family may have been in a file that was given to another start.
+        return self.default if curve.family.is_missing else curve
+
+    def _stored(self, value: Curve) -> object:
+        return encode(Document((value,))).decode()
 
 
 class Text(TextSetting[str]):

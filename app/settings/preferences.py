@@ -19,6 +19,7 @@ from .kinds import (
     Folder,
     Height,
     Keys,
+    SavedCurve,
     SavedLayout,
     SavedStyle,
     SavedText,
@@ -125,6 +126,9 @@ class Preferences:
 
     new_style = SavedStyle("document/new_style")
     """The style of the curve that a new document begins with."""
+
+    new_curve = SavedCurve("document/new_curve")
+    """The family and the rules of the curve that a new document begins with: those worked with last."""
 
     keep_proportions = SwitchOfAction("transform/keep_proportions", default=False)
     """Whether the height follows where a width is typed, and the width a height."""

@@ -75,6 +75,8 @@ class WindowState(msgspec.Struct, frozen=True):
         How the document stands to its file, and whether what that holds is shown as a ghost.
     is_working
         Whether a file is being read or written.
+    in_flight
+        Whether undo takes back a gesture, or what came of it and is computed, though no step was made yet.
     image_problem
         Why the reference image is not shown; empty where it is, or where there is none.
     """
@@ -110,6 +112,7 @@ class WindowState(msgspec.Struct, frozen=True):
     compares_with_file: bool = False
     file: FileSituation = FileSituation()
     is_working: bool = False
+    in_flight: bool = False
     image_problem: str = ""
 
     @property

@@ -5,7 +5,7 @@
   ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.
   ``repeated_keys``: what typed decoding passes over.  ``setting_check``: settings of families.
-  ``style_check``: strokes and fills.  ``number_check``: numbers.
+  ``field_check``: what each field may hold.
 - ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
   them; ``temporary``: temporary files, and removing stale ones; ``reasons``: why something failed, in words.
 - ``lock``: lock files that name their owner; ``system_lock``: locks of the operating system, on files and

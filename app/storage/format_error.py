@@ -77,5 +77,10 @@ def line_and_column(data: bytes, position: int) -> str:
 
 def quoted(text: str) -> str:
     """Return text in quotation marks, shortened where it is long."""
-    shortened = text if len(text) <= _LONGEST_QUOTE else f"{text[:_LONGEST_QUOTE]}…"
-    return json.dumps(shortened, ensure_ascii=not shortened.isprintable())
+    text = shortened(text)
+    return json.dumps(text, ensure_ascii=not text.isprintable())
+
+
+def shortened(text: str) -> str:
+    """Return text, or its beginning where it is long."""
+    return text if len(text) <= _LONGEST_QUOTE else f"{text[:_LONGEST_QUOTE]}…"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Callable, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import Protocol
 
@@ -13,6 +14,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
 
+from ..canvas.handle_marks import ShownHandles
 from ..cli.display import has_display
 from ..document.model import Curve, ParametrizationKind, Vector
 from ..document.plane_edits import set_grid_spacing, set_unit
@@ -192,16 +194,20 @@ class Editor(InputDriver):
         """Drag a point."""
         self.drag(self.point(index), to, keys=keys)
 
-    def handle(self, kind: int = 1, *, ahead: bool = True) -> Handle:
-        """Return a handle of the selected point: kind 1 velocity, 2 acceleration."""
-        for handle in self.window.canvas.drawing.points.handles:
-            if handle.kind == kind and handle.ahead == ahead:
+    def handle(self, kind: int = 1, *, ahead: bool = True, index: int | None = None) -> Handle:
+        """Return a handle that is shown: kind 1 velocity, 2 acceleration; of a selected point, or of one."""
+        canvas = self.window.canvas
+        handles: ShownHandles = canvas.drawing.points.shown_handles
+        shown = canvas.pixel_map
+        facing = handles.facing(shown) if index is not None else ()
+        for handle in chain(handles.of_selected(shown), facing):
+            if (handle.kind, handle.ahead) == (kind, ahead) and index in (None, handle.index):
                 return handle
-        raise LookupError("The selected point has no such handle.")
+        raise LookupError("No such handle is shown.")
 
-    def drag_handle(self, to: Vector, kind: int = 1, *, ahead: bool = True) -> None:
-        """Drag a handle of the selected point."""
-        self.drag(self.handle(kind, ahead=ahead).position, to)
+    def drag_handle(self, to: Vector, kind: int = 1, *, ahead: bool = True, index: int | None = None) -> None:
+        """Drag a handle that is shown, as `handle` finds it."""
+        self.drag(self.handle(kind, ahead=ahead, index=index).position, to)
 
     def bend(self, t: float, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Grab the curve at `t` and drag it."""

@@ -13,6 +13,7 @@
   ``move_pivot``: the mark of what they are about.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.
+- ``below``: Alt+click on what lies below the topmost curve.
 - ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.
 - ``pencil_detail``: how near a curve comes to what the pencil draws.

@@ -67,6 +67,11 @@ class Background:
         self._results: list[Any] = []
 
     @property
+    def is_busy(self) -> bool:
+        """Whether there are errands."""
+        return bool(self._errands)
+
+    @property
     def lines(self) -> tuple[tuple[Vector, ...], ...]:
         """The lines of the errands, to be seen meanwhile."""
         return tuple(errand.line for errand in self._errands)

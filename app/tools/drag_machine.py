@@ -169,6 +169,11 @@ class DragMachine:
         """Begin: past the threshold `drag`, if any, takes over; a release before that is `on_click`."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
 
+    def mean_by_click(self, on_click: Callable[[], None]) -> None:
+        """Let a release before the threshold be something else than the press has said."""
+        if self._press is not None:
+            self._press.on_click = on_click
+
     def press_at_once(
         self,
         pointer: Pointer,

@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from ..document.guide_edits import move_guide, place_words, remove_guide
 from ..document.model import Axis, Document, Guide, Vector
+from ..document.transforms import decimal_sum
+from ..document.words import number
 from .drag import Drag
 from .drag_machine import EditingHost
 from .marks import GestureMarks
-from .pointer import Cursor, Hint, Hit, Part, Pointer
-from .snapping import Snapper
+from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
+from .snapping import SnapKind, Snapper
 from .tool import Tool, ToolContext
 
 CURSORS = {0: Cursor.WIDER, 1: Cursor.HIGHER}
 """Shape of the pointer over a guide that holds x, or y."""
+
+_KEYS = "Arrow keys: move it · Del: remove it"
 
 
 def index_of(axis: Axis) -> int:
@@ -91,18 +97,74 @@ def _clean(value: float, pixels_per_unit: float) -> float:
     return round(value, -math.floor(-math.log10(pixels_per_unit)))
 
 
+class NudgeGuide(Drag, frozen=True):
+    """Move of a guide by a key, wherever the pointer is; it is added in decimal numbers."""
+
+    place: int
+    step: float
+    unit: str
+
+    name = "Nudge guide"
+
+    @property
+    def _guide(self) -> Guide:
+        guide = self.document.guides[self.place]
+        return replace(guide, position=decimal_sum(guide.position, self.step))
+
+    def readout(self, _pointer: Pointer) -> str:
+        """Return where the guide is now, and the step."""
+        return f"Guide {place_words(self._guide, self.unit)} · step {number(abs(self.step))}"
+
+    def document_at(self, _pointer: Pointer) -> Document:
+        """Move by the step."""
+        return move_guide(self.document, self.place, self._guide.position)
+
+
+class _Choice(NamedTuple):
+    """The guide that was clicked, and what there was then: it is chosen as long as that is so."""
+
+    place: int
+    guides: int
+    points: Collection[int]
+    curves: Collection[int]
+
+    @classmethod
+    def of(cls, host: EditingHost, place: int) -> _Choice:
+        selected = host.selected
+        return cls(place, len(host.document.guides), selected.points, selected.chosen)
+
+
 class GuidePicker:
-    """The guide under the pointer, for a tool that finds guides.
+    """The guide under the pointer, and the one that was clicked, for a tool that finds guides.
 
     Attributes
     ----------
     lit
-        Its place in the document, None for none.
+        The place in the document of the one under the pointer, None for none.
     """
 
     def __init__(self) -> None:
         self.lit: int | None = None
         self._host: EditingHost | None = None
+        self._choice: _Choice | None = None
+
+    @property
+    def chosen(self) -> int | None:
+        """The place of the guide that was clicked and that keys move; None once something else is chosen."""
+        choice, host = self._choice, self._host
+        if choice is None or host is None or choice != _Choice.of(host, choice.place):
+            return None
+        return choice.place
+
+    @property
+    def shown(self) -> int | None:
+        """The place of the guide to be shown as one that is meant."""
+        return self.chosen if self.lit is None else self.lit
+
+    def let_go(self) -> bool:
+        """Choose no guide any more; return whether one was chosen."""
+        had, self._choice = self.chosen is not None, None
+        return had
 
     def hover(self, context: ToolContext, hit: Hit | None) -> None:
         """Take note of what lies under the pointer."""
@@ -111,9 +173,25 @@ class GuidePicker:
 
     def press(self, context: ToolContext, hit: Hit) -> None:
         """Begin to drag the guide that is hit."""
-        document, self.lit = context.host.document, hit.index
+        host, self.lit = context.host, hit.index
+        document, self._host, self._choice = host.document, host, _Choice.of(host, hit.index)
         snapper, unit = context.snappers.for_guide(), context.settings.unit
-        context.drags.press(context.pointer, MoveGuide(document, hit.index, snapper, unit))
+        said = f"Guide {place_words(document.guides[hit.index], unit)} · {_KEYS}"
+        moving = MoveGuide(document, hit.index, snapper, unit)
+        context.drags.press(context.pointer, moving, on_click=lambda: host.say(said))
+
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+        """Move the guide that is chosen; return whether there is one."""
+        place, snapping = self.chosen, context.settings.snapping
+        if place is None or context.settings.guides_stay:
+            return False
+        way = direction[index_of(context.host.document.guides[place].axis)]
+        if way:
+            snaps = snapping.on and SnapKind.GRID in snapping.kinds
+            step = way * stride.length(context.grid() if snaps else None)
+            nudge = NudgeGuide(context.host.document, place, step, context.settings.unit)
+            context.drags.nudge(nudge, ("guide", place))
+        return True
 
     def hint(self, context: ToolContext) -> Hint | None:
         """Return what a press on the guide would do, None beside all of them."""
@@ -121,8 +199,14 @@ class GuidePicker:
             return None
         guide = context.host.document.guides[self.lit]
         words = place_words(guide, context.settings.unit)
-        removes = " · Del: remove it" if self._is_removable else ""
-        text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type{removes}"
+        keys = (
+            _KEYS
+            if self.lit == self.chosen
+            else "Del: remove it"
+            if self._is_removable
+            else "Click: choose it"
+        )
+        text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type · {keys}"
         return Hint(text, grab=True, cursor=CURSORS[index_of(guide.axis)])
 
     @property
@@ -135,15 +219,15 @@ class GuidePicker:
 
     def claims(self, key: str) -> bool:
         """Whether a key is for the guide."""
-        return key in ("delete", "backspace") and self._is_removable
+        return key in ("delete", "backspace") and (self._is_removable or self.chosen is not None)
 
     def key(self, context: ToolContext, key: str) -> bool:
         """Remove the guide with Delete; return whether there was one."""
-        place = self.lit
-        if place is None or not self.claims(key):
+        place = self.lit if self._is_removable else self.chosen
+        if place is None or not self.claims(key) or context.settings.guides_stay:
             return False
         where = place_words(context.host.document.guides[place])
-        self.lit = None
+        self.lit = self._choice = None
         return bool(context.host.change(f"Remove guide at {where}", lambda now: remove_guide(now, place)))
 
 

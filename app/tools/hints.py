@@ -90,6 +90,9 @@ def to_add_on_part(
     if finished and is_end(hit, view):
         return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
     if can_end_at(hit, view):
+        if not view.source.family.curve_class.can_close:
+            # A click says why, and which families can.
+            return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
         line = " · Alt: by a straight line" if view.source.family.derivatives else ""
         return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
     return on_part(hit, view, selection, pointer, snaps=snaps)

@@ -38,6 +38,10 @@ class Marquee(Gesture):
         self.band: tuple[Vector, Vector] | None = None
         self._had = self._selected(context)
 
+    def mean_by_click(self, on_click: Callable[[ToolContext], object]) -> None:
+        """Let a click be something else, whatever is selected."""
+        self._on_click, self._is_on_curve = on_click, True
+
     def move(self, context: ToolContext) -> None:
         """Follow the pointer."""
         pointer = context.pointer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ..document.image_edits import move_image, scale_image
+from ..document.image_edits import move_image, scale_image, step_image
 from ..document.model import Document, ReferenceImage, Vector
 from .drag import Drag, along_axis, longer_axis, minus
 from .pointer import Cursor, Hint, Part, Pointer, Stride
@@ -73,12 +73,12 @@ class MoveImageTool(Tool):
             context.drags.press(pointer, MoveImage(document, pointer.position))
 
     def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
-        """Move the picture by a pixel."""
-        host, way = context.host, stride.pixel * stride.factor
+        """Move the picture as far as points go by an arrow key."""
+        host, way = context.host, context.step_of(stride)
         by = (direction[0] * way, direction[1] * way)
         if host.document.image is None or host.document.image.locked:
             return True
-        host.change("Nudge image", lambda document: move_image(document, by), run="image")
+        host.change("Nudge image", lambda document: step_image(document, by), run="image")
         return True
 
     def hover(self, context: ToolContext) -> Hint:
@@ -88,7 +88,7 @@ class MoveImageTool(Tool):
             return Hint("Moving the image · Drag it, or one of its corners to scale it · Escape goes back")
         if hit.part is Part.IMAGE_CORNER:
             return Hint("Drag to scale the image; the opposite corner stays · Escape cancels", grab=True)
-        return Hint("Drag to move the image · Shift: along one axis · Arrows: by a pixel", grab=True)
+        return Hint("Drag to move the image · Shift: along one axis · Arrows: by a step", grab=True)
 
 
 MOVE_IMAGE = ToolRecord(

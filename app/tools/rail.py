@@ -11,6 +11,7 @@ from ..document import words
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import freeze_parameters, set_parameters
 from ..document.model import Curve, Document, ParametrizationKind, Vector
+from ..document.transforms import decimal_sum
 from ..view_model.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingHost
@@ -153,13 +154,16 @@ class DragTicks(Drag, frozen=True):
         by, moving = self._displacement(pointer)
         if moving <= self.idle:
             return self.before
-        moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
+        moved = [self._sum(t, by) if knot in moving else t for knot, t in enumerate(self.parameters)]
         for knot, (before, after) in self._making_way(moving).items():
             share = (self.parameters[knot] - self.parameters[before]) / (
                 self.parameters[after] - self.parameters[before]
             )
             moved[knot] = moved[before] + share * (moved[after] - moved[before])
         return set_parameters(self.document, self.curve, moved)
+
+    def _sum(self, t: float, by: float) -> float:
+        return t + by
 
     def _making_way(self, moving: frozenset[int]) -> dict[int, tuple[int, int]]:
         """Return the idle knots that keep their place between two others of which one moves, with those."""
@@ -199,6 +203,13 @@ class DragTicks(Drag, frozen=True):
         return by
 
 
+class NudgeTicks(DragTicks, frozen=True):
+    """Move of ticks by a key: the step is added in decimal numbers."""
+
+    def _sum(self, t: float, by: float) -> float:
+        return decimal_sum(t, by)
+
+
 class RailTool(ScrubTool):
     """Tool that drags ticks along the t-rail, and scrubs elsewhere."""
 
@@ -218,12 +229,12 @@ class RailTool(ScrubTool):
         context.drags.press(pointer, drag, on_click=lambda: _click(context, hit, before))
 
     def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
-        """Move the selected ticks by a pixel; return whether there are any."""
+        """Move the selected ticks by a round number; return whether there are any."""
         host = context.host
         if not direction[0] or not host.selected.points or not len(host.active_view.ticks):
             return False
         first = min(host.selected.points)
-        drag = _drag(host, -direction[0] * stride.pixel * stride.factor, first, first)
+        drag = _drag(host, -direction[0] * stride.length(), first, first, NudgeTicks)
         context.drags.nudge(drag, ("ticks", host.active_index, host.selected.points))
         return True
 
@@ -256,7 +267,9 @@ def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:
         context.host.selected.set_points(before - {hit.index})
 
 
-def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
+def _drag(
+    host: EditingHost, start: float, knot: int, point: int, kind: type[DragTicks] = DragTicks
+) -> DragTicks:
     parameters = host.active_view.ticks.tolist()
     knots = {other for other in host.selected.points if other != point} | {knot}
     # Frozen once: in every step of the drag only the points whose ticks move are other values.
@@ -264,7 +277,7 @@ def _drag(host: EditingHost, start: float, knot: int, point: int) -> DragTicks:
     view = host.active_view
     curve = view.curve if view.is_current else None
     idle = [] if curve is None else np.flatnonzero(curve.idle_parameters).tolist()
-    return DragTicks(
+    return kind(
         frozen,
         host.active_index,
         parameters,

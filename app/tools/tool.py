@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import msgspec
 from msgspec.structs import replace
@@ -36,6 +36,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether two or more selected points, or several selected curves, get a box with grips.
     strokes
         Whether the box is one with strokes, and whether these get wider with the curve that they are of.
+    guides_stay
+        Whether no key moves or removes a guide: they are locked, or not seen.
     pencil
         How near a curve comes to what the pencil draws.
     """
@@ -44,6 +46,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     unit: str = ""
     shows_box: bool = True
     strokes: Strokes = Strokes()
+    guides_stay: bool = False
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 
@@ -66,8 +69,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         Makes what a drag snaps with.
     target
         The selected points or curves that transforms act on.
-    hit_test
-        Finds what lies under a pointer.
+    hit_test, curves_at
+        Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
     background
         Does what takes longer than a moment.
     """
@@ -80,6 +83,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     snappers: Snappers
     target: TransformTarget
     hit_test: Callable[[Pointer], Hit | None]
+    curves_at: Callable[[Pointer], Sequence[int]]
     background: Background
 
     @property
@@ -104,6 +108,11 @@ class ToolContext(msgspec.Struct, frozen=True):
         """Show where a press would put the point of index `place`, −1 for none in particular."""
         if self.settings.snapping.is_active(self.pointer) and math.isfinite(self.pointer.position[0]):
             self.snappers.show_before_press(self.pointer, place)
+
+    def step_of(self, stride: Stride) -> float:
+        """Return how far an arrow key goes: a step of the grid or, not snapping, a round number."""
+        snapping = self.settings.snapping
+        return stride.length(self.grid() if snapping.on and SnapKind.GRID in snapping.kinds else None)
 
     def progress(self) -> str:
         """Return how far the drag in flight has come, and what it has snapped to."""
@@ -199,11 +208,10 @@ class Tool:
 
         Return whether the arrow key meant something.
         """
-        group, snapping = context.target.group, context.settings.snapping
+        group = context.target.group
         if group is None:
             return True
-        snaps = snapping.on and SnapKind.GRID in snapping.kinds
-        step = stride.length(context.grid() if snaps else None)
+        step = context.step_of(stride)
         drag = NudgePoints(context.host.document, group, (direction[0] * step, direction[1] * step))
         context.drags.nudge(drag, ("points", group))
         return True

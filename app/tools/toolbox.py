@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
 
@@ -32,8 +32,8 @@ class Toolbox:
     ----------
     record
         The tool that is chosen.
-    hit_test
-        Finds what lies under the pointer; whoever shows the plot sets it.
+    hit_test, curves_at
+        Finds what lies under the pointer, and all curves there; whoever shows the plot sets it.
     settings
         What the person has chosen.
     grid
@@ -45,6 +45,7 @@ class Toolbox:
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
         self.record = record
         self.hit_test: HitTest = lambda _pointer, _tool: None
+        self.curves_at: Callable[[Pointer], Sequence[int]] = lambda _pointer: ()
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
@@ -79,6 +80,7 @@ class Toolbox:
             self._snappers,
             self._target,
             lambda pointer: self.hit_test(pointer, self.tool),
+            self.curves_at,
             self.background,
         )
 

@@ -6,6 +6,7 @@ more at the end, which is the first point again.
 A curve:
 
 - ``curve_view``: the view of a document's curve: core curve, polyline, derivatives, or why there is none.
+  ``made_curve``: the part of it that is the core's curve, made when it is asked for.
   ``views_ahead``: the views of many, made beside the window.
   ``core_curve``: the core's curve through points at knots.
 - ``point_arrays``, ``flattener``: the arrays and polylines that one view hands on to the next.

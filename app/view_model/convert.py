@@ -88,6 +88,22 @@ def converted(view: CurveView, family: Family) -> Reshaped:
     return Reshaped(made, residual, left_rule=left_rule, note=note)
 
 
+def needless_change(before: CurveView, after: CurveView) -> float:
+    """Return how far a curve is from what it was in a family before, where this one could hold it; else 0.
+
+    It is a curve whose derivatives were set by hand: of others the rules decide the shape.
+    """
+    is_set = before.source.has_derivatives and before.source.family.derivatives
+    if not (is_set and after.source.family.takes_shapes and before.is_current and after.is_current):
+        return 0.0
+    found = outlook(before, after.source.family)
+    if found.refusal or found.within:
+        return 0.0
+    t = dense(before.parameters)
+    away = largest_distance(before, t, after, t)
+    return 0.0 if is_kept(away, (before.source,)) else away
+
+
 def _tolerance(view: CurveView) -> float:
     return _FOLLOWED * max(size_of(view.points), float(np.finfo(float).tiny))
 

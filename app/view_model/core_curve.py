@@ -87,9 +87,7 @@ def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = N
     given = {"count": len(points), "points": points, "alpha": rule.alpha}
     rule_of_the_core = getattr(parametrization, rule.kind.value)
     shares: FloatArray = rule_of_the_core(*(given[name] for name in rule.kind.takes))
-    mapped = rule.start + shares * (rule.end - rule.start)
-    mapped[-1] = rule.end
-    return mapped
+    return parametrization.spread(shares, rule.start, rule.end)
 
 
 def checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) -> FloatArray:

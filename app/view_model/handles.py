@@ -10,23 +10,19 @@ h³·j/210. The m-th is the handle of the derivative of order m; those below sta
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from itertools import pairwise
-from typing import Protocol
 
 import msgspec
+import numpy as np
+
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ..document.edits import EditError, set_velocity
 from ..document.model import Curve, Document, Vector
 from .curve_view import CurveView
-from .jets import is_explicit
+from .jets import Sides
 from .point_moves import Motion
-
-
-class _Derivatives(Protocol):
-    """Tells a derivative at a point of a curve, None where it has none."""
-
-    def __call__(self, index: int, order: int, *, ahead: bool) -> Vector | None: ...
 
 
 class Handle(msgspec.Struct, frozen=True):
@@ -44,6 +40,8 @@ class Handle(msgspec.Struct, frozen=True):
         The beginning of the line to it: the point, or the handle of the derivative before.
     explicit
         Whether the person set the value; otherwise a rule estimates it.
+    index
+        The point that it belongs to.
     """
 
     kind: int
@@ -51,59 +49,173 @@ class Handle(msgspec.Struct, frozen=True):
     position: Vector
     anchor: Vector
     explicit: bool
+    index: int = 0
+
+
+class Handles(msgspec.Struct, frozen=True, eq=False):
+    """Handles of points, in arms: those on one side of a point, each hanging on the one before.
+
+    Attributes
+    ----------
+    indices, ahead
+        The point of each arm, and whether the arm lies on the segment after it; (a,).
+    places
+        The point and then the handles of its arm, by the orders of the derivatives, (a, 1 + orders, 2).
+    explicit
+        Whether the person set the derivatives, (a, orders).
+    """
+
+    indices: IntArray
+    ahead: BoolArray
+    places: FloatArray
+    explicit: BoolArray
+
+    def __len__(self) -> int:
+        return self.explicit.size
+
+    def __getitem__(self, number: int) -> Handle:
+        arm, order = divmod(number, self.explicit.shape[1])
+        (x0, y0), (x, y) = self.places[arm, order : order + 2].tolist()
+        side, is_explicit = bool(self.ahead[arm]), bool(self.explicit[arm, order])
+        return Handle(order + 1, side, (x, y), (x0, y0), is_explicit, int(self.indices[arm]))
+
+    def __iter__(self) -> Iterator[Handle]:
+        return map(self.__getitem__, range(len(self)))
+
+    @property
+    def positions(self) -> FloatArray:
+        """Their places in the plane, one arm after the other, (k, 2)."""
+        return self.places[:, 1:].reshape(-1, 2)
+
+    @property
+    def lines(self) -> FloatArray:
+        """The lines from what they hang on, (k, 4)."""
+        return np.concatenate([self.places[:, :-1], self.places[:, 1:]], axis=2).reshape(-1, 4)
+
+    def of_velocities(self) -> Handles:
+        """Return the handles of the velocities alone."""
+        return Handles(self.indices, self.ahead, self.places[:, :2], self.explicit[:, :1])
+
+    def of_arms(self, which: BoolArray) -> Handles:
+        """Return the handles of some of the arms."""
+        return Handles(self.indices[which], self.ahead[which], self.places[which], self.explicit[which])
+
+
+NO_HANDLES = Handles(
+    np.empty(0, dtype=np.intp), np.empty(0, dtype=bool), np.empty((0, 2, 2)), np.empty((0, 1), dtype=bool)
+)
+
+
+class PointSides(msgspec.Struct, frozen=True, eq=False):
+    """Sides of points: which points, and whether the side ahead of them is meant; (a,) each."""
+
+    indices: IntArray
+    ahead: BoolArray
+
+
+class _Arms(msgspec.Struct, frozen=True, eq=False):
+    """Sides of points, and the signed lengths of the segments there; (a,) each."""
+
+    indices: IntArray
+    ahead: BoolArray
+    h: FloatArray
 
 
 def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handle]:
-    """Return the handles of point `index`; none for Lagrange, or while there is no curve.
+    """Return the handles of point `index`, as `handles_at` does."""
+    return list(handles_at(view, [index], free=free))
+
+
+def handles_at(view: CurveView, indices: Collection[int], *, free: bool = False) -> Handles:
+    """Return the handles of some points, as `handles_on` their sides."""
+    return handles_on(view, sides_at(indices), free=free)
+
+
+def sides_at(indices: Collection[int]) -> PointSides:
+    """Return both sides of some points."""
+    return PointSides(
+        np.repeat(np.array(sorted(indices), dtype=np.intp), 2), np.tile([True, False], len(indices))
+    )
+
+
+def sides_facing(indices: Collection[int], count: int, *, closed: bool) -> PointSides:
+    """Return the sides that face some of the `count` points of a curve from beyond the segments beside them.
+
+    Those of the points themselves are left out.
+    """
+    points = np.array(sorted(indices), dtype=np.intp)
+    facing = np.concatenate([points - 1, points + 1])
+    if closed:
+        facing %= count
+    is_other = (facing >= 0) & (facing < count) & ~np.isin(facing, points)
+    return PointSides(facing[is_other], np.repeat([True, False], len(points))[is_other])
+
+
+def handles_on(view: CurveView, sides: PointSides, *, free: bool = False) -> Handles:
+    """Return the handles on sides of points; none for Lagrange, or while there is no curve.
 
     With `free` an end of the curve has handles on its free side as well, mirrored from the other. A point
     that stands alone has the handle that was pulled out of it.
     """
+    if not view.source.family.derivatives or not len(sides.indices):
+        return NO_HANDLES
     if len(view.source.points) == 1:
         return _lone_handle(view)
+    if not view.is_current:
+        return NO_HANDLES
     if view.is_followed and view.motion is not None:
-        return _moved_handles(view, view.motion, index, free=free)
-    return _handles_at(view, index, view.source.points[index].position, view.derivative_of, free=free)
+        return _moved_handles(view, view.motion, sides, free=free)
+    assert view.sides is not None
+    return _handles_from(view, view.sides, _arms(view, sides, free=free))
 
 
-def _handles_at(
-    view: CurveView, index: int, position: Vector, derivative_of: _Derivatives, *, free: bool
-) -> list[Handle]:
-    """Return the handles of a point, were it at this position, with these derivatives."""
-    handles: list[Handle] = []
-    if not view.source.family.derivatives or not view.is_current:
-        return handles
-    point = view.source.points[index]
-    for ahead in (True, False):
-        if not free and view.spacing(index, ahead=ahead) is None:
-            continue
-        anchor = position
-        for order in range(1, view.source.family.derivatives + 1):
-            tip = _control_point(view, index, position, order, order, derivative_of, ahead=ahead)
-            handles.append(Handle(order, ahead, tip, anchor, is_explicit(point, order, ahead=ahead)))
-            anchor = tip
-    return handles
+def _arms(view: CurveView, sides: PointSides, *, free: bool) -> _Arms:
+    """Return the sides of points on which there is a segment; with `free` all of them."""
+    indices, ahead = sides.indices, sides.ahead
+    t, last = view.parameters, len(view.parameters) - 1
+    # Behind its first point a closed curve has its last knot.
+    knots = np.where((indices == 0) & ~ahead & view.source.is_closed, last, indices)
+    others = knots + np.where(ahead, 1, -1)
+    is_there = (others >= 0) & (others <= last)
+    mirrored = np.where(is_there, others, 2 * knots - others)
+    h = np.where(ahead, 1.0, -1.0) * np.abs(t[mirrored] - t[knots])
+    return _Arms(indices, ahead, h) if free else _Arms(indices[is_there], ahead[is_there], h[is_there])
 
 
-def _moved_handles(view: CurveView, motion: Motion, index: int, *, free: bool) -> list[Handle]:
-    """Return the handles of a point while points are dragged: they follow by a share of the way."""
-    moves, (dx, dy) = motion.moves, motion.way
-    if (index, free) not in moves.handles:
-        at_rest, unit = moves.at_rest, moves.unit
-        moves.handles[index, free] = (
-            _handles_at(view, index, at_rest.position(index), at_rest.derivative, free=free),
-            _handles_at(view, index, unit.position(index), unit.derivative, free=free),
-        )
-    return [
-        Handle(
-            each.kind,
-            each.ahead,
-            (each.position[0] + share.position[0] * dx, each.position[1] + share.position[0] * dy),
-            (each.anchor[0] + share.anchor[0] * dx, each.anchor[1] + share.anchor[0] * dy),
-            each.explicit,
-        )
-        for each, share in zip(*moves.handles[index, free], strict=True)
-    ]
+def _handles_from(view: CurveView, sides: Sides, arms: _Arms) -> Handles:
+    """Return the handles of arms, were these the jets of the curve."""
+    orders = view.source.family.derivatives
+    jets = np.where(arms.ahead[:, None, None], sides.after[arms.indices], sides.before[arms.indices])
+    places = _control_points(jets, arms.h, _degree(view))
+    given = view.arrays.given[arms.indices, arms.ahead.astype(np.intp), :orders, 0]
+    return Handles(arms.indices, arms.ahead, places, ~np.isnan(given))
+
+
+def _control_points(jets: FloatArray, h: FloatArray, degree: int) -> FloatArray:
+    """Return the control points of jets (a, R, 2) on segments of signed lengths h (a,), (a, R, 2)."""
+    places = np.repeat(jets[:, :1], jets.shape[1], axis=1)
+    # Far outside they are infinite, and not drawn.
+    with np.errstate(over="ignore", invalid="ignore"):
+        for place in range(1, jets.shape[1]):
+            for order in range(1, place + 1):
+                share = math.comb(place, order) * h**order / math.perm(degree, order)
+                places[:, place] += share[:, None] * jets[:, order]
+    return places
+
+
+def _moved_handles(view: CurveView, motion: Motion, sides: PointSides, *, free: bool) -> Handles:
+    """Return handles while points are dragged: they follow by a share of the way."""
+    moves, key = motion.moves, (id(sides), free)
+    if key not in moves.handles:
+        # Those of the points selected and those that face them; who asks for others has selected others.
+        while len(moves.handles) > 1:
+            moves.handles.pop(next(iter(moves.handles)))
+        arms = _arms(view, sides, free=free)
+        at_rest, unit = (_handles_from(view, each, arms) for each in (moves.at_rest, moves.unit))
+        moves.handles[key] = (sides, at_rest, unit.places[..., :1])
+    _, at_rest, share = moves.handles[key]
+    places = at_rest.places + share * motion.way
+    return Handles(at_rest.indices, at_rest.ahead, places, at_rest.explicit)
 
 
 def control_polygon(view: CurveView) -> list[Handle]:
@@ -111,36 +223,17 @@ def control_polygon(view: CurveView) -> list[Handle]:
     if view.source.family.interpolates:
         return []
     points = [point.position for point in view.source.points]
-    return [Handle(1, True, tip, anchor, explicit=True) for anchor, tip in pairwise(points)]
+    return [Handle(1, True, tip, anchor, True, at) for at, (anchor, tip) in enumerate(pairwise(points))]
 
 
-def _lone_handle(view: CurveView) -> list[Handle]:
+def _lone_handle(view: CurveView) -> Handles:
     point = view.source.points[0]
     velocity = point.explicit_sides(1)[1]
-    if not view.source.family.derivatives or velocity is None:
-        return []
-    tip = _along(point.position, velocity, _signed_spacing(view, 0, ahead=True) / _degree(view))
-    return [Handle(1, True, tip, point.position, explicit=True)]
-
-
-def _control_point(
-    view: CurveView,
-    index: int,
-    position: Vector,
-    place: int,
-    highest: int,
-    derivative_of: _Derivatives,
-    *,
-    ahead: bool,
-) -> Vector:
-    """Return where the control point `place` of a point lies, were derivatives above the `highest` zero."""
-    at, h = position, _signed_spacing(view, index, ahead=ahead)
-    for order in range(1, highest + 1):
-        derivative = derivative_of(index, order, ahead=ahead)
-        if derivative is not None:
-            share = math.comb(place, order) * h**order / math.perm(_degree(view), order)
-            at = _along(at, derivative, share)
-    return at
+    if velocity is None:
+        return NO_HANDLES
+    h = np.array([_signed_spacing(view, 0, ahead=True)])
+    places = _control_points(np.array([[point.position, velocity]]), h, _degree(view))
+    return Handles(np.zeros(1, dtype=np.intp), np.ones(1, dtype=bool), places, np.ones((1, 1), dtype=bool))
 
 
 def derivative_from_handle(
@@ -150,9 +243,10 @@ def derivative_from_handle(
 
     Infinite where no number is large enough, on an interval of next to no length: no edit takes that.
     """
-    place = view.source.points[index].position
-    base = _control_point(view, index, place, order, order - 1, view.derivative_of, ahead=ahead)
-    h = _signed_spacing(view, index, ahead=ahead)
+    nothing, h = (0.0, 0.0), _signed_spacing(view, index, ahead=ahead)
+    below = [view.derivative_of(index, each, ahead=ahead) or nothing for each in range(1, order)]
+    jet = [view.source.points[index].position, *below, nothing]
+    base = _control_points(np.array([jet]), np.array([h]), _degree(view))[0, order]
     x, y = (math.perm(_degree(view), order) * float(a - b) for a, b in zip(position, base, strict=True))
     # Not by a power of h: it may vanish where h does not.
     for _ in range(order):
@@ -250,7 +344,3 @@ def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float:
 
 def _degree(view: CurveView) -> int:
     return 2 * view.source.family.derivatives + 1
-
-
-def _along(p: Vector, direction: Vector, factor: float) -> Vector:
-    return (p[0] + factor * direction[0], p[1] + factor * direction[1])

@@ -13,6 +13,7 @@ import msgspec
 import numpy as np
 
 from curvecore import ParametricCurve
+from curvecore.arrays import FloatArray
 from curvecore.drag.moved_points import MovedPoints
 
 from ..document.model import Curve, Vector
@@ -22,29 +23,13 @@ from .plane import at_knots
 from .point_arrays import PointArrays, rows_changed
 
 if TYPE_CHECKING:
-    from .handles import Handle
+    from .handles import Handles, PointSides
 
 _LARGEST = 1e150
 """Size of data up to which no sum or product of two overflows."""
 
 _ROUNDING = 1e-14
 """Differences between the ways of points that moved together, as a share of where they are."""
-
-
-class _Jets(msgspec.Struct, frozen=True, eq=False):
-    """Points and derivatives before and after each knot, (k, R, 2)."""
-
-    sides: Sides
-
-    def position(self, index: int) -> Vector:
-        """Return where a point is."""
-        x, y = self.sides.after[index, 0].tolist()
-        return (x, y)
-
-    def derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
-        """Return the derivative of an order at a point, on one side of it."""
-        x, y = self.sides[ahead][index, order].tolist()
-        return (x, y)
 
 
 class PointMoves:
@@ -72,7 +57,8 @@ class PointMoves:
     at_rest, unit
         The data before they moved; by how much they move along, as for a way of 1 along x.
     handles
-        Handles of some points, before they moved and by how much they move along: kept by `handles`.
+        Handles on some sides of points, before they moved, and by how much they move along: kept by
+        `handles`.
 
     Raises
     ------
@@ -91,7 +77,7 @@ class PointMoves:
         self._rules, self._arrays = _rules(source), arrays
         self.curve, self.rows = curve, list(rows)
         points, is_closed = at_knots(arrays.positions, closed=source.is_closed), source.is_closed
-        self.at_rest = _Jets(sides or Sides(points[:, None], points[:, None]))
+        self.at_rest = sides or Sides(points[:, None], points[:, None])
         which = np.zeros((len(arrays.points), 1))
         which[self.rows] = 1.0
         unit = [at_knots(which, closed=is_closed)[:, :, None]] * 2
@@ -101,14 +87,14 @@ class PointMoves:
         before, after = unit
         self._unit_jets = np.vstack([after[:-1], before[-1:]])
         # A way of 1 along x.
-        self.unit = _Jets(Sides(*(np.pad(each, ((0, 0), (0, 0), (0, 1))) for each in unit)))
-        self.handles: dict[tuple[int, bool], tuple[list[Handle], list[Handle]]] = {}
+        self.unit = Sides(*(np.pad(each, ((0, 0), (0, 0), (0, 1))) for each in unit))
+        self.handles: dict[tuple[int, bool], tuple[PointSides, Handles, FloatArray]] = {}
         self._polylines: tuple[FlatteningKey, MovedPoints] | None = None
 
     @property
     def is_safe(self) -> bool:
         """Whether no move to anywhere in a document can fail."""
-        data = [self.curve.jets, *self.unit.sides]
+        data = [self.curve.jets, *self.unit]
         return all(bool((np.abs(each) < _LARGEST).all()) for each in data)
 
     def to(self, curve: Curve, arrays: PointArrays) -> Motion | None:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
+from curvecore.parametrization import spread
 
 
 def within_segments(knots: FloatArray, shares: FloatArray) -> FloatArray:
@@ -24,9 +25,7 @@ def all_along(knots: FloatArray, per_segment: int) -> FloatArray:
 
 def crowded_at_ends(start: float, end: float, count: int) -> FloatArray:
     """Return parameters from `start` to `end`, closer at both ends, where a polynomial swings most."""
-    t: FloatArray = start + (end - start) * _crowded_shares(count)
-    t[-1] = end
-    return t
+    return spread(_crowded_shares(count), start, end)
 
 
 @lru_cache(maxsize=4)

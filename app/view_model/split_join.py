@@ -11,6 +11,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from curvecore import chebyshev
+from curvecore.parametrization import spread
 
 from .. import view_model
 from ..document.derivatives import DERIVATIVES
@@ -116,8 +117,7 @@ def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
 
 def _on_polynomial(view: CurveView, start: float, end: float) -> list[Point]:
     assert view.curve is not None
-    t = start + chebyshev(len(view.source.points)) * (end - start)
-    t[-1] = end
+    t = spread(chebyshev(len(view.source.points)), start, end)
     points = view.curve.evaluate(t)
     return [Point(x, y, t=each) for (x, y), each in zip(points.tolist(), t.tolist(), strict=True)]
 

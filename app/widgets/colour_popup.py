@@ -58,10 +58,6 @@ class ColourPopup(Guarded, QFrame):
         """The colour that is looked at, "#rrggbb"."""
         return self._choice.currentColor().name()
 
-    def look_at(self, colour: str) -> None:
-        """Look at another colour."""
-        self._choice.setCurrentColor(QColor(colour))
-
     def open_below(self, widget: QWidget) -> None:
         """Open it below a widget, or wherever it fits on the screen."""
         self.open_at(widget.mapToGlobal(QPoint(0, widget.height())))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import QLineEdit
 
 from ..document.expression import ExpressionError, parse_number
@@ -15,6 +15,13 @@ from .controls import named
 from .number_text import decimal_mark, typed_text
 
 _OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
+
+_STEPS = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
+"""Keys, and how many steps up they mean."""
+
+_KEYPAD = Qt.KeyboardModifier.KeypadModifier
+_NOTCH = 120
+"""Eighths of a degree by which a wheel turns from notch to notch."""
 
 
 class FieldEdit(ClaimsKeys, QLineEdit):
@@ -106,7 +113,9 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         return event.key() == Qt.Key.Key_Escape and self.isModified()
 
     def _passes_on(self, event: QKeyEvent) -> bool:
-        """Whether undo or redo is meant for the document: nothing is typed that is not in it."""
+        """Whether a key is meant for the document: nothing is chosen here to copy, nor typed to take back."""
+        if event.matches(QKeySequence.StandardKey.Copy):
+            return not self.hasSelectedText()
         return not self.isModified() and any(map(event.matches, _OF_DOCUMENT))
 
     def event(self, event: QEvent) -> bool:
@@ -114,7 +123,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         if is_asked and isinstance(event, QKeyEvent) and self._passes_on(event):
             # A QLineEdit claims these keys, and would show a text that the document does not have.
             event.ignore()
-            return False
+            return True
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -139,21 +148,36 @@ class NumberEdit(FieldEdit):
     ----------
     read
         Returns what a text means, and raises `ExpressionError` with the reason where it cannot be used.
+    step
+        Returns the number that is so many steps up (1) or down (−1) from another, by an arrow key or, while
+        the field has the focus, the wheel. None where numbers are only typed.
 
     Signals
     -------
     entered
         Another number was entered; who cannot use it calls `keep`.
+    stepped
+        Another number was reached by a step; what follows quickly is meant as one.
     refused
         Why a text that was entered cannot be used.
     """
 
     entered = Signal(object)
+    stepped = Signal(object)
     refused = Signal(str)
 
-    def __init__(self, name: str, label: str, tip: str, read: Callable[[str], object] = read_number) -> None:
+    def __init__(
+        self,
+        name: str,
+        label: str,
+        tip: str,
+        read: Callable[[str], object] = read_number,
+        step: Callable[[float, int], float] | None = None,
+    ) -> None:
         super().__init__(name, label, tip)
-        self._read = read
+        self._read, self._step = read, step
+        # Parts of a notch that the wheel has turned.
+        self._turned = 0
         self.committed.connect(self._enter)
 
     def show_number(self, value: float, digits: int | None = None) -> None:
@@ -169,3 +193,34 @@ class NumberEdit(FieldEdit):
             self.refused.emit(str(reason))
         else:
             self.entered.emit(value)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        count = _STEPS.get(Qt.Key(event.key())) if not event.modifiers() & ~_KEYPAD else None
+        if self._step is None or count is None:
+            super().keyPressEvent(event)
+        else:
+            self._step_by(count)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self._step is None or not self.hasFocus():
+            # Whatever lies around it scrolls.
+            super().wheelEvent(event)
+            return
+        self._turned += event.angleDelta().y()
+        while abs(self._turned) >= _NOTCH:
+            count = 1 if self._turned > 0 else -1
+            self._turned -= count * _NOTCH
+            self._step_by(count)
+        event.accept()
+
+    def _step_by(self, count: int) -> None:
+        """Go on from the number that is in the field; from what is no number there is no step."""
+        assert self._step is not None
+        try:
+            value = self._read(self.text())
+        except ExpressionError:
+            return
+        if isinstance(value, float) and (other := self._step(value, count)) != value:
+            self._entered = self.text()
+            self.setModified(False)
+            self.stepped.emit(other)

@@ -47,6 +47,7 @@ class FieldForm(FollowsTheme, QWidget):
             field.left.connect(self._clear_refusal)
             if isinstance(field, NumberEdit):
                 field.entered.connect(partial(self._begin, field))
+                field.stepped.connect(partial(self._begin, field))
                 field.refused.connect(partial(self._refuse_text, field))
             else:
                 field.committed.connect(partial(self._begin, field))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QWidget
 
 from ..document.expression import ExpressionError
+from ..document.transforms import decimal_sum
 from ..document.words import number
 from .boxes import row_of
 from .controls import named
@@ -18,6 +19,9 @@ MIXED = "mixed"
 """Stands where what is shown has not one value."""
 
 _FIELD_WIDTH = 60
+
+_STEP = 0.05
+"""Share by which an arrow key goes on."""
 
 
 class PercentField(QWidget):
@@ -35,7 +39,7 @@ class PercentField(QWidget):
             LiveSlider(), f"{name}Slider", f"{label}, slider", f"{tip}; Escape cancels a drag"
         )
         self.slider.setRange(0, STEPS)
-        self.edit = NumberEdit(name, label, f"{tip}, in per cent (Enter to set)", _read)
+        self.edit = NumberEdit(name, label, f"{tip}, in per cent (Enter to set; ↑ ↓ by 5 %)", _read, _step)
         self.edit.setFixedWidth(_FIELD_WIDTH)
         row_of((self.slider, 1), self.edit, margins=0, spacing=8, parent=self)
         self._value: object = None
@@ -54,3 +58,7 @@ def _read(text: str) -> float:
     if not 0 <= share <= 1:
         raise ExpressionError("From 0 % to 100 %.")
     return share
+
+
+def _step(share: float, count: int) -> float:
+    return min(max(decimal_sum(share, count * _STEP), 0.0), 1.0)

@@ -70,6 +70,9 @@ class Commands:
         """Carry out an action; one that could change the document does not find a gesture's preview there."""
         if action.interrupts:
             self._context.cancel_gesture()
+        if action.field:
+            store = self._context.store
+            store.change(**{action.field: not getattr(store.state, action.field)})
         self.attempt(handler)
         # A switch that was clicked shows what is, also where nothing changed.
         self._context.actions.render()

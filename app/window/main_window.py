@@ -160,7 +160,8 @@ class MainWindow(Guarded, QMainWindow):
         session.opened.connect(self.canvas.tools.reset)
         self.canvas.pointed_at.connect(self.status_line.readouts.show_place)
         self.menus.fill_with_files(self.preferences, files.open, files.open_example)
-        for end in (files.release, self.commands.close, self._remember_layout, self._close_dialogs):
+        ends = (files.remember_rules, files.release, self.commands.close)
+        for end in (*ends, self._remember_layout, self._close_dialogs):
             self.closed.connect(end)
 
     # Theme and layout

@@ -116,6 +116,9 @@ class Menus:
         self.recent.setEnabled(True)
         if self.recent.isEmpty():
             self.recent.addAction("No files yet").setEnabled(False)
+        else:
+            self.recent.addSeparator()
+            self.recent.addActions(self._actions.in_section(FILE_RECENT))
 
     def _name_examples(self) -> None:
         # Only now: nobody waits at the start for files to be read that are perhaps never opened.

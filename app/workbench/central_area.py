@@ -17,7 +17,7 @@ from ..view_model.basis_view import BasisView
 from .central_pane import CentralPane, declared_panes
 from .message_bar import MessageBar
 
-_STRETCH, _HEIGHT = 2, 560
+_STRETCH, _HEIGHT = 5, 600
 """Of the canvas, in a new window."""
 
 _CANVAS_SHARE, _LEAST_PANE = 0.4, 130

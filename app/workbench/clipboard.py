@@ -1,12 +1,18 @@
-"""Offers of this program on the clipboard, which end before the interpreter does."""
+"""The clipboard: SVG of other programs, and offers of this one, which end before the interpreter does."""
 
 from __future__ import annotations
 
 import atexit
 from functools import cache
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
+
+from .. import exchange
+
+if TYPE_CHECKING:
+    from ..exchange.svg.fragments import Fragment
 
 INKSCAPE, SVG = "image/x-inkscape-svg", "image/svg+xml"
 """MIME types of SVG; where a program offers both, the first says more."""
@@ -16,6 +22,21 @@ CURVES = "application/x-curvebench-curves"
 
 POINTS = "application/x-curvebench-points"
 """MIME type of points: a document of one curve that has these points only."""
+
+
+def clipboard_data() -> QMimeData:
+    """Return what the clipboard holds; nothing where nothing was ever copied."""
+    return QGuiApplication.clipboard().mimeData() or QMimeData()
+
+
+def drawing_in(data: QMimeData) -> Fragment | None:
+    """Return the SVG from another program, or in text; that of our own points is for others."""
+    if data.hasFormat(POINTS):
+        return None
+    for kind in (INKSCAPE, SVG):
+        if data.hasFormat(kind):
+            return exchange.svg.fragments.Fragment(bytes(data.data(kind).data()))
+    return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None
 
 
 def put_on_clipboard(data: QMimeData) -> None:

@@ -26,6 +26,7 @@ class DockTitle(FollowsTheme, QWidget):
 
     def __init__(self, dock: QDockWidget) -> None:
         super().__init__(dock)
+        self._dock = dock
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         name, title = dock.objectName(), dock.windowTitle()
         self.float_button = tool_button(f"{name}Float", f"Float {title}", _FLOAT, icon_size=ICON, flat=True)
@@ -60,4 +61,4 @@ class DockTitle(FollowsTheme, QWidget):
         self._show_icon()
 
     def _show_icon(self) -> None:
-        self.float_button.setIcon(icon("dock" if self.float_button.isChecked() else "float", self.theme))
+        self.float_button.setIcon(icon("dock" if self._dock.isFloating() else "float", self.theme))

@@ -14,7 +14,7 @@ from ..actions.declaration import marked
 from .dock import Dock, LateDock
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-_WIDTH = 360
+_WIDTH = 340
 """Of the docks at the right, in a new window."""
 
 _DECLARED = "docked_panel"

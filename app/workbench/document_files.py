@@ -12,8 +12,10 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from ..document.curve_edits import unstyled_model
 from ..document.model import Document, empty_document
 from ..document.plain import plain
+from ..exchange.formats import can_import, file_filters
 from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
@@ -64,21 +66,23 @@ class DocumentFiles:
         """Says why a document was not saved, and what can be done about it."""
         self.beside: StartWork | None = None
         """Does work beside the window; without it every document is opened at once."""
+        self.open_foreign: Callable[[Path], object] | None = None
+        """Opens a file of another format as a new document."""
         self._after_opening: list[Callable[[str], object]] | None = None
         session.files.blank = self._blank
         self._prepare_sketch()
 
     def _blank(self) -> Document:
         """Return what a new document is."""
-        document = self._as_usual(empty_document())
-        return document.with_curve(0, replace(document.curves[0], style=self._preferences.new_style))
+        preferences = self._preferences
+        return self._as_usual(Document((replace(preferences.new_curve, style=preferences.new_style),)))
 
     def _prepare_sketch(self) -> None:
         """Give the sketch that a session begins with the unit and the grid of new documents."""
         session, sketch = self._session, plain(first_sketch())
         is_begun = session.files.path is not None or session.undo_stack.count()
         if not is_begun and session.document == sketch != self._as_usual(sketch):
-            session.files.replace(self._as_usual(sketch), None)
+            session.files.begin(self._as_usual(sketch))
 
     def _as_usual(self, document: Document) -> Document:
         preferences = self._preferences
@@ -87,18 +91,33 @@ class DocumentFiles:
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""
         if self.may_discard():
+            self.remember_rules()
             self._session.new()
 
+    def remember_rules(self) -> None:
+        """Let new documents begin with the family and the rules of the curve that is edited.
+
+        Those of the first sketch, of examples and of lessons were no choice of the person's.
+        """
+        files = self._session.files
+        if files.beginning.copied is None and not files.is_untouched:
+            self._preferences.new_curve = unstyled_model(self._session.active_curve)
+
     def ask_and_open(self) -> None:
-        """Let the person choose a document and open it."""
+        """Let the person choose a document, or a file of another format, and open it."""
         folder = str(self._preferences.last_folder)
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, _DOCUMENTS)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, file_filters())
         if name:
             self.open(Path(name))
 
     def open(self, path: Path) -> None:
-        """Open the document at `path`, after asking about unsaved changes; a large one beside the window."""
-        if self.beside is not None and is_large(path) and not is_resource(path):
+        """Open the document at `path`, after asking about unsaved changes; a large one beside the window.
+
+        A file of another format becomes a new document.
+        """
+        if self.open_foreign is not None and can_import(path):
+            self.open_foreign(path)
+        elif self.beside is not None and is_large(path) and not is_resource(path):
             self._open_large(path, self.beside)
         else:
             self._open(path, self._session.open, remember=not is_resource(path))
@@ -303,7 +322,8 @@ def file_stem(session: Session) -> str:
     """Return a file name for the document, without ending."""
     if session.files.path is not None:
         return session.files.path.name.removesuffix(SUFFIX)
-    name = "".join(character for character in session.document.curves[0].name if character.isprintable())
+    name = session.files.beginning.file_stem or session.document.curves[0].name
+    name = "".join(character for character in name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
 

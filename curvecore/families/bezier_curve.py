@@ -17,7 +17,7 @@ from curvecore.families.bernstein_window import windowed_values
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import check_one_polynomial, pieces_of
-from curvecore.parametrization import chebyshev, uniform, with_one_more
+from curvecore.parametrization import chebyshev, spread, uniform, with_one_more
 from curvecore.scaling import ExponentArray, Scaled, made_finite, scale_by_power
 
 _DRAWN = 8
@@ -159,9 +159,7 @@ class BezierCurve(ParametricCurve):
         n = len(self._parameters)
         if n > _INTERPOLATED:
             return None
-        first, last = self.domain
-        t = first + chebyshev(n) * (last - first)
-        t[-1] = last
+        t = spread(chebyshev(n), *self.domain)
         return [Interpolant(t, self.evaluate(t)[:, None])]
 
     @classmethod
@@ -174,9 +172,7 @@ class BezierCurve(ParametricCurve):
         """Return the control points of a curve that is one polynomial."""
         cls.check_shape(curve)
         chain = pieces_of(curve, None, cls.title)
-        start, end = curve.domain
-        parameters = start + uniform(chain.controls.shape[1]) * (end - start)
-        parameters[-1] = end
+        parameters = spread(uniform(chain.controls.shape[1]), *curve.domain)
         return cls.from_jets(chain.controls[0][:, None], parameters)
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:

@@ -13,7 +13,7 @@ from curvecore.families.differentiation_matrix import derivatives_by_matrix, mat
 from curvecore.families.product_form import ProductForm
 from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import check_one_polynomial, pieces_of
-from curvecore.parametrization import chebyshev
+from curvecore.parametrization import chebyshev, spread
 
 _SURELY = 1e-3
 """Share of the sum of sizes from which on the sum of some terms is no rounding of them."""
@@ -156,9 +156,7 @@ class LagrangeCurve(ParametricCurve):
         """Return one polynomial through Chebyshev points of another way to write it."""
         cls.check_shape(curve)
         chain = pieces_of(curve, None, cls.title)
-        start, end = curve.domain
-        t = start + chebyshev(chain.controls.shape[1]) * (end - start)
-        t[-1] = end
+        t = spread(chebyshev(chain.controls.shape[1]), *curve.domain)
         return cls(curve.evaluate(t), t)
 
     def interpolants(self) -> list[Interpolant]:

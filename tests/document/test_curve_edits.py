@@ -157,7 +157,7 @@ def test_numbers_of_a_corner_are_checked_too():
 
 
 def test_a_polynomial_is_not_closed():
-    with pytest.raises(EditError, match="cannot repeat itself"):
+    with pytest.raises(EditError, match="is one polynomial"):
         edits.set_closed(manual(LAGRANGE), 0, True)
 
 

@@ -19,6 +19,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
 from app.exchange.naming import Names
 from app.exchange.options import Options
+from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
 from app.families import FAMILIES
@@ -50,6 +51,25 @@ def test_hidden_curves_are_not_drawn_and_take_no_room(document):
     assert [outline.name for outline in drawing.outlines] == ["Pond", "Line"]
     assert drawing.frame.width < 10
     assert drawing.remarks == ()
+
+
+def test_svg_keeps_hidden_curves_in_their_place_without_a_sign_of_them(document):
+    found = paths(document)
+    assert [(name, path.get("display")) for name, path in found.items()] == [
+        ("Pond", None),
+        ("Secret", "none"),
+        ("Line", None),
+    ]
+    seen = Document(tuple(curve for curve in document.curves if curve.visible))
+    assert drawing_of(document, with_hidden=True).frame == drawing_of(seen).frame
+    back = read_svg(svg_of(document).data).document
+    assert [(curve.name, curve.visible) for curve in back.curves] == [
+        ("Pond", True),
+        ("Secret", False),
+        ("Line", True),
+    ]
+    ends = back.curves[1].points[0], back.curves[1].points[-1]
+    assert [point.position for point in ends] == [(50.0, 50.0), (90.0, 0.0)]
 
 
 def test_each_curve_has_its_own_colour(document):

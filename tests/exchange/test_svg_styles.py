@@ -57,11 +57,18 @@ def test_all_of_a_stroke_comes_in():
         cap=LineCap.SQUARE,
         join=LineJoin.BEVEL,
         miter_limit=7.0,
-        dash=(2.0, 0.5, 1.0, 2.0, 0.5, 1.0),
+        dash=(2.0, 0.5, 1.0),
         dash_offset=1.5,
         stroke_opacity=0.5,
         opacity=0.25,
     )
+
+
+def test_an_odd_number_of_dashes_comes_in_as_it_is():
+    """Written twice, 35 were more than a document may have, and the drawing was refused."""
+    found = style(f'stroke="red" stroke-dasharray="{" ".join(["1"] * 35)}"')
+    assert found.dash == (1.0,) * 35
+    assert len(found.dashes_and_gaps) == 70
 
 
 def test_fills_have_their_rule_and_opacity():

@@ -251,7 +251,7 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     assert f"{FAMILIES.named(own).subject} cannot be split" in editor.status
     if not FAMILIES.named(own).curve_class.can_close:
         editor.trigger("closeCurve")
-        assert f"{FAMILIES.named(own).a_curve} does not come back smoothly" in editor.status
+        assert f"{FAMILIES.named(own).a_curve} does not return smoothly" in editor.status
     assert not editor.action("straightSegment").isEnabled()
     # It used to say that the curve had no segments of its own, of those too that are made of pieces.
     assert "has no velocities at its points" in editor.action("straightSegment").toolTip()

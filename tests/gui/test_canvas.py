@@ -273,11 +273,14 @@ def test_each_kind_of_handle_is_hit_and_its_drag_cancelled(arch):
         arch.release((3, 4))
 
 
-def test_handles_of_points_that_are_not_selected_are_not_drawn(arch):
+def test_several_points_show_their_velocities_and_one_alone_all_derivatives(arch):
     arch.choose_family("septic_hermite")
     arch.select_point(1)
     assert len(arch.window.canvas.drawing.points.handles) == 6
     arch.select([0, 1])
+    shown = [(each.index, each.ahead, each.kind) for each in arch.window.canvas.drawing.points.handles]
+    assert shown == [(0, True, 1), (1, True, 1), (1, False, 1)]
+    arch.select([])
     assert len(arch.window.canvas.drawing.points.handles) == 0
 
 

@@ -349,4 +349,4 @@ def test_no_corners_and_no_straight_segments(drawn, name):
         assert not editor.action(action).isEnabled()
     editor.select([])
     editor.trigger("closeCurve")
-    assert "does not come back smoothly" in editor.status
+    assert "does not return smoothly" in editor.status

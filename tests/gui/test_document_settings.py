@@ -7,9 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QWidget
 
-from app.document.model import Document, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
+from app.families import FAMILIES, LAGRANGE
 from app.settings.preferences import Preferences
 from app.testing import Editor
 
@@ -48,7 +49,7 @@ def test_the_unit_is_a_step_of_the_history_and_the_numbers_stay(editor, panel):
     assert editor.status == "Lengths are in mm now; the numbers stay as they are."
     editor.hover((1.5, 0.5))
     assert editor.window.context.status_line.readouts.unit == "mm"
-    assert editor.window.canvas.drawing.units.words(editor.window.canvas.pixel_map)[0] == "mm"
+    assert editor.window.canvas.drawing.units.words(editor.window.canvas.pixel_map) == "mm"
     editor.trigger("undo")
     assert editor.session.document.unit == ""
     assert editor.window.context.status_line.readouts.unit == ""
@@ -123,6 +124,28 @@ def test_the_first_sketch_has_the_unit_of_new_documents(qtbot, tmp_path):
     editor = Editor(qtbot, preferences=preferences)
     assert editor.session.document.unit == "mm"
     assert not editor.session.files.is_modified
+
+
+def test_a_new_document_goes_on_with_the_family_worked_with_last(qtbot, tmp_path):
+    bezier, spline = FAMILIES.named("bezier"), FAMILIES.named("b_spline")
+    preferences = Preferences(tmp_path / "settings.ini")
+    editor = Editor(qtbot, preferences=preferences)
+    editor.choose_family(bezier)
+    editor.choose_parametrization(ParametrizationKind.CENTRIPETAL)
+    editor.new()
+    assert (editor.curve.family, editor.curve.points, editor.curve.name) == (bezier, (), "Curve 1")
+    assert editor.curve.parametrization == Parametrization(ParametrizationKind.CENTRIPETAL)
+    editor.choose_family(spline)
+    editor.session.files.give_up_changes()
+    editor.window.close()
+    editor = Editor(qtbot, preferences=preferences)
+    assert editor.curve.family is LAGRANGE, "the first sketch stays what it is"
+    editor.new()
+    assert editor.curve.family is spline
+    preferences.file.write("document/new_curve", "{}")
+    editor.new()
+    assert editor.curve.family is LAGRANGE
+    assert "curve" in preferences.complaint
 
 
 def test_a_style_that_cannot_be_read_is_none(tmp_path):

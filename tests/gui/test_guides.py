@@ -209,6 +209,55 @@ def test_points_and_the_curve_come_before_a_guide(drawing):
     assert drawing.point(1) == pytest.approx((1.5, 3.0), abs=drawing.pixel)
 
 
+def test_arrow_keys_move_the_guide_that_was_clicked_by_clean_numbers_in_one_step(drawing):
+    with_guides(drawing, ("x", -1.0), ("y", 4.25))
+    drawing.select([1])
+    points, steps = drawing.curve.points, drawing.session.undo_stack.count()
+    drawing.click((6.0, 4.25))
+    assert "Arrow keys: move it" in drawing.status
+    drawing.hover((6.0, 0.0))
+    assert drawing.window.canvas.drawing.guides.lit == 1
+    for _ in range(3):
+        drawing.key(Qt.Key.Key_Up)
+    step = (guides(drawing)[1][1] - 4.25) / 3
+    assert step == pytest.approx(float(f"{step:.1g}"), rel=1e-9)
+    drawing.key(Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
+    drawing.key(Qt.Key.Key_Left)
+    assert guides(drawing) == [("x", -1.0), ("y", float(f"{4.25 + 13 * step:.6g}"))]
+    assert drawing.curve.points == points
+    assert drawing.session.undo_stack.count() == steps + 1
+    drawing.trigger("undo")
+    assert guides(drawing)[1] == ("y", 4.25)
+    drawing.escape()
+    drawing.select([1])
+    drawing.key(Qt.Key.Key_Up)
+    assert guides(drawing)[1] == ("y", 4.25)
+    assert drawing.curve.points != points
+
+
+def test_delete_removes_the_guide_that_was_clicked_though_points_are_selected(drawing):
+    with_guides(drawing, ("x", -1.0), ("y", 4.0))
+    drawing.select([1])
+    drawing.click((6.0, 4.0))
+    drawing.hover((6.0, 0.0))
+    drawing.trigger("lockGuides")
+    drawing.key(Qt.Key.Key_Up)
+    assert guides(drawing) == [("x", -1.0), ("y", 4.0)]
+    drawing.trigger("lockGuides")
+    drawing.select([1])
+    drawing.click((6.0, 4.0))
+    drawing.hover((6.0, 0.0))
+    drawing.key(Qt.Key.Key_Delete)
+    assert guides(drawing) == [("x", -1.0)]
+    assert len(drawing.curve.points) == 4
+    # A press elsewhere lets go of it: then keys mean what is selected.
+    drawing.click((-1.0, 0.0))
+    drawing.click(drawing.point(1))
+    drawing.key(Qt.Key.Key_Delete)
+    assert guides(drawing) == [("x", -1.0)]
+    assert len(drawing.curve.points) == 3
+
+
 # The field
 
 

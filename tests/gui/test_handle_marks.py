@@ -1,4 +1,4 @@
-"""Marks of handles that lie close together: each is seen, and can be grabbed."""
+"""Handles of one selected point and of many: each is seen, and can be grabbed."""
 
 from __future__ import annotations
 
@@ -6,10 +6,15 @@ import math
 from itertools import pairwise
 
 import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
 
-from app.canvas.handle_marks import mark_sizes
+from app.canvas.handle_marks import MOST_POINTS, mark_sizes
 from app.document.model import Document, make_curve
-from app.families import FAMILIES
+from app.families import FAMILIES, HERMITE
+from app.view_model.curve_view import view_of
+from app.view_model.handles import handles_at, handles_on, sides_facing
+from app.view_model.point_kinds import CORNER, SMOOTH, kind_at
 
 
 @pytest.mark.parametrize("count", [3, 20])
@@ -20,16 +25,124 @@ def test_marks_of_one_point_can_be_told_apart(editor, family, count):
     editor.session.commit(Document((make_curve(points, family=FAMILIES.named(family)),)), "Begin")
     editor.fit()
     editor.select_point(count // 2)
-    shown, layer = editor.window.canvas.pixel_map, editor.window.canvas.drawing.points
-    sizes = mark_sizes(layer.handles, shown, 1.0)
+    shown, handles = editor.window.canvas.pixel_map, editor.window.canvas.drawing.points.handles
+    sizes = dict(zip(handles, mark_sizes(handles, shown, 1.0).ravel().tolist(), strict=True))
     assert len(sizes) == 2 * editor.curve.family.derivatives
-    for before, after in pairwise(layer.handles):
+    for before, after in pairwise(handles):
         if after.anchor == before.position:
             gap = math.dist(shown.point(*before.position), shown.point(*after.position))
             assert sizes[before] + sizes[after] < gap
             assert min(sizes[before], sizes[after]) >= 2.0
     if count == 3:
         assert all(size == (4.0, 5.5, 5.5)[each.kind - 1] for each, size in sizes.items())
-    for each in layer.handles:
+    for each in handles:
         editor.hover(each.position)
         assert f"{('velocity', 'acceleration', 'jerk')[each.kind - 1]}" in editor.status
+
+
+@pytest.fixture
+def zigzag(editor):
+    """A cubic curve of six points."""
+    points = [(2.0 * k, 3.0 * (k % 2)) for k in range(6)]
+    editor.session.commit(Document((make_curve(points, family=HERMITE),)), "Begin", active=0)
+    editor.fit()
+    return editor
+
+
+def test_of_several_points_each_handle_is_dragged_for_itself_and_its_kind_holds(zigzag):
+    """With two points selected no handle was shown."""
+    zigzag.select([2])
+    zigzag.trigger(SMOOTH.action)
+    zigzag.select([2, 3])
+    before, steps = zigzag.curve.points, zigzag.session.undo_stack.count()
+    behind = zigzag.handle(ahead=False, index=2)
+    zigzag.drag_handle((5.5, 0.5), index=2)
+    points, view = zigzag.curve.points, zigzag.session.active_view
+    assert [old is new for old, new in zip(before, points, strict=True)] == [
+        True,
+        True,
+        False,
+        True,
+        True,
+        True,
+    ]
+    assert zigzag.handle(index=2).position == pytest.approx((5.5, 0.5), abs=zigzag.pixel)
+    # Smooth: the other handle has turned, and is as long as it was.
+    turned = zigzag.handle(ahead=False, index=2)
+    assert kind_at(view, 2) is SMOOTH
+    assert math.dist(turned.position, turned.anchor) == pytest.approx(
+        math.dist(behind.position, behind.anchor)
+    )
+    assert math.atan2(*turned.position) != pytest.approx(math.atan2(*behind.position))
+    assert zigzag.session.selection == {2, 3}
+    zigzag.drag(zigzag.handle(index=3).position, (7.0, 4.0), keys=Qt.KeyboardModifier.AltModifier)
+    assert kind_at(zigzag.session.active_view, 3) is CORNER
+    assert zigzag.session.undo_stack.count() == steps + 2
+    zigzag.press(zigzag.handle(index=2).position)
+    zigzag.move((4.0, 4.0))
+    zigzag.escape()
+    zigzag.release((4.0, 4.0))
+    assert zigzag.curve.points[2] is points[2]
+
+
+def test_handles_that_face_the_selected_points_are_fainter_and_dragged_as_well(zigzag):
+    zigzag.select([2])
+    canvas = zigzag.window.canvas
+    facing = canvas.drawing.points.shown_handles.facing(canvas.pixel_map)
+    assert [(each.index, each.ahead) for each in facing] == [(1, True), (3, False)]
+    own, other = (zigzag.handle(ahead=False, index=index).position for index in (2, 3))
+    picture, paper = zigzag.screenshot(), canvas.drawing.points.theme.paper.lightness()
+
+    def darkest(place):
+        """How much darker than the paper the mark around a place is."""
+        at = canvas.viewport().mapTo(zigzag.window, canvas.to_pixel(*place))
+        around = [(at.x() + dx, at.y() + dy) for dx in range(-6, 7) for dy in (-4, 4)]
+        return paper - min(picture.pixelColor(x, y).lightness() for x, y in around)
+
+    assert 0.4 * darkest(own) < darkest(other) < 0.8 * darkest(own)
+    before = zigzag.curve.points
+    zigzag.drag_handle((5.0, 4.0), ahead=False, index=3)
+    assert [old is new for old, new in zip(before, zigzag.curve.points, strict=True)] == [True] * 3 + [
+        False
+    ] + [True] * 2
+    assert zigzag.session.selection == {2}
+    # A press of the pen beside the curve is to mean a point.
+    zigzag.trigger("addTool")
+    assert not len(canvas.drawing.points.shown_handles.facing(canvas.pixel_map))
+
+
+def test_of_very_many_points_handles_are_shown_when_few_are_in_sight(editor):
+    count = 3 * MOST_POINTS
+    points = [(float(abs(k % 40 - 19.5)), float(k // 20)) for k in range(count)]
+    editor.session.commit(Document((make_curve(points, family=HERMITE),)), "Begin", active=0)
+    editor.fit()
+    editor.trigger("selectAll")
+    layer, canvas = editor.window.canvas.drawing.points, editor.window.canvas
+    assert not len(layer.handles)
+    assert layer.note == f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
+    canvas.camera.zoom(4.0, canvas.camera.centre())
+    editor.settle()
+    assert 2 < len(layer.handles) <= 2 * MOST_POINTS
+    assert layer.note == ""
+    middle = count // 2
+    place = editor.handle(index=middle).position
+    editor.hover(place)
+    assert f"velocity of point {middle}" in editor.status
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_handles_in_arrays_are_bezier_control_points(closed):
+    points = [(0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)]
+    view = view_of(replace(make_curve(points, family=HERMITE), closed=closed))
+    pieces = view.curve.bezier_pieces()
+    count = len(pieces)
+    for index in range(4):
+        beside = {True: index, False: (index - 1) % 4}
+        expected = {
+            ahead: pytest.approx(tuple(pieces[at][1 if ahead else 2]), abs=1e-12)
+            for ahead, at in beside.items()
+            if at < count
+        }
+        assert {each.ahead: each.position for each in handles_at(view, [index])} == expected
+    facing = [(each.index, each.ahead) for each in handles_on(view, sides_facing([0, 1], 4, closed=closed))]
+    assert facing == ([(3, True), (2, False)] if closed else [(2, False)])

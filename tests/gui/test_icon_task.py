@@ -53,8 +53,10 @@ def test_an_icon_is_recoloured_aligned_and_copied(editor):
     steps += ["a click on a colour", "Ctrl+Shift+M", "a click on Centre"]
     middles = [np.mean(sampled_bounds(editor, place), axis=0)[0] for place in range(4)]
     assert middles == pytest.approx([middles[0]] * 4, abs=1e-6)
-    editor.window.canvas.setFocus()
-    editor.key(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    # The key led to the field of the width, which has nothing selected any more.
+    field = editor.window.focusWidget()
+    assert field.objectName() == "transformWidth"
+    QTest.keyClick(field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     editor.wait_for_work()
     steps += ["Ctrl+C", "Ctrl+V there"]
     assert len(steps) <= IN_INKSCAPE

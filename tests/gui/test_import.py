@@ -207,7 +207,7 @@ def test_as_a_new_document(editor, tmp_path):
     editor.settle()
     assert [curve.name for curve in editor.session.document.curves] == ["a"]
     assert editor.session.files.path is None
-    assert editor.session.files.is_modified
+    assert not editor.session.files.is_modified, "its file still holds it"
 
 
 def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):

@@ -8,12 +8,13 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox
 
 from app.document.model import Document, Page, make_curve
 from app.document.style import Style
 from app.features.import_export.commands import ExchangeCommands
 from app.testing import spin
+from app.workbench.document_files import DocumentFiles, title_of
 
 SVG = Path(__file__).parents[1] / "data" / "svg"
 INCH = (
@@ -109,6 +110,60 @@ def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
     assert (shown["path600"].visible, shown["path600"].locked) == (False, True)
     editor.trigger("undo")
     assert (editor.session.document.unit, editor.session.document.page) == ("", None)
+
+
+def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(editor):
+    session, sketch = editor.session, editor.session.document
+    session.files.begin(sketch)
+    for _ in range(2):
+        document = imported(editor, SVG / "inkscape_logo.svg")
+        assert (document.unit, document.page) == ("mm", Page(0.0, -50.0, 70.0, 50.0))
+        assert "Sketch" not in {curve.name for curve in document.curves}
+        assert (title_of(session), session.files.is_modified) == ("inkscape_logo", True)
+        assert session.selected.curves == frozenset(range(len(document.curves)))
+        editor.trigger("undo")
+        assert (session.document, title_of(session)) == (sketch, "Untitled")
+    editor.drag_point(0, to=(0.0, 0.0))
+    document = imported(editor, SVG / "inkscape_logo.svg")
+    assert (document.curves[0].name, document.unit, document.page) == ("Sketch", "", None)
+
+
+def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeypatch):
+    editor.session.files.begin(editor.session.document)
+    editor.drag_point(0, to=(0.0, 0.0))
+    path = tmp_path / "badge.svg"
+    path.write_text(INCH, encoding="utf-8")
+    asked, saved = [], []
+    monkeypatch.setattr(
+        QFileDialog, "getOpenFileName", lambda *words: (asked.append(words[3]), (str(path), ""))[1]
+    )
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *words: (saved.append(words[2]), ("", ""))[1])
+    monkeypatch.setattr(DocumentFiles, "_ask_about_changes", lambda _: QMessageBox.StandardButton.Discard)
+    editor.trigger("openDocument")
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    drawn(editor, dialog)
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    editor.settle()
+    session = editor.session
+    assert ("*.svg" in asked[0], "*.curve.json" in asked[0]) == (True, True)
+    assert ([curve.name for curve in session.document.curves], session.document.unit) == (["a"], "in")
+    assert (session.files.is_modified, session.undo_stack.canUndo()) == (False, False)
+    editor.trigger("saveDocument")
+    assert Path(saved[0]).name == "badge.curve.json"
+
+
+def test_very_many_shapes_without_a_group_come_together(editor, tmp_path):
+    """From 501 paths on, a file without groups ended in a KeyError in place of the dialog."""
+    blank(editor)
+    path = tmp_path / "many.svg"
+    lines = "".join(f'<path d="M{k} 0V1"/>' for k in range(501))
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{lines}</svg>', encoding="utf-8")
+    dialog = opened(editor, path)
+    assert dialog.groups.topLevelItemCount() == 1
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.wait_for_work()
+    assert len(editor.session.document.curves) == 501
 
 
 def test_an_inch_is_an_inch_in_a_document_of_millimetres(editor, tmp_path):

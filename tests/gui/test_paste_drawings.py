@@ -12,7 +12,10 @@ from PySide6.QtTest import QTest
 
 from app.document.model import Document, make_curve
 from app.exchange import child
+from app.exchange.rescaled import factor_between
+from app.exchange.svg import for_clipboard
 from app.exchange.svg.fragments import SMALL, fragment_in
+from app.exchange.svg.lengths import length
 from app.exchange.svg.reader import read_svg
 from app.families import HERMITE
 
@@ -266,7 +269,8 @@ def test_copied_curves_are_svg_for_other_programs(three):
 
 
 @pytest.mark.parametrize(
-    ("unit", "side", "pixels"), [("mm", 25.4, 96.0), ("in", 0.5, 48.0), ("", 40.0, 40.0), ("", 4.0, 800.0)]
+    ("unit", "side", "pixels"),
+    [("mm", 25.4, 96.0), ("in", 0.5, 48.0), ("", 40.0, 40.0), ("", 4.0, 4.0), ("s", 4.0, 4.0)],
 )
 def test_inkscape_takes_the_coordinates_for_pixels(editor, unit, side, pixels):
     """A leaf of 40 mm was pasted 10.58 mm wide into Inkscape 1.2, which passes over the view box."""
@@ -278,6 +282,23 @@ def test_inkscape_takes_the_coordinates_for_pixels(editor, unit, side, pixels):
     assert back.points[-1].x - back.points[0].x == pytest.approx(pixels)
     root = ElementTree.fromstring(svg)
     assert root.get("width") == f"{root.get('viewBox').split()[2]}px"
+    data = QGuiApplication.clipboard().mimeData()
+    for other in (bytes(data.data("image/svg+xml").data()), data.text().encode()):
+        # Browsers and Figma were given 800 pixels with a margin for the 4 that Inkscape got.
+        document = read_svg(other).document
+        size = document.curves[0].points[-1].x - document.curves[0].points[0].x
+        assert size * factor_between(document.unit, "px") == pytest.approx(pixels)
+        width = length(ElementTree.fromstring(other).get("width"))
+        assert width == pytest.approx(pixels, rel=0.01), "but for the line"
+
+
+def test_without_a_unit_numbers_stay_between_documents(editor):
+    editor.session.commit(Document((make_curve([(0, 0), (4, 1)], name="A"),)), "Begin")
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_C, CTRL)
+    editor.session.commit(Document((make_curve([(0, 0), (1, 1)], name="B"),), unit="mm"), "Other")
+    paste(editor, CTRL | ALT)
+    assert [point.position for point in editor.curve.points] == [(0, 0), (4, 1)]
 
 
 def test_copied_points_are_svg_too_but_numbers_as_text(three):
@@ -291,7 +312,7 @@ def test_copied_points_are_svg_too_but_numbers_as_text(three):
 
 def test_the_svg_is_made_when_it_is_asked_for(three, monkeypatch):
     made = []
-    monkeypatch.setattr("app.exchange.svg_of", lambda *_: made.append(1))
+    monkeypatch.setattr(for_clipboard, "svg_for_clipboard", lambda *_: made.append(1))
     three.key(Qt.Key.Key_C, CTRL)
     assert not made
 

@@ -126,3 +126,17 @@ def test_a_finger_on_the_first_point_is_told_of_it(pen):
         pen.window.status_line.hint
         == "Click to close the curve · Alt: by a straight line · Drag to move point 0"
     )
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
+def test_the_first_point_promises_to_close_only_what_can_be_closed(pen, family):
+    """Of a Lagrange curve, too, and the click was refused."""
+    for place in PLACES:
+        pen.click(at(pen, *place))
+    pen.choose_family(family)
+    pen.hover(pen.point(0))
+    hint, can_close = pen.window.status_line.hint, family.curve_class.can_close
+    assert hint.startswith("Click to close the curve") is can_close
+    assert ("cannot be closed" in hint) is not can_close
+    pen.click(pen.point(0))
+    assert pen.curve.is_closed is can_close

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 
+from app.document.model import Document, make_curve
 from app.families import FAMILIES
 from app.testing.input_driver import spin
 from app.view_model.curve_view import view_of
@@ -225,6 +226,39 @@ def test_undo_takes_the_line_back_that_is_becoming_a_curve_and_not_the_step_befo
     assert slow.session.undo_stack.undoText() == step
     slow.trigger("undo")
     assert slow.session.undo_stack.undoText() != step
+
+
+@pytest.mark.parametrize("is_held", [True, False])
+def test_undo_by_its_key_takes_the_first_line_of_a_document_back(slow, is_held):
+    """“Needs a step to take back”, and the curve came."""
+    editor = slow
+    editor.session.undo_stack.clear()
+    assert not editor.action("undo").isEnabled()
+    line = draw(editor, TEETH, release=False)
+    if not is_held:
+        editor.release(tuple(line[-1]))
+    editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert (editor.window.canvas.marks.waiting, editor.window.canvas.marks.line) == ((), ())
+    assert editor.status == ("Cancelled." if is_held else "The pencil's curve was taken back.")
+    assert not editor.action("undo").isEnabled()
+    if is_held:
+        editor.release(tuple(line[-1]))
+    wait(editor)
+    assert not editor.curve.points
+
+
+def test_undo_by_its_key_takes_back_the_first_drag_in_a_document(editor):
+    editor.session.commit(Document((make_curve([(0, 0), (1, 2), (3, 2)]),)), "Begin")
+    editor.fit()
+    editor.session.undo_stack.clear()
+    document = editor.session.document
+    editor.press(editor.point(1))
+    editor.move((2, 1))
+    editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert editor.session.document is document
+    editor.release((2, 1))
+    assert editor.session.document is document
+    assert not editor.action("undo").isEnabled()
 
 
 def test_undo_takes_back_the_last_of_several_lines(slow):

@@ -131,7 +131,7 @@ def test_every_label_of_the_sources_says_what_its_text_is():
 
 def test_names_and_messages_are_shown_as_they_are(planted):
     window, session = planted.window, planted.session
-    for name in ("curvesDock", "pointsDock", "imageDock", "historyDock"):
+    for name in ("curvesDock", "pointsDock", "imageDock", "historyDock", "styleDock", "transformDock"):
         planted.show_dock(name)
     window.message_bar.warn(f"{NAME} cannot be done.")
     session.say(f"Did {NAME}.")

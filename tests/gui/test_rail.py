@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
@@ -11,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QSlider
 
 from app.document.edits import set_closed, set_parameter
 from app.document.model import ParametrizationKind
+from app.document.transforms import clean_step
 from app.families import FAMILIES, HERMITE
 from app.testing import Editor
 from curvecore import centripetal, chebyshev, chebyshev_roots, chord_length, uniform
@@ -261,12 +264,16 @@ def test_a_right_click_offers_them_and_selects_the_tick(editor, panel):
     ],
 )
 def test_arrows_nudge_the_selected_ticks(editor, panel, key, held, count):
+    """By 0.0012239902080783353, the width of a pixel."""
     old = np.array(editor.parameters)
     editor.select([3, 4])
     panel.setFocus()
     QTest.keyClick(panel, key, held)
-    moved = np.array(editor.parameters) - old
-    assert moved[[3, 4]] == pytest.approx(pixels(panel, count), rel=1e-9)
+    moved, step = np.array(editor.parameters) - old, clean_step(2 * pixels(panel, 1))
+    assert moved[[3, 4]] == pytest.approx(count * step, rel=1e-9)
+    assert [editor.parameters[at] for at in (3, 4)] == [
+        float(Decimal(repr(float(old[at]))) + Decimal(repr(round(count * step, 9)))) for at in (3, 4)
+    ]
     assert np.count_nonzero(np.delete(moved, [3, 4])) == 0
     assert editor.session.undo_stack.count() == 1
     editor.trigger("undo")

@@ -29,10 +29,16 @@ from app.tools.snapping import Snapping
 from app.tools.tool import TOOLS, ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
-from app.view_model.handles import handles_of
+from app.view_model.handles import handles_at, handles_on, sides_facing
 
 SHOWN = PixelMap(-3.0, 5.0, 100.0, 100.0, 1000.0, 800.0)
 TOLERANCE = 1e-3
+
+
+def facing(view, chosen):
+    """The handles that face the selected points."""
+    return handles_on(view, sides_facing(chosen, len(view.source.points), closed=view.source.is_closed))
+
 
 places = st.tuples(st.integers(-20, 60), st.integers(-20, 40)).map(lambda p: (p[0] / 10, p[1] / 10))
 modifiers = st.fixed_dictionaries({name: st.booleans() for name in ("shift", "ctrl", "alt")})
@@ -137,9 +143,9 @@ class Gestures(RuleBasedStateMachine):
         view, chosen = self.session.active_view, self.session.selection
         if not self.session.selected.is_editing:
             return self.hit_whole(pointer)
-        handles = handles_of(view, next(iter(chosen))) if len(chosen) == 1 else []
+        handles = handles_at(view, chosen), facing(view, chosen)
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
-        hit = hit_test(pointer.pixel, SHOWN, view, polyline, chosen, handles)
+        hit = hit_test(pointer.pixel, SHOWN, view, polyline, chosen, *handles)
         if hit is None and tool.finds_other_curves and self.on_curve(self.other, pointer.pixel):
             hit = Hit(Part.OTHER_CURVE, self.other, pointer.position)
         return hit
@@ -166,7 +172,7 @@ class Gestures(RuleBasedStateMachine):
         view, chosen = self.session.active_view, self.session.selection
         if what == "point" and view.source.points:
             return view.source.points[number % len(view.source.points)].position
-        if what == "handle" and len(chosen) == 1 and (handles := handles_of(view, next(iter(chosen)))):
+        if what == "handle" and (handles := [*handles_at(view, chosen), *facing(view, chosen)]):
             return handles[number % len(handles)].position
         if what == "curve" and view.is_current:
             start, end = view.curve.domain

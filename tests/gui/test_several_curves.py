@@ -508,7 +508,7 @@ def test_closing_and_opening(three):
 def test_closing_a_polynomial_is_explained(three):
     three.choose_family(LAGRANGE)
     three.trigger("closeCurve")
-    assert "cannot repeat itself" in three.status
+    assert "is one polynomial" in three.status
     assert not three.action("closeCurve").isChecked()
 
 

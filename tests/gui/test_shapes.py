@@ -86,6 +86,12 @@ def key_in_list(editor, *keys):
         editor.settle()
 
 
+def ctrl_in_list(editor, key):
+    view_of(editor).setFocus()
+    QTest.keyClick(view_of(editor), key, CTRL)
+    editor.settle()
+
+
 def drag_row(editor, name, to, right=0):
     """Drag a row by its name to a height of the list, and to the right by pixels."""
     port, start = view_of(editor).viewport(), place_in(editor, name)
@@ -764,3 +770,51 @@ def test_leaving_a_curve_of_a_shape_chooses_the_shape(edited):
     assert edited.status.startswith("“Shape 1” is chosen, and edited no longer")
     edited.key(Qt.Key.Key_Delete)
     assert (names(edited), edited.status) == (["Side"], "Deleted “Shape 1”.")
+
+
+def test_a_contour_that_is_highlighted_in_the_list_is_duplicated_and_copied_as_a_curve_of_its_own(ring):
+    fold(ring, "Shape 1")
+    click_row(ring, "Inner")
+    ctrl_in_list(ring, Qt.Key.Key_D)
+    assert names(ring) == ["Outer", "Inner", "Inner copy", "Side"]
+    assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
+    assert (ring.curve.name, step_name(ring)) == ("Inner copy", "Duplicate Inner")
+    assert ring.curve.style.fill == RING.fill
+    ring.trigger("undo")
+    click_row(ring, "Inner")
+    ctrl_in_list(ring, Qt.Key.Key_C)
+    assert ring.status == "Copied “Inner”."
+    ctrl_in_list(ring, Qt.Key.Key_V)
+    assert len(names(ring)) == 4
+    assert shapes(ring).count("Shape 1") == 2
+    assert shapes(ring).count("") == 2
+
+
+def test_cut_takes_the_contour_alone_and_the_row_of_the_shape_means_all_of_it(ring):
+    fold(ring, "Shape 1")
+    click_row(ring, "Inner")
+    ctrl_in_list(ring, Qt.Key.Key_X)
+    assert (names(ring), shapes(ring)) == (["Outer", "Side"], ["", ""])
+    assert (ring.status, step_name(ring)) == ("Cut “Inner”.", "Cut Inner")
+    ring.trigger("undo")
+    click_row(ring, "Shape 1")
+    ctrl_in_list(ring, Qt.Key.Key_D)
+    assert shapes(ring) == ["Shape 1", "Shape 1", "Shape 1 copy", "Shape 1 copy", ""]
+
+
+def test_a_folded_shape_opens_under_a_drag_that_rests_on_it(ring):
+    view = view_of(ring)
+    port, start, onto = view.viewport(), place_in(ring, "Side"), place_in(ring, "Shape 1")
+    QTest.mousePress(port, LEFT, pos=start)
+    QTest.mouseMove(port, (start + onto) / 2)
+    QTest.mouseMove(port, onto)
+    assert rows(ring) == ["Side", "Shape 1"]
+    QTest.qWait(view._opening.interval() + 100)
+    assert rows(ring) == ["Side", "Shape 1", "  Inner", "  Outer"]
+    # On, to a place between its curves.
+    between = QPoint(onto.x() + 20, top_of(ring, "Outer"))
+    QTest.mouseMove(port, between)
+    QTest.mouseRelease(port, LEFT, pos=between)
+    ring.settle()
+    assert names(ring) == ["Outer", "Side", "Inner"]
+    assert shapes(ring) == ["Shape 1"] * 3

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QGuiApplication, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QSlider, QToolButton, QWidget
 
@@ -160,6 +160,52 @@ def test_widths_are_typed_with_any_unit_of_length(editor, panel, typed, width):
     assert styles(editor)[1].width == (width if width is None else pytest.approx(width, rel=1e-15))
 
 
+def turn(field, notches):
+    """Turn the wheel over a field."""
+    place = QPointF(field.rect().center())
+    event = QWheelEvent(
+        place, field.mapToGlobal(place), QPoint(), QPoint(0, 120 * notches), Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(field, event)
+
+
+@pytest.mark.parametrize(
+    ("name", "field", "begin", "ups", "lowest"),
+    [
+        ("width", "strokeWidth", "1.8", (1.9, 2.0, 2.2), None),
+        ("width", "strokeWidth", "0.05", (0.055, 0.06, 0.065), None),
+        ("width", "strokeWidth", "0", (0.1, 0.11, 0.12), None),
+        ("opacity", "styleOpacity", "87", (0.92, 0.97, 1.0), None),
+        ("opacity", "styleOpacity", "12", (0.17, 0.22, 0.27), 0.0),
+    ],
+)
+def test_arrow_keys_and_the_wheel_step_a_number_and_a_held_key_is_one_step(
+    editor, panel, name, field, begin, ups, lowest
+):
+    enter(editor, panel, field, begin)
+    edit, first = child(panel, QLineEdit, field), getattr(styles(editor)[1], name)
+    steps = editor.session.undo_stack.count()
+    for value in ups:
+        QTest.keyClick(edit, Qt.Key.Key_Up)
+        assert getattr(styles(editor)[1], name) == value
+    assert edit.text().startswith(f"{100 * value:g}" if name == "opacity" else f"{value:g}")
+    assert editor.session.undo_stack.count() == steps + 1
+    editor.trigger("undo")
+    assert getattr(styles(editor)[1], name) == first
+    edit.setFocus()
+    turn(edit, 2)
+    assert getattr(styles(editor)[1], name) == ups[1]
+    for _ in range(9 if lowest is not None else 0):
+        QTest.keyClick(edit, Qt.Key.Key_Down)
+    assert lowest is None or getattr(styles(editor)[1], name) == lowest
+    # Without the focus the wheel scrolls what lies around.
+    before = styles(editor)
+    editor.window.canvas.setFocus()
+    turn(edit, 1)
+    assert styles(editor) == before
+
+
 def test_a_width_is_shown_with_the_unit_of_the_document(editor, panel):
     enter(editor, panel, "strokeWidth", "5 mm")
     assert text_of(panel, "strokeWidth") == "0.5 cm"
@@ -308,6 +354,32 @@ def test_a_style_is_copied_and_pasted_to_all_chosen_curves(editor, panel):
     assert "no style on the clipboard" in editor.status
 
 
+@pytest.mark.usefixtures("drawings_read_here")
+def test_the_style_of_svg_that_was_copied_elsewhere_is_pasted(editor, panel):
+    """Inkscape's clipboard was "no style", for all that Inkscape itself pastes styles from it."""
+    editor.session.change("Unit", lambda document: replace(document, unit="cm"))
+    data = QMimeData()
+    look = "fill:#0072b2;stroke:#d55e00;stroke-width:0.5;stroke-linejoin:round"
+    size = 'width="40mm" height="40mm" viewBox="0 0 40 40"'
+    data.setData(
+        "image/x-inkscape-svg",
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size}><g style="{look}"><path d="M0 0H9"/></g>'
+        '<path d="M0 0V9" fill="#123456"/></svg>'.encode(),
+    )
+    QGuiApplication.clipboard().setMimeData(data)
+    editor.session.selected.set_curves([0, 2])
+    QTest.keyClick(
+        editor.window, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    )
+    editor.wait_for_work()
+    wanted = Style("#d55e00", 0.05, LineCap.BUTT, LineJoin.ROUND, fill="#0072b2")
+    assert [styles(editor)[place] for place in (0, 2)] == [wanted] * 2
+    assert editor.session.undo_stack.undoText() == "Paste style to 2 curves"
+    editor.paste_text("M 0 0 L 4 4")
+    editor.trigger("pasteStyle")
+    assert "no style on the clipboard" in editor.status
+
+
 # On the canvas
 
 
@@ -390,6 +462,16 @@ def test_dashes_begin_at_the_start_wherever_one_looks(editor):
         places = np.arange(np.ceil(start) + 1.0, start + 11.0)
         found = [seen(editor, x, 0.0) == RED for x in places + 0.0 if x % 2 == 1]
         assert found == [x % 4 < 2 for x in places if x % 2 == 1]
+
+
+def test_dashes_that_cannot_be_told_apart_are_as_pale_as_their_share(editor):
+    """Of an odd number of lengths, dashes and gaps change their roles: half of all is drawn."""
+    lines = [
+        replace(make_curve([(0, y), (9, y)], family=HERMITE), style=Style(stroke=RED, width=1.0, dash=dash))
+        for y, dash in ((0, (1e-4, 1e-4)), (3, (1e-4, 2e-4, 3e-4)))
+    ]
+    begin(editor, *lines, make_curve([(0, 6), (9, 6)], name="Other"), active=2)
+    assert seen(editor, 4, 0) == seen(editor, 4, 3) not in (RED, LIGHT.paper.name())
 
 
 # Views

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QEnterEvent, QGuiApplication, QImage, QStatusTipEvent
@@ -9,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QSlider, QToolButton
 
 from app.document import edits
-from app.families import HERMITE, LAGRANGE
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.commands import PointTableCommands
 from app.features.reference_image.commands import ImageCommands
 
@@ -264,6 +267,41 @@ def test_a_closed_curve_that_lagrange_opens_says_why(pair):
     pair.choose_family(HERMITE)
     assert pair.curve.is_closed
     assert pair.status == ""
+
+
+def test_a_family_for_several_curves_is_told(waves):
+    """Only one of them, and without a word."""
+    editor = waves("ABC")
+    count = editor.session.undo_stack.count()
+    editor.session.selected.choose((0, 1, 2))
+    editor.key(Qt.Key.Key_3)
+    families = [curve.family for curve in editor.session.document.curves]
+    assert families == [QUINTIC_HERMITE] * 3
+    assert editor.status == "3 curves are quintic Hermite now · Ctrl+Z: undo"
+    assert editor.session.undo_stack.count() == count + 1
+    assert editor.session.undo_stack.undoText() == "Switch 3 curves to quintic Hermite"
+    editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert [curve.family for curve in editor.session.document.curves] == [HERMITE] * 3
+
+
+def test_a_family_that_could_hold_a_shape_set_by_hand_and_does_not_says_so(pair):
+    pair.choose_family(QUINTIC_HERMITE)
+    assert pair.status == ""
+    pair.choose_family(HERMITE)
+    pair.select_point(1)
+    pair.drag_handle((2.0, 6.0))
+    before = pair.session.active_view
+    pair.choose_family(QUINTIC_HERMITE)
+    t = np.linspace(*before.curve.domain, 3001)
+    away = np.hypot(*(before.curve.evaluate(t) - pair.session.active_view.curve.evaluate(t)).T).max()
+    said = re.fullmatch(
+        r"The shape changed by up to ([\d.]+); “Convert to Quintic Hermite” keeps it · Ctrl\+Z: undo",
+        pair.status,
+    )
+    assert float(said[1]) == pytest.approx(away, rel=0.05)
+    pair.trigger("undo")
+    pair.trigger("convertToQuinticHermite")
+    assert np.abs(before.curve.evaluate(t) - pair.session.active_view.curve.evaluate(t)).max() < 1e-12
 
 
 def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):

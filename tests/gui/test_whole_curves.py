@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from app.appearance.colours import point_colours
+from app.canvas.sections import loose_places, sections_of
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
@@ -460,28 +461,64 @@ def pixels_of(canvas):
     return rows[:, :, :3].astype(int)
 
 
-@pytest.mark.parametrize("is_editing", [True, False])
-def test_a_dragged_curve_is_painted_in_its_place_of_the_order_and_the_others_are_not(pile, is_editing):
-    if not is_editing:
-        pile.session.selected.choose(())
+@pytest.mark.parametrize("chosen", [None, (4,), (1, 4, 8), (0, 1, 2, 4, 5, 6, 7, 8, 9)])
+def test_dragged_curves_are_painted_in_their_places_of_the_order_and_the_others_are_not(pile, chosen):
+    """Of curves apart in the order, or more than eight, all were painted in every frame."""
+    if chosen is not None:
+        pile.session.selected.choose(chosen)
     others, canvas = pile.window.canvas.drawing.others, pile.window.canvas
     layers = others, pile.window.canvas.drawing.curves.above
     x, y = pile.session.views[4].curve.evaluate(0.99)
     pile.press((float(x), float(y)))
     pile.move((x - 0.3, y + 0.2))
+    pile.move((x - 0.4, y + 0.2))
     kept = [layer._picture for layer in layers]
     pile.move((x - 0.8, y + 0.1))
     pile.move((x - 0.9, y + 0.3))
-    assert pile.status.startswith("Move Leaf 4 by")
+    assert pile.status.startswith(
+        "Move Leaf 4 by" if chosen in (None, (4,)) else f"Move {len(chosen)} curves by"
+    )
     assert [layer._picture for layer in layers] == kept
     under_way = pixels_of(canvas)
     for layer in layers:
-        layer._picture, layer._moving = None, range(0)
+        layer._picture, layer._sections = None, sections_of((), len(layer._shapes))
     # Edges that lie over each other are mixed by another rounding where they are painted on sheets.
     difference = np.abs(pixels_of(canvas) - under_way)
     assert difference.max() <= 6
-    assert np.count_nonzero(difference.max(axis=2) > 2) < 200
+    assert np.count_nonzero(difference.max(axis=2) > 2) < 400
     pile.release((x - 0.9, y + 0.3))
+
+
+def test_what_was_dragged_is_in_the_picture_again_when_something_else_is_painted(pile):
+    pile.session.selected.choose(range(1, 10))
+    x, y = pile.session.views[4].curve.evaluate(0.99)
+    others = pile.window.canvas.drawing.others
+    pile.press((float(x), float(y)))
+    for way in (0.3, 0.6, 0.9):
+        pile.move((x + way, y))
+    pile.release((x + way, y))
+    assert loose_places(others._sections) == set(range(10))
+    for _ in range(12):
+        pixels_of(pile.window.canvas)
+    assert not loose_places(others._sections)
+
+
+@pytest.mark.parametrize(
+    ("changed", "still"),
+    [
+        ((), [range(30)]),
+        ((3,), [range(3), range(4, 30)]),
+        ((0, 29), [range(1, 29)]),
+        ((10, 12, 20), [range(10), range(13, 20), range(21, 30)]),
+        (tuple(range(30)), []),
+        (tuple(range(0, 30, 3)), [range(at, at + 2) for at in range(7, 30, 3)]),
+    ],
+)
+def test_still_shapes_are_in_as_few_sheets_as_are_worth_it(changed, still):
+    sections = sections_of(changed, 30)
+    assert [section.places for section in sections if section.is_still] == still
+    assert [place for section in sections for place in section.places] == list(range(30))
+    assert set(changed) <= loose_places(sections)
 
 
 # Copies

@@ -251,10 +251,15 @@ def test_recent_files_are_listed(editor, tmp_path):
     path = tmp_path / "mine & yours.curve.json"
     editor.session.save(path)
     editor.window.open_file(path)
-    editor.window.menus.recent.aboutToShow.emit()
-    assert editor.window.menus.recent.actions()[0].text() == "&mine && yours.curve.json"
-    editor.window.preferences.clear_recent_files()
-    editor.window.menus.recent.aboutToShow.emit()
+    recent = editor.window.menus.recent
+    recent.popup(QPoint(0, 0))
+    assert recent.actions()[0].text() == "&mine && yours.curve.json"
+    place = recent.actionGeometry(editor.action("clearRecent")).center()
+    QTest.mouseClick(recent, Qt.MouseButton.LeftButton, pos=place)
+    assert editor.window.preferences.recent_files == []
+    recent.aboutToShow.emit()
+    assert [action.text() for action in recent.actions()] == ["&No files yet"]
+    assert path.is_file()
 
 
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".dxf", ".py", ".tex", ".tikz", ".csv"])

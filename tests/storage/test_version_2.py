@@ -124,7 +124,7 @@ def test_a_shape_that_is_none_is_refused():
     ("values", "complaint"),
     [
         ({"shape": "\ud800"}, "curves[0].shape holds a character that UTF-8 cannot carry"),
-        ({"groups": ("Letters", "\ud800")}, "curves[0].groups holds a character that UTF-8 cannot carry"),
+        ({"groups": ("Letters", "\ud800")}, "curves[0].groups[1] holds a character that UTF-8 cannot carry"),
         ({"groups": ("",)}, "curves[0].groups must name 50 groups at most"),
         ({"groups": tuple(map(str, range(51)))}, "curves[0].groups must name 50 groups at most"),
     ],

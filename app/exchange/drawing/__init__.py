@@ -1,6 +1,7 @@
 """Documents as pictures.
 
 - ``drawing``: a document as cubic Bézier curves in a frame, the source of every picture.
+  ``outlines``: one curve as such.
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
 - ``trim``: the frame at true size, without a margin.  ``extents``: of cubic pieces.
 - ``image``: it as PNG and PDF.  ``painting``: how it is painted.  Both need Qt.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 
 import msgspec
 import numpy as np
@@ -13,13 +14,14 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
 from ...document.model import Curve, Document
-from ...document.style import PLAIN_STYLE, Style
+from ...document.style import Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve_view import ParametricCurve, view_of
 from ...view_model.refusals import in_words
 from ..errors import ExchangeError
 from .extents import extent_of
+from .outlines import Outline, by_shape
 
 RELATIVE_TOLERANCE = 1e-5
 """Default tolerance against the drawing's larger side: a fiftieth of a pixel on a screen of 2000."""
@@ -64,47 +66,6 @@ class Frame(msgspec.Struct, frozen=True):
     def side(self) -> float:
         """The longer side."""
         return max(self.width, self.height)
-
-
-class Outline(msgspec.Struct, frozen=True):
-    """One curve as cubic Bézier pieces.
-
-    Attributes
-    ----------
-    name
-        The curve's name.
-    control_points
-        (k, 4, 2); a piece begins where the one before it ends.
-    points
-        The points that the curve goes through, or control points beside it, (n, 2).
-    deviation
-        Largest distance from the true curve; zero where the curve is a chain of cubics itself.
-    closed
-        Whether the last piece ends where the first begins, and goes on there.
-    style
-        Stroke and fill; its width is in the unit of the control points.
-    shape, groups
-        As in `Curve`.
-    """
-
-    name: str
-    control_points: FloatArray
-    points: FloatArray
-    deviation: float
-    closed: bool = False
-    style: Style = PLAIN_STYLE
-    shape: str = ""
-    groups: tuple[str, ...] = ()
-
-    @property
-    def colour(self) -> str:
-        """The paint that the curve is known by, "#rrggbb", or empty for the ink of the picture."""
-        return self.style.colour
-
-    @property
-    def reach(self) -> float:
-        """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
-        return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
 
 
 class Annotation(msgspec.Struct, frozen=True):
@@ -154,6 +115,8 @@ class Drawing(msgspec.Struct, frozen=True):
         What else is drawn.
     has_page
         Whether the frame is the document's page.
+    hidden
+        Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
     """
 
     outlines: tuple[Outline, ...]
@@ -162,17 +125,20 @@ class Drawing(msgspec.Struct, frozen=True):
     remarks: tuple[str, ...] = ()
     annotations: tuple[Annotation, ...] = ()
     has_page: bool = False
+    hidden: tuple[tuple[int, Outline], ...] = ()
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
         """The outlines, those of a shape together."""
-        found: list[list[Outline]] = []
-        for outline in self.outlines:
-            if found and outline.shape and found[-1][0].shape == outline.shape:
-                found[-1].append(outline)
-            else:
-                found.append([outline])
-        return list(map(tuple, found))
+        return by_shape(self.outlines)
+
+    @property
+    def all_shapes(self) -> list[tuple[Outline, ...]]:
+        """The same with hidden ones in their places."""
+        outlines = list(self.outlines)
+        for behind, outline in reversed(self.hidden):
+            outlines.insert(behind, outline)
+        return by_shape(outlines)
 
     @property
     def usual_width(self) -> float:
@@ -182,7 +148,7 @@ class Drawing(msgspec.Struct, frozen=True):
     @property
     def deviation(self) -> float:
         """Largest distance of any outline from its true curve."""
-        return max(outline.deviation for outline in self.outlines)
+        return max(each.deviation for each in (*self.outlines, *(each for _, each in self.hidden)))
 
     def fitted(self, width: float, height: float) -> Drawing:
         """Return the drawing moved and scaled to the frame (0, 0, width, height), centred in it.
@@ -217,7 +183,13 @@ class Drawing(msgspec.Struct, frozen=True):
         return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height), annotations=annotations)
 
 
-def drawing_of(document: Document, tolerance: float | None = None, report: Report = silent) -> Drawing:
+def drawing_of(
+    document: Document,
+    tolerance: float | None = None,
+    report: Report = silent,
+    *,
+    with_hidden: bool = False,
+) -> Drawing:
     """Return the drawing of a document.
 
     Parameters
@@ -229,6 +201,8 @@ def drawing_of(document: Document, tolerance: float | None = None, report: Repor
         the drawing's larger side.
     report
         Hears how far it has come.
+    with_hidden
+        Whether to have the outlines of hidden curves, too.
 
     Raises
     ------
@@ -246,11 +220,23 @@ def drawing_of(document: Document, tolerance: float | None = None, report: Repor
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
+    hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
     if document.page is None:
-        return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
+        return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks), hidden=hidden)
     page = document.page
     frame = Frame(page.x, page.y, page.width, page.height)
-    return Drawing(outlines, frame, allowed, (*remarks, *_beyond(outlines, frame)), has_page=True)
+    remarks += _beyond(outlines, frame)
+    return Drawing(outlines, frame, allowed, tuple(remarks), has_page=True, hidden=hidden)
+
+
+def _hidden(document: Document, drawn: Iterable[Curve], tolerance: float) -> Iterator[tuple[int, Outline]]:
+    """Yield the hidden curves that can be drawn, each with the number of drawn ones behind it."""
+    behind, left = 0, list(drawn)
+    for curve in document.curves:
+        behind += behind < len(left) and left[behind] is curve
+        if not curve.visible and not too_much(curve) and (core := view_of(curve).curve) is not None:
+            with suppress(ExchangeError):
+                yield behind, _outline(curve, core, tolerance)
 
 
 def _beyond(outlines: Iterable[Outline], page: Frame) -> list[str]:
@@ -338,6 +324,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.style,
         curve.shape,
         curve.groups,
+        curve.visible,
     )
 
 

@@ -20,30 +20,15 @@ from PySide6.QtGui import (
 
 from curvecore.arrays import FloatArray
 
-from ...document.style import FillRule, LineCap, LineJoin, Style
+from ...document.style import Style
+from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
-from .drawing import POINT_RADIUS, Annotation, Drawing, Outline
+from .drawing import POINT_RADIUS, Annotation, Drawing
+from .outlines import Outline
 from .styles import PictureStyle
-
-_CAPS = {
-    LineCap.BUTT: Qt.PenCapStyle.FlatCap,
-    LineCap.ROUND: Qt.PenCapStyle.RoundCap,
-    LineCap.SQUARE: Qt.PenCapStyle.SquareCap,
-}
-_JOINS = {
-    # Qt's own miters are cut off at the limit, and not bevelled.
-    LineJoin.MITER: Qt.PenJoinStyle.SvgMiterJoin,
-    LineJoin.ROUND: Qt.PenJoinStyle.RoundJoin,
-    LineJoin.BEVEL: Qt.PenJoinStyle.BevelJoin,
-}
-_RULES = {FillRule.NONZERO: Qt.FillRule.WindingFill, FillRule.EVENODD: Qt.FillRule.OddEvenFill}
 
 _MOST_DASHES = 100_000
 """In a line: Qt makes a line of each, also where nothing is seen of them."""
-
-
-_LEAST_DASH = 1e-3
-"""In place of a dash of no length, of which Qt draws no cap."""
 
 
 class Painting:
@@ -81,7 +66,9 @@ class Painting:
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
         style, path = shape[0].style, self._path(shape)
         pen = self._pen(style, _length(shape))
-        brush = self._colour(self._style.fill_of(style), style.fill_opacity) if style.has_fill else None
+        brush = (
+            with_opacity(QColor(self._style.fill_of(style)), style.fill_opacity) if style.has_fill else None
+        )
         if pen is not None and brush is not None and style.opacity < 1:
             self._paint_together(path, pen, brush, style.opacity)
             return
@@ -118,8 +105,7 @@ class Painting:
 
     def _bounds(self, path: QPainterPath, pen: QPen) -> QRect:
         """Return the pixels of the device that a shape can reach."""
-        has_miters = pen.joinStyle() == Qt.PenJoinStyle.SvgMiterJoin
-        reach = 1 + pen.widthF() * max(1.0, pen.miterLimit() if has_miters else 1.0)
+        reach = 1 + overhang_of(pen)
         frame = self._drawing.frame
         within = QRectF(0, 0, math.ceil(frame.width), math.ceil(frame.height))
         return (
@@ -145,7 +131,7 @@ class Painting:
                 path.cubicTo(bx, by, cx, cy, dx, dy)
             if outline.closed:
                 path.closeSubpath()
-            path.setFillRule(_RULES[outline.style.fill_rule])
+            path.setFillRule(FILL_RULES[outline.style.fill_rule])
         return path
 
     def _pen(self, style: Style, length: float) -> QPen | None:
@@ -153,21 +139,9 @@ class Painting:
         # A pen of no width would be one of a pixel.
         if not style.has_stroke or width <= 0:
             return None
-        pen = QPen(self._colour(self._style.stroke_of(style), style.stroke_opacity), width)
-        pen.setCapStyle(_CAPS[style.cap])
-        pen.setJoinStyle(_JOINS[style.join])
-        pen.setMiterLimit(style.miter_limit)
-        if style.dash and length <= _MOST_DASHES * sum(style.dash) * width:
-            pattern = style.dash if len(style.dash) % 2 == 0 else style.dash * 2
-            pen.setDashPattern([max(each, _LEAST_DASH) for each in pattern])
-            pen.setDashOffset(style.dash_offset)
-        return pen
-
-    @staticmethod
-    def _colour(code: str, opacity: float) -> QColor:
-        colour = QColor(code)
-        colour.setAlphaF(opacity)
-        return colour
+        colour = with_opacity(QColor(self._style.stroke_of(style)), style.stroke_opacity)
+        is_dashed = length <= _MOST_DASHES * sum(style.dash) * width
+        return pen_of(style, colour, width, is_dashed=is_dashed)
 
     # What goes with them
 

@@ -8,8 +8,9 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.model import Document
-from .drawing import USUAL_WIDTH, Drawing, Frame, Outline, drawing_of
+from .drawing import USUAL_WIDTH, Drawing, Frame, drawing_of
 from .extents import extent_of
+from .outlines import Outline
 
 _SLIMMEST = 0.02
 """Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""

@@ -261,6 +261,13 @@ def is_document(data: bytes) -> bool:
     return _DOCUMENT_MARK.search(data[:_MARK_WITHIN]) is not None
 
 
+def file_filters() -> str:
+    """Return the kinds of files that are read, for the dialog that asks for one."""
+    everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
+    kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
+    return ";;".join([everything, *kinds, "All files (*)"])
+
+
 def can_import(path: Path) -> bool:
     """Whether a file that somebody hands over is to be imported; documents are opened."""
     name = path.name.lower()

@@ -14,7 +14,8 @@ from ...document.model import Document
 from ...tasks.progress import part, told
 from ...view_model.curve_view import ParametricCurve
 from ...view_model.refusals import in_words
-from ..drawing.drawing import Frame, Outline, drawing_of
+from ..drawing.drawing import Frame, drawing_of
+from ..drawing.outlines import Outline
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
 from ..parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of

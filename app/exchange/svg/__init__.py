@@ -7,7 +7,7 @@
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``cascade``, ``properties``, ``paint``: the style of an element, from attributes and rules.
-- ``fragments``: SVG as people copy it.  ``for_inkscape``: as Inkscape pastes it.
+- ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 

@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TypeVar
 
+from msgspec.structs import replace
+
 from ...document.model import MAX_MAGNITUDE
-from ...document.style import FillRule, LineCap, LineJoin, Style
+from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
 from .lengths import Viewport, length
@@ -17,7 +19,6 @@ from .paint import Paint, Paints, colour_of, is_paint, share_of
 
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
-_MOST_DASHES = 64
 _Kind = TypeVar("_Kind", bound=Enum)
 
 
@@ -124,8 +125,8 @@ def _with_stroke(
     offset = _length(values, "stroke-dashoffset", viewport) * scale / width if dash else 0.0
     if max((abs(each) for each in (*dash, offset)), default=0.0) > MAX_MAGNITUDE:
         dash, offset = (), 0.0
-    return Style(
-        stroke=stroke.colour,
+    return replace(
+        style,
         width=width,
         cap=_one_of(LineCap, values["stroke-linecap"], LineCap.BUTT),
         join=_one_of(LineJoin, values["stroke-linejoin"], LineJoin.MITER),
@@ -133,10 +134,6 @@ def _with_stroke(
         dash=dash,
         dash_offset=offset,
         stroke_opacity=_rounded(stroke.opacity * share_of(values["stroke-opacity"])),
-        fill=style.fill,
-        fill_rule=style.fill_rule,
-        fill_opacity=style.fill_opacity,
-        opacity=style.opacity,
     )
 
 
@@ -169,9 +166,9 @@ def _dashes(text: str, viewport: Viewport) -> tuple[float, ...]:
     except ExchangeError:
         return ()
     is_sound = bool(lengths) and min(lengths) >= 0 and 0 < sum(lengths) <= MAX_MAGNITUDE
-    if not is_sound or len(lengths) > _MOST_DASHES:
+    if not is_sound or len(lengths) > LARGEST_DASHES:
         return ()
-    return tuple(lengths if len(lengths) % 2 == 0 else lengths * 2)
+    return tuple(lengths)
 
 
 def _miter_limit(text: str) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..drawing.drawing import Outline
+from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
 from .numbers import number
@@ -43,7 +43,8 @@ class Tree:
         self._go_into(first.groups)
         data = path_data(shape)
         style = style_attributes(first.style, self._style, self._usual_width)
-        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}/>')
+        unseen = "" if first.visible else ' display="none"'
+        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{unseen}/>')
 
     def close(self) -> None:
         """Close all groups."""

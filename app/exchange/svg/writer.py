@@ -6,7 +6,8 @@ from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
-from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, Outline, drawing_of
+from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, drawing_of
+from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..drawing.trim import trimmed
 from ..formats import Written
@@ -29,8 +30,8 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
     curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as
     the tolerance takes; the largest deviation stands in a comment and in the description. The curves of a
-    shape are one path, in their groups and with its style. Points are discs in a group of their own. Without
-    a width and a unit the longer side is `NOMINAL_SIDE`.
+    shape are one path, in their groups and with its style; hidden ones are there, and not displayed. Points
+    are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
 
     Raises
     ------
@@ -38,7 +39,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
     style, report = options.vector_style, part(options.report, 0.0, 0.7)
-    drawing = picture_of(document, options, style, report)
+    drawing = picture_of(document, options, style, report, with_hidden=True)
     text = svg_text(
         drawing,
         style=style,
@@ -50,9 +51,16 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     return Written(text, drawing.deviation, drawing.remarks)
 
 
-def picture_of(document: Document, options: Options, style: PictureStyle, report: Report) -> Drawing:
+def picture_of(
+    document: Document,
+    options: Options,
+    style: PictureStyle,
+    report: Report,
+    *,
+    with_hidden: bool = False,
+) -> Drawing:
     """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
-    plain = drawing_of(document, options.tolerance, report)
+    plain = drawing_of(document, options.tolerance, report, with_hidden=with_hidden)
     if not (options.handles or options.grid or options.basis is not None):
         return trimmed(plain) if options.is_to_scale and not options.points else plain
     # Views of basis functions and handles are no business of a plain drawing.
@@ -119,7 +127,7 @@ def _paper(frame: Frame, colour: str) -> str:
 
 def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
     tree = Tree(style, drawing.usual_width)
-    for shape in told(drawing.shapes, report, "Writing"):
+    for shape in told(drawing.all_shapes, report, "Writing"):
         tree.add(shape)
     tree.close()
     return tree.lines

@@ -47,7 +47,7 @@ class BasisCommands:
         self._context = context
         self._session = context.session
 
-    @Pane("basisPane", stretch=1, height=280)
+    @Pane("basisPane", stretch=2, height=240)
     def build_pane(self, parent: QWidget) -> BasisPane:
         """Return the functions with their header."""
         context, session = self._context, self._session

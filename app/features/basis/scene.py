@@ -153,6 +153,7 @@ class BasisScene(QObject):
     def show_values(self) -> None:
         """Map the range of values to the part of the plot area above the rail."""
         low, high = self._values
+        self._plot.getAxis("left").set_least(low)
         self._box.setYRange(low - self._rail_share() * (high - low), high, padding=0)
         self._report_extent()
 

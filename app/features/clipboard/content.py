@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import msgspec
 from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication
 
-from ... import exchange
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import Block, read_titled_block
@@ -17,10 +13,7 @@ from ...storage.format_error import FormatError
 from ...view_model.pasting import points_of_rows
 from ...view_model.point_columns import known_titles
 from ...widgets.number_text import decimal_mark
-from ...workbench.clipboard import CURVES, INKSCAPE, POINTS, SVG
-
-if TYPE_CHECKING:
-    from ...exchange.svg.fragments import Fragment
+from ...workbench.clipboard import CURVES, POINTS
 
 
 class PointsContent(msgspec.Struct, frozen=True):
@@ -35,11 +28,6 @@ class PointsContent(msgspec.Struct, frozen=True):
     note: str = ""
 
 
-def clipboard_data() -> QMimeData:
-    """Return what the clipboard holds; nothing where nothing was ever copied."""
-    return QGuiApplication.clipboard().mimeData() or QMimeData()
-
-
 def curves_in(data: QMimeData) -> Document | None:
     """Return the curves that were copied in this program, with the unit they are in.
 
@@ -49,16 +37,6 @@ def curves_in(data: QMimeData) -> Document | None:
         If they cannot be read.
     """
     return _document(data, CURVES, "curves")
-
-
-def drawing_in(data: QMimeData) -> Fragment | None:
-    """Return the SVG from another program, or in text; that of our own points is for others."""
-    if data.hasFormat(POINTS):
-        return None
-    for kind in (INKSCAPE, SVG):
-        if data.hasFormat(kind):
-            return exchange.svg.fragments.Fragment(bytes(data.data(kind).data()))
-    return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None
 
 
 def points_in(data: QMimeData) -> PointsContent:

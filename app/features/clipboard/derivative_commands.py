@@ -16,9 +16,8 @@ from ...document.model import Point
 from ...document.words import count_of
 from ...exchange.table.clipboard import write_block
 from ...widgets.number_text import decimal_mark, exact_text
-from ...workbench.clipboard import put_on_clipboard
+from ...workbench.clipboard import clipboard_data, put_on_clipboard
 from ...workbench.context import WindowContext
-from .content import clipboard_data
 from .keys import give_keys_to_drawing
 
 

@@ -73,7 +73,7 @@ class Offer(Guarded, QMimeData):
 
 
 def _svg(document: Document) -> Written:
-    return exchange.svg_of(document, Options(unit=document.unit))
+    return exchange.svg.for_clipboard.svg_for_clipboard(document)
 
 
 def _png(document: Document) -> bytes:
@@ -81,7 +81,7 @@ def _png(document: Document) -> bytes:
 
 
 _MAKERS: dict[str, Callable[[Document], object]] = {
-    INKSCAPE: lambda document: exchange.svg.for_inkscape.svg_for_inkscape(document).data,
+    INKSCAPE: lambda document: exchange.svg.for_clipboard.svg_for_inkscape(document).data,
     SVG: lambda document: _svg(document).data,
     TEXT: lambda document: _svg(document).text,
     _PNG: _png,

@@ -30,9 +30,9 @@ from ...view_model.pasting import (
     copied_as_new_curve,
     refuse_unordered,
 )
-from ...workbench.clipboard import CURVES
+from ...workbench.clipboard import CURVES, clipboard_data, drawing_in
 from ...workbench.context import WindowContext
-from .content import PointsContent, clipboard_data, curves_in, drawing_in, points_in
+from .content import PointsContent, curves_in, points_in
 from .keys import give_keys_to_drawing
 
 if TYPE_CHECKING:

@@ -29,6 +29,7 @@ from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
+from ...workbench.highlight import highlighted_curves
 from ...workbench.strip_menu import strip_menu
 from .dropping import Drop
 from .panel import CurveList
@@ -100,13 +101,14 @@ class CurveListCommands:
     @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
-        session, order = self._session, sorted(self._session.selected.whole)
+        session, order = self._session, sorted(highlighted_curves(self._context))
         document = session.document
         added = add_copies(document, order)
+        active = order.index(session.active_index) if session.active_index in order else -1
         if not session.change(
             f"Duplicate {named(document, order)}",
             lambda _: added.document,
-            active=added.places[order.index(session.active_index)],
+            active=added.places[active],
         ):
             return
         if len(order) == 1 and session.selected.is_editing:
@@ -135,7 +137,7 @@ class CurveListCommands:
     @also(CURVE_MENU(30), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
-        self._delete_all(self._session.selected.whole)
+        self._delete_all(highlighted_curves(self._context))
 
     def _delete_all(self, curves: frozenset[int]) -> None:
         session, document = self._session, self._session.document

@@ -11,10 +11,12 @@ from PySide6.QtWidgets import QLineEdit, QStyledItemDelegate, QStyleOptionViewIt
 
 from ...appearance.icons import icon
 from ...appearance.swatches import draw_style
-from ...appearance.theme import mix, theme_of
+from ...appearance.theme import Theme, mix, theme_of
 from ...document.curve_tree import NodeKind
 from ...qt.overrides import Guarded
+from ...view_model.palette import adjustment_of
 from ...widgets.controls import named
+from .model import Row
 
 if TYPE_CHECKING:
     from .view import CurveListView
@@ -124,3 +126,15 @@ class RowDelegate(Guarded, QStyledItemDelegate):
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:
         rect = self._view.entry_rect(index.row())
         editor.setGeometry(spot_rect(rect, Spot.NAME).adjusted(-4, 1, 0, -1))
+
+
+def spot_tip(spot: Spot, row: Row, theme: Theme) -> str:
+    """Return what a click on a part of a row does."""
+    moved = adjustment_of(theme.paper.name(), row.style.colour)
+    tips = {
+        Spot.SWATCH: f"Choose the colour of “{row.name}”" + (f"; it is {moved}" if moved else ""),
+        Spot.NAME: f"“{row.name}”: {row.facts}. Double-click to rename, drag to reorder.",
+        Spot.LOCK: f"{'Unlock' if row.locked else 'Lock'} “{row.name}”",
+        Spot.EYE: f"{'Hide' if row.visible else 'Show'} “{row.name}”",
+    }
+    return tips[spot]

@@ -7,6 +7,7 @@ from PySide6.QtCore import (
     QPoint,
     QRect,
     Qt,
+    QTimer,
     Signal,
 )
 from PySide6.QtGui import (
@@ -31,11 +32,13 @@ from PySide6.QtWidgets import (
 from ...appearance.theme import theme_of
 from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...qt.labels import tip_of
-from ...view_model.palette import adjustment_of
 from ...widgets.controls import named
 from .dropping import Drop, drop_at, drop_onto, stays
 from .model import CurveListModel, Entry
-from .rows import INDENT, RowDelegate, Spot, spot_rect
+from .rows import INDENT, RowDelegate, Spot, spot_rect, spot_tip
+
+_OPENS_MS = 600
+"""Milliseconds for which a drag rests on a folded shape or group before that opens."""
 
 _RENAME = (Qt.Key.Key_F2, *ENTER)
 _STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
@@ -82,6 +85,9 @@ class CurveListView(ClaimsKeys, QListView):
         self._press: QPoint | None = None
         self._pressed_row = -1
         self._drop: Drop | None = None
+        self._dragged_to = QPoint()
+        self._opening = QTimer(self, singleShot=True, interval=_OPENS_MS)
+        self._opening.timeout.connect(self._open_below)
         self.setModel(model)
         tip = (
             "The curve in front is at the top. Click a curve to edit it, double-click to rename it,"
@@ -137,6 +143,11 @@ class CurveListView(ClaimsKeys, QListView):
             self.commitData(editor)
             self.closeEditor(editor, QStyledItemDelegate.EndEditHint.NoHint)
         self.edit(self.curves.index(row))
+
+    @property
+    def meant(self) -> frozenset[int]:
+        """The curves that commands are about while the list has the keys: of an open shape also one alone."""
+        return self.selected if len(self.selected) > 1 else self._places(self._current)
 
     @property
     def current(self) -> int:
@@ -241,8 +252,29 @@ class CurveListView(ClaimsKeys, QListView):
             return
         if self._drop is None and abs(place.y() - self._press.y()) < QApplication.startDragDistance():
             return
-        self._drop = self._drop_at(place, self._press)
+        self._follow_drag(place)
+
+    def _follow_drag(self, place: QPoint) -> None:
+        """Show where a drop would fall; what is folded there opens after a moment."""
+        assert self._press is not None
+        before, self._drop = self._drop, self._drop_at(place, self._press)
+        self._dragged_to = place
+        if not self._drop.is_onto or self.curves.entries[self._drop.gap].is_open:
+            self._opening.stop()
+        elif self._drop != before or not self._opening.isActive():
+            self._opening.start()
         self.viewport().update()
+
+    def _open_below(self) -> None:
+        """Open the shape or group that the drag rests on; the rows below it go down."""
+        if self._drop is None or not self._drop.is_onto:
+            return
+        dragged = self.curves.entries[self._pressed_row].node
+        self._fold(self._drop.gap, is_open=True)
+        self._pressed_row = next(
+            row for row, entry in enumerate(self.curves.entries) if entry.node == dragged
+        )
+        self._follow_drag(self._dragged_to)
 
     def _drop_at(self, place: QPoint, press: QPoint) -> Drop:
         """Return where a drop would fall: between rows, or on one that opens, in the middle half of that."""
@@ -283,24 +315,23 @@ class CurveListView(ClaimsKeys, QListView):
 
     def _end_drag(self) -> None:
         self._press, self._pressed_row, self._drop = None, -1, None
+        self._opening.stop()
         self.viewport().update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self._drop is None:
             return
-        painter = QPainter(self.viewport())
-        painter.setPen(QPen(theme_of(self.palette()).accent, 2))
         last = self.curves.rowCount() - 1
         rect = self.visualRect(self.curves.index(min(self._drop.gap, last)))
-        if self._drop.is_onto:
-            painter.drawRect(rect.adjusted(2, 1, -2, -1))
-        else:
-            y, left = rect.top() if self._drop.gap <= last else rect.bottom(), 4
-            if self.curves.has_folds:
-                left += INDENT * (1 + self._drop.container.depth)
-            painter.drawLine(left, max(y, 1), self.viewport().width() - 4, max(y, 1))
-        painter.end()
+        with QPainter(self.viewport()) as painter:
+            painter.setPen(QPen(theme_of(self.palette()).accent, 2))
+            if self._drop.is_onto:
+                painter.drawRect(rect.adjusted(2, 1, -2, -1))
+                return
+            y = max(rect.top() if self._drop.gap <= last else rect.bottom(), 1)
+            left = 4 + INDENT * (1 + self._drop.container.depth) * self.curves.has_folds
+            painter.drawLine(left, y, self.viewport().width() - 4, y)
 
     # Keys
 
@@ -332,9 +363,7 @@ class CurveListView(ClaimsKeys, QListView):
         elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:
             self.edit_name(self._current)
         elif _deletes(event):
-            self.deletion_wanted.emit(
-                self.selected if len(self.selected) > 1 else self._places(self._current)
-            )
+            self.deletion_wanted.emit(self.meant)
         else:
             # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
             event.ignore()
@@ -364,14 +393,7 @@ class CurveListView(ClaimsKeys, QListView):
         row, entry = self.curves.row(number), self.curves.entries[number]
         if self._is_on_opener(place):
             return f"{'Fold' if entry.is_open else 'Open'} “{row.name}” (Left, Right)"
-        moved = adjustment_of(theme_of(self.palette()).paper.name(), row.style.colour)
-        tips = {
-            Spot.SWATCH: f"Choose the colour of “{row.name}”" + (f"; it is {moved}" if moved else ""),
-            Spot.NAME: f"“{row.name}”: {row.facts}. Double-click to rename, drag to reorder.",
-            Spot.LOCK: f"{'Unlock' if row.locked else 'Lock'} “{row.name}”",
-            Spot.EYE: f"{'Hide' if row.visible else 'Show'} “{row.name}”",
-        }
-        return tips[self.spot_at(place)]
+        return spot_tip(self.spot_at(place), row, theme_of(self.palette()))
 
 
 def _deletes(event: QKeyEvent) -> bool:

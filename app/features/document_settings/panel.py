@@ -9,14 +9,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QWidget
 
 from ...appearance.theme import Theme
-from ...document.model import Document
+from ...document.model import LONGEST_UNIT, Document
 from ...document.plane_edits import set_grid_spacing, set_unit
 from ...document.style import Style
 from ...exchange.units import note_of_unknown
 from ...qt.labels import Label
 from ...settings.kinds import Distance, Text
 from ...settings.preferences import NO_UNIT, USUAL_UNITS
-from ...storage.validation import LONGEST_UNIT
 from ...widgets.boxes import column_of, form_of
 from ...widgets.controls import push_button
 from ...widgets.field_form import FieldForm

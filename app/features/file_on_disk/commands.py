@@ -191,7 +191,9 @@ class DiskCommands(QObject):
 
     def _show_notice(self, notice: Notice) -> None:
         if self._bar is None:
-            self._bar = NoticeBar("file", self._context.central.canvas, self._context.central.message_bar)
+            central = self._context.central
+            self._bar = NoticeBar("file", central.canvas, central.message_bar)
+            self._bar.clear_top = central.message_bar.clear_top
             self._bar.closed.connect(self._dismiss)
         self._shown = notice
         self._bar.show_notice(

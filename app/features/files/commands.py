@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...actions.declaration import action, also
-from ...actions.sections import FILE_OPEN, FILE_QUIT, FILE_SAVE
+from ...actions.sections import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE
 from ...actions.strips import TOOLBAR
 from ...workbench.context import WindowContext
 from .work_commands import WorkCommands
@@ -28,6 +28,12 @@ class DocumentCommands:
     def _open(self) -> None:
         """Open a document."""
         self._context.files.ask_and_open()
+
+    @action("clearRecent", "Clear Recent Files", FILE_RECENT, keywords="forget history privacy")
+    def _clear_recent(self) -> None:
+        """Forget which files were open lately; the files stay."""
+        self._context.preferences.clear_recent_files()
+        self._context.session.say("The list of recent files is empty now.")
 
     @action("saveDocument", "Save", FILE_SAVE, "Ctrl+S", "save")
     @also(TOOLBAR(12))

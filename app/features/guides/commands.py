@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPoint, QPointF, Qt
 
-from ...actions.declaration import action, also
+from ...actions.declaration import action, also, switch
 from ...actions.needs import Need
 from ...actions.sections import VIEW_DRAWING, VIEW_GUIDES, VIEW_GUIDES_MORE
 from ...actions.strips import CANVAS_MENU, GUIDE_MENU
@@ -49,6 +49,7 @@ class GuideCommands:
             self._context.central.message_bar.place()
         self._guides.set_visible(state.guides_shown)
         self._guides.locked = state.guides_locked
+        self._canvas.change_tool_settings(guides_stay=state.guides_locked or not state.guides_shown)
 
     # The field
 
@@ -97,18 +98,17 @@ class GuideCommands:
 
     # Actions
 
-    @action(
+    @switch(
+        "rulers",
         "toggleRulers",
         "Rulers",
         VIEW_DRAWING,
         "Ctrl+Shift+R",
         "rulers",
         full_name="Show Rulers",
-        checked=lambda now: now.state.rulers,
     )
     def _toggle_rulers(self) -> None:
         """Show rulers above the canvas and at its left, or plain axes."""
-        self._context.store.change(rulers=not self._context.store.state.rulers)
 
     @action("addGuide", "Add Guide…", VIEW_GUIDES, "Shift+G", "add-guide", keywords="guideline help line")
     @also(CANVAS_MENU(33))
@@ -143,31 +143,29 @@ class GuideCommands:
         count, last = len(self._session.document.guides), self._guides.last
         return last if last is not None and last < count else count - 1
 
-    @action(
+    @switch(
+        "guides_shown",
         "toggleGuides",
         "Show Guides",
         VIEW_GUIDES_MORE,
         "Shift+\\, |",
         "guides",
-        checked=lambda now: now.state.guides_shown,
         keywords="hide guidelines",
     )
     def _toggle(self) -> None:
         """Show or hide the guides; nothing snaps to hidden ones."""
-        self._context.store.change(guides_shown=not self._context.store.state.guides_shown)
 
-    @action(
+    @switch(
+        "guides_locked",
         "lockGuides",
         "Lock Guides",
         VIEW_GUIDES_MORE,
         "",
         "lock",
-        checked=lambda now: now.state.guides_locked,
     )
     @also(GUIDE_MENU(20))
     def _lock(self) -> None:
         """Keep the guides where they are: a press goes to what lies behind them."""
-        self._context.store.change(guides_locked=not self._context.store.state.guides_locked)
 
     @action("clearGuides", "Clear Guides", VIEW_GUIDES_MORE, needs=_SOME_GUIDE, keywords="remove all guides")
     @also(GUIDE_MENU(21))

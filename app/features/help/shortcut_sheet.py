@@ -92,7 +92,7 @@ _WITH_ANY_TOOL = (
     ),
     GestureRow(
         "Arrow keys",
-        "nudge by a round number, or a step of the grid, ticks in the t-rail by a pixel; "
+        "nudge by a round number, or a step of the grid; in the t-rail its ticks; "
         "Shift: ten, Ctrl: a tenth, Alt: a pixel",
         selected=True,
         curves=True,

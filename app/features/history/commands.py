@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import EDIT_HISTORY, FILE_BACK
+from ...actions.situation import Situation
 from ...actions.strips import TOOLBAR
 from ...qt.labels import menu_text
 from ...workbench.context import WindowContext
@@ -16,6 +17,10 @@ from .panel import HistoryPanel
 
 def _titled(verb: str, step: str) -> str:
     return f"{verb}: {menu_text(step)}" if step else verb
+
+
+def _can_undo(now: Situation) -> bool:
+    return now.session.undo_stack.canUndo() or now.session.is_previewing or now.state.in_flight
 
 
 class HistoryCommands:
@@ -31,6 +36,16 @@ class HistoryCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
+        canvas = context.central.canvas
+        canvas.gesture_began.connect(lambda: self._follow_gesture(is_held=True))
+        canvas.gesture_ended.connect(self._follow_gesture)
+        canvas.errands_changed.connect(self._follow_gesture)
+
+    def _follow_gesture(self, *, is_held: bool = False) -> None:
+        """Let undo be used for what is in flight, where there is no step that it could be used for."""
+        canvas = self._context.central.canvas
+        is_meant = is_held or canvas.is_dragging or canvas.tools.background.is_busy
+        self._context.store.change(in_flight=is_meant and not self._session.undo_stack.canUndo())
 
     @Panel("historyDock", "History", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
@@ -57,7 +72,7 @@ class HistoryCommands:
         EDIT_HISTORY,
         "Ctrl+Z",
         "undo",
-        needs=Need("a step to take back", lambda now: now.session.undo_stack.canUndo()),
+        needs=Need("a step to take back", _can_undo),
         title=lambda now: _titled("Undo", now.session.undo_stack.undoText()),
         during_gesture=True,
     )

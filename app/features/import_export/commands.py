@@ -13,11 +13,21 @@ from PySide6.QtWidgets import QFileDialog
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import FILE_EXCHANGE
+from ...document.edits import EditError
 from ...document.model import Document
 from ...document.several_curves import add_imported, is_blank
 from ...document.words import count_of, listed, number
 from ...exchange import table
-from ...exchange.formats import FORMATS, ContentKind, Written, ending_in, format_of, is_document, with_ending
+from ...exchange.formats import (
+    FORMATS,
+    ContentKind,
+    Written,
+    ending_in,
+    file_filters,
+    format_of,
+    is_document,
+    with_ending,
+)
 from ...exchange.options import Options
 from ...exchange.reading import import_file
 from ...exchange.writing import export
@@ -53,6 +63,8 @@ class ExchangeCommands:
         self._series = ImportSeries(
             self._begin, lambda: not self._work.jobs.is_busy, context.central.message_bar.warn
         )
+        self._opened: Path | None = None
+        context.files.open_foreign = self._open
         self._work.jobs.ended.connect(self._series.go_on)
         context.session.opened.connect(self._count_document)
         context.session.document_changed.connect(self._show_in_dialog)
@@ -65,15 +77,24 @@ class ExchangeCommands:
     def _ask_and_import(self) -> None:
         """Take in curves from SVG, DXF, a table or another document."""
         folder = str(self._preferences.last_folder)
-        names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, _filters())
+        names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, file_filters())
         if names and not self._work.refuse_second():
             self.import_files([Path(name) for name in names])
 
-    def import_files(self, paths: Iterable[Path]) -> None:
-        """Import these one after the other, each when the one before has been answered."""
+    def import_files(self, paths: Iterable[Path], opened: Path | None = None) -> None:
+        """Import these one after the other, each when the one before has been answered.
+
+        One that is `opened` is meant as a document of its own.
+        """
         if not self._series.is_busy:
-            self._meant_for = self._documents
+            self._meant_for, self._opened = self._documents, None
+        self._opened = opened or self._opened
         self._series.add(paths)
+
+    def _open(self, path: Path) -> None:
+        """Import a file as a new document, unless the person wants it in this one."""
+        if not self._work.refuse_second():
+            self.import_files([path], opened=path)
 
     def close(self) -> None:
         """Forget what waits to be imported."""
@@ -142,43 +163,59 @@ class ExchangeCommands:
         dialog.bring_up()
 
     def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
+        dialogs, parent = import_export, self._context.window
+        dialog: ImportDrawingDialog | ImportTableDialog
         if isinstance(found, _OpenTable):
-            table_dialog = import_export.import_table_dialog.ImportTableDialog(
-                path.name, path.stem, found.source, found.preview, self._context.window
+            dialog = dialogs.import_table_dialog.ImportTableDialog(
+                path.name, path.stem, found.source, found.preview, parent
             )
-            table_dialog.chosen.connect(partial(self._take_in, path))
-            self._ask(table_dialog)
         else:
-            dialog = import_export.import_drawing_dialog.ImportDrawingDialog(
-                path.name, found, self._context.window
-            )
-            dialog.chosen.connect(partial(self._take_in, path))
-            self._ask(dialog)
+            dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(path.name, found, parent)
+        dialog.chosen.connect(partial(self._take_in, path))
+        if path == self._opened:
+            dialog.into.setCurrentText(dialogs.form_parts.A_NEW_DOCUMENT)
+        self._ask(dialog)
 
     def _take_in(self, path: Path, taken: Imported | PreparedTable, anew: bool) -> None:
-        """Add the curves, and go on with the next file."""
+        """Begin with the curves or add them, and go on with the next file."""
+        files = self._context.files
         try:
             assert taken.document is not None
-            self._add(path, taken.document, taken.deviation, anew)
+            if anew and not files.may_discard():
+                return
+            if anew or self._session.files.is_untouched:
+                self._begin_with(path, taken.document, taken.deviation, "" if anew else f"Import {path.name}")
+            else:
+                self._add(path, taken.document, taken.deviation)
         finally:
             # What comes next of the series goes where this one went.
             self._meant_for = self._documents
             self._series.end()
 
-    def _add(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
-        """Add the curves as one step, to this document or to a new one."""
-        if anew:
-            if not self._context.files.may_discard():
-                return
-            self._session.new()
+    def _begin_with(self, path: Path, new: Document, deviation: float, step: str) -> None:
+        """Begin a document with the curves: as the file has them, and in its unit."""
+        files = self._session.files
+        document, first = add_imported(files.blank(), new)
+        try:
+            files.begin_imported(document, path.stem, step)
+        except EditError as reason:
+            self._session.refuse(str(reason))
+        else:
+            self._show_added(path, new, first, deviation)
+
+    def _add(self, path: Path, new: Document, deviation: float) -> None:
+        """Add the curves to what is there, as one step."""
         if not is_blank(self._session.document):
             # What is an inch there is an inch here.
             unit = self._session.document.unit
             deviation *= exchange.rescaled.factor_between(new.unit, unit)
             new = exchange.rescaled.in_unit(new, unit)
         document, first = add_imported(self._session.document, new)
-        if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
-            return
+        if self._session.change(f"Import {path.name}", lambda _: document, active=first):
+            self._show_added(path, new, first, deviation)
+
+    def _show_added(self, path: Path, new: Document, first: int, deviation: float) -> None:
+        """Show and choose what has come in, from place `first` on, and say what it is."""
         added = range(first, first + len(new.curves))
         if first > 0 or len(new.curves) > 1:
             # What came to others is put in its place as a whole.
@@ -281,13 +318,6 @@ class _OpenTable:
 
     source: TableSource
     preview: Preview
-
-
-def _filters() -> str:
-    """Return the kinds of files for the dialog that asks for one."""
-    everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
-    kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
-    return ";;".join([everything, *kinds, "All files (*)"])
 
 
 COMMAND_SETS = (ExchangeCommands, CopyCommands)

@@ -49,8 +49,9 @@ class CopyCommands:
             self._context.work.warn_of(written.remarks)
 
         def work(document: Document, report: Report) -> tuple[Written, Written]:
-            written = exchange.svg_of(document, Options(unit=document.unit, report=report))
-            return written, exchange.svg.for_inkscape.svg_for_inkscape(document)
+            for_clipboard = exchange.svg.for_clipboard
+            written = for_clipboard.svg_for_clipboard(document, report)
+            return written, for_clipboard.svg_for_inkscape(document)
 
         self._start("Writing SVG", "The SVG", work, put)
 
@@ -70,8 +71,8 @@ class CopyCommands:
         def work(document: Document, report: Report) -> tuple[bytes, bytes]:
             options = Options(width=_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
             png = exchange.png_file(document, options).data
-            whole = Options(unit=document.unit, report=part(report, 0.5, 1.0))
-            return png, exchange.svg_of(document, whole).data
+            svg = exchange.svg.for_clipboard.svg_for_clipboard(document, part(report, 0.5, 1.0))
+            return png, svg.data
 
         self._start("Drawing", "The image", work, put)
 

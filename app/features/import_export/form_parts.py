@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QDialog, QDialogButto
 from ...qt.keys import ENTER
 from ...widgets.controls import choice_box, named
 
-INTO = ("This document", "A new document")
+A_NEW_DOCUMENT = "A new document"
+INTO = ("This document", A_NEW_DOCUMENT)
 
 
 def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:

@@ -73,7 +73,7 @@ class GroupTree(QTreeWidget):
             if len(found) <= _MOST_NAMED:
                 points = sum(len(curves[place].points) for place in places)
                 leaf = self._item((*chain, number), first.shape or first.name, count_of(points, "point"))
-            elif chain in inner:
+            elif not chain or chain in inner:
                 leaf = self._item((*chain, -1), "in no group of its own", "")
             else:
                 leaf = self._items[chain]

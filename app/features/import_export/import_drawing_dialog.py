@@ -10,7 +10,7 @@ from ...document.words import count_of, number
 from ...exchange.cubics_in import Imported
 from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of
-from .form_parts import into_box
+from .form_parts import A_NEW_DOCUMENT, into_box
 from .group_tree import GroupTree
 from .import_foot import ImportFoot
 from .import_picture import ImportPicture
@@ -83,7 +83,7 @@ class ImportDrawingDialog(WorkDialog):
     def _import(self) -> None:
         # First, for a new document closes the dialogs of the one before.
         self.accept()
-        self.chosen.emit(self._found.only(self._taken()), self.into.currentIndex() == 1)
+        self.chosen.emit(self._found.only(self._taken()), self.into.currentText() == A_NEW_DOCUMENT)
 
 
 def _summary(found: Imported, taken: int = 1, of: int = 1) -> str:

@@ -25,7 +25,7 @@ from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box
 from ...widgets.field_edit import FieldEdit
 from ...widgets.number_text import decimal_mark
-from .form_parts import into_box
+from .form_parts import A_NEW_DOCUMENT, into_box
 from .import_foot import ImportFoot
 from .table_preview import TablePreview
 from .work_dialog import WorkDialog
@@ -205,7 +205,7 @@ class ImportTableDialog(WorkDialog):
             prepared = self._prepared
             # First, for a new document closes the dialogs of the one before.
             self.accept()
-            self.chosen.emit(prepared, self.into.currentIndex() == 1)
+            self.chosen.emit(prepared, self.into.currentText() == A_NEW_DOCUMENT)
 
     # What comes of it
 

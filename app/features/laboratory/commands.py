@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from ...actions.declaration import action
+from ...actions.declaration import action, switch
 from ...actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from ...canvas.trace_layer import Trace
 from ...document.words import number
@@ -116,19 +116,17 @@ class LaboratoryCommands(Guarded, QObject):
         self._switch(True)
         make_room(self._context.window, self._dock, _HEIGHT)
 
-    @action(
+    @switch(
+        "error_plot",
         "plotErrors",
         "Errors of the Methods",
         PLOTS_OVER_T,
         icon="plot-errors",
         full_name="Plot Errors of the Methods",
-        checked=lambda now: now.state.error_plot,
     )
     def _toggle_errors(self) -> None:
         """Plot the error of each method of the laboratory over t."""
-        store = self._context.store
-        store.change(error_plot=not store.state.error_plot)
-        if store.state.error_plot:
+        if self._context.store.state.error_plot:
             # What it plots is computed here.
             self._open()
 

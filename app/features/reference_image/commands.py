@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDockWidget, QFileDialog, QWidget
 
-from ...actions.declaration import action, also
+from ...actions.declaration import action, also, switch
 from ...actions.needs import Need
 from ...actions.sections import FILE_IMAGE
 from ...actions.strips import IMAGE_BUTTONS
@@ -148,20 +148,18 @@ class ImageCommands:
             self._dock.raise_()
             self._session.say("File › Move Image drags and scales the image; the panel fades it.")
 
-    @action(
+    @switch(
+        "moves_image",
         "moveImage",
         "Move Image",
         FILE_IMAGE,
         icon="move",
         needs=Need("a reference image that is not locked", lambda now: _can_move(now.session.document.image)),
-        checked=lambda now: now.state.moves_image,
     )
     @also(IMAGE_BUTTONS(10))
     def _toggle_moving(self) -> None:
         """Drag the reference image, and scale it by its corners; points are out of reach meanwhile."""
-        store = self._context.store
-        store.change(moves_image=not store.state.moves_image)
-        if store.state.moves_image:
+        if self._context.store.state.moves_image:
             self._session.say(MOVE_IMAGE.hint)
 
     @action("findImage", "Find Image…", FILE_IMAGE, needs=_AN_IMAGE)

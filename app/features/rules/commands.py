@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtGui import QAction
 
 from ... import view_model
 from ...actions.declaration import Action, Sight, action, action_for_each, also, also_for_each, widget_at
+from ...actions.keymap import keys_text
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
 from ...actions.situation import Situation
@@ -101,16 +104,38 @@ class RuleCommands:
     @also_for_each(lambda family: (_place_of(family),))
     def _use_family(self, family: Family) -> None:
         session = self._session
-        was_closed = session.active_curve.is_closed
-        session.change(
-            f"Switch to {family.title}",
-            lambda document: edits.set_family(document, session.active_index, family),
-        )
-        if was_closed and not session.active_curve.is_closed:
-            closes = next(each.title for each in FAMILIES if each.curve_class.can_close)
-            session.say(
-                f"{family.subject} cannot close smoothly; it is shown open, and closes again as {closes}."
+        chosen = sorted(session.selected.chosen) or [session.active_index]
+        several = f"{len(chosen)} curves to " if len(chosen) > 1 else ""
+        before = list[CurveView]()
+
+        def edit(document: Document) -> Document:
+            before.extend(session.views[index] for index in chosen)
+            for index in chosen:
+                document = edits.set_family(document, index, family)
+            return document
+
+        if session.change(f"Switch {several or 'to '}{family.title}", edit):
+            self._say_switched(family, before, [session.views[index] for index in chosen])
+
+    def _say_switched(self, family: Family, before: Sequence[CurveView], after: Sequence[CurveView]) -> None:
+        """Say what may not have been meant: several curves, some that are open now, or shaped by hand."""
+        said = [f"{len(after)} curves are {family.title} now."] if len(after) > 1 else []
+        away = max(map(view_model.convert.needless_change, before, after))
+        if away:
+            said.append(
+                f"The shape changed by up to {number(away, 2)}; “Convert to {family.label}” keeps it."
             )
+        if said:
+            said[-1] = f"{said[-1].rstrip('.')} · {keys_text(self._actions['undo'].shortcuts()[:1])}: undo"
+        if any(
+            old.source.is_closed and not new.source.is_closed for old, new in zip(before, after, strict=True)
+        ):
+            closes = next(each.title for each in FAMILIES if each.curve_class.can_close)
+            said.insert(
+                0, f"{family.subject} cannot close smoothly; it is shown open, and closes again as {closes}."
+            )
+        if said:
+            self._session.say(" ".join(said))
 
     @action_for_each(
         tuple(family for family in FAMILIES if family.takes_shapes),

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
 from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
+from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_COLOUR, EDIT_STYLE
@@ -22,25 +23,26 @@ from ...document.shapes import whole_shapes
 from ...document.style import Style
 from ...document.style_edits import STYLE_WORDS, with_style, with_whole_style
 from ...features import style
+from ...storage.field_check import check_fields
 from ...storage.format import decode
 from ...storage.format_error import FormatError
-from ...storage.style_check import validate_style
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...view_model.palette import adjustment_of
-from ...workbench.clipboard import CURVES, POINTS, put_on_clipboard
+from ...workbench.clipboard import CURVES, POINTS, clipboard_data, drawing_in, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
 from .view_commands import StyleViewCommands
 
 if TYPE_CHECKING:
+    from ...exchange.cubics_in import Imported
     from .panel import StylePanel
 
 STYLE = "application/x-curvebench-style"
 """MIME type of a style, as JSON."""
 
-_NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there."
+_NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there, and so does copied SVG."
 _HOW_TO_CHOOSE = "Click a curve, or press Ctrl+A for all."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 _MOST_REMEMBERED = 12
@@ -64,6 +66,7 @@ class StyleCommands:
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
         panel = self._panel = style.panel.StylePanel(buttons, parent)
         panel.wanted.connect(self._change)
+        panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
         panel.given_up.connect(self._give_up)
         panel.shown.connect(self._render)
@@ -111,14 +114,15 @@ class StyleCommands:
 
     # Changes
 
-    def _change(self, fields: dict[str, object]) -> None:
+    def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
         session, curves = self._session, self._session.selected.marked
         self._remember(fields)
         words = self._words(fields)
         if session.is_previewing:
             # The document before what was looked at, which locked curves may have refused.
             session.cancel()
-        change = session.change(words, lambda document: with_style(document, curves, **fields))
+        run = ("style", curves, *fields) if is_step else None
+        change = session.change(words, lambda document: with_style(document, curves, **fields), run=run)
         if change.refusal and self._panel is not None:
             self._panel.refuse(change.refusal)
         self._render()
@@ -198,25 +202,39 @@ class StyleCommands:
         needs=_CHOSEN,
     )
     def _paste(self) -> None:
-        """Give the curve, or all that are selected, the stroke and the fill that were copied."""
-        session, found = self._session, _style_on_clipboard()
-        if found is None:
-            session.refuse(_NOTHING_TO_PASTE)
-            return
-        curves = session.selected.marked
+        """Give the curve, or all that are selected, the stroke and the fill that were copied.
+
+        Of curves, or of an SVG, those of the first.
+        """
+        data = clipboard_data()
+        fragment = None if any(map(data.hasFormat, (STYLE, CURVES))) else drawing_in(data)
+        if fragment is not None and not fragment.is_bare:
+            read = partial(exchange.svg.fragments.read_fragment, fragment)
+            self._context.work.start("Reading the style", read, self._give_first, Path("The style"), "pasted")
+        elif found := _style_in(data):
+            self._give(found)
+        else:
+            self._session.refuse(_NOTHING_TO_PASTE)
+
+    def _give_first(self, drawing: Imported) -> None:
+        """Give the style of the first element of a drawing, in the unit of the document."""
+        unit = self._session.document.unit
+        self._give(exchange.rescaled.in_unit(drawing.document, unit).curves[0].style)
+
+    def _give(self, found: Style) -> None:
+        session, curves = self._session, self._session.selected.marked
         subject = named(session.document, curves)
         words = f"Paste style to {subject}"
         if session.change(words, lambda document: with_whole_style(document, curves, found)):
             session.say(f"Pasted the style to {subject}.")
 
 
-def _style_on_clipboard() -> Style | None:
+def _style_in(data: QMimeData) -> Style | None:
     """Return the style that was copied, or that of the first of the curves that were; None without either."""
-    data = QGuiApplication.clipboard().mimeData() or QMimeData()  # None where nothing was ever copied
     try:
         if data.hasFormat(STYLE):
             found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
-            validate_style(found, "style")
+            check_fields(found, "style")
             return found
         for kind in filter(data.hasFormat, (CURVES, POINTS)):
             return decode(bytes(data.data(kind).data())).curves[0].style

@@ -12,7 +12,8 @@ from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...document.style_edits import common_values
-from ...qt.labels import Label
+from ...document.transforms import clean_step_within, decimal_product, decimal_sum
+from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.choice_row import ChoiceRow
 from ...widgets.field_edit import NumberEdit
@@ -28,6 +29,9 @@ AUTO = "auto"
 
 _NARROW = 40
 
+_LEAST_WIDTH = 1e-9
+"""Width of a line that counts as none: the first step from there is a tenth of the unit."""
+
 
 class StylePanel(FieldForm):
     """A form that shows styles, and asks for changes of all of them.
@@ -36,6 +40,8 @@ class StylePanel(FieldForm):
     -------
     wanted
         Fields of the styles shall have other values: a dictionary.
+    stepped
+        The same by an arrow key or the wheel: what follows quickly is meant as one.
     looked_at
         How that would be is to be seen, until something is wanted or given up.
     given_up
@@ -50,6 +56,7 @@ class StylePanel(FieldForm):
     """
 
     wanted = Signal(object)
+    stepped = Signal(object)
     looked_at = Signal(object)
     given_up = Signal()
     shown = Signal()
@@ -67,8 +74,10 @@ class StylePanel(FieldForm):
         self._width = NumberEdit(
             "strokeWidth",
             "Width of the line",
-            "Width of the line, as 0.5 mm or 1/8; “auto” is the usual line, whatever the zoom (Enter to set)",
+            "Width of the line, as 0.5 mm or 1/8; “auto” is the usual line, whatever the zoom "
+            "(Enter to set; ↑ ↓ by a tenth)",
             self._read_width,
+            _next_width,
         )
         self._limit = NumberEdit(
             "miterLimit",
@@ -136,6 +145,7 @@ class StylePanel(FieldForm):
         fields |= {field.edit: name for name, field in self.opacities.items()}
         for edit, name in fields.items():
             edit.entered.connect(lambda value, name=name: self.wanted.emit({name: value}))
+            edit.stepped.connect(lambda value, name=name: self.stepped.emit({name: value}))
 
     def _connect_paint(self, paint: PaintField, name: str, other: str) -> None:
         paint.chosen.connect(lambda value: self.wanted.emit({name: value}))
@@ -163,7 +173,7 @@ class StylePanel(FieldForm):
         self._shown, self._unit = wanted, unit
         values = common_values(styles)
         self._subject.setText(subject)
-        self._subject.setToolTip(subject)
+        self._subject.setToolTip(tip_of(subject))
         self.fill.render_value(values.get("fill"))
         self.stroke.render_value(values.get("stroke"))
         self._rule.render_value(values.get("fill_rule"))
@@ -210,6 +220,12 @@ class StylePanel(FieldForm):
         super().set_theme(theme)
         self._subject.setStyleSheet("font-weight: bold")
         self._note.setStyleSheet(f"color: {theme.muted.name()}")
+
+
+def _next_width(width: float, count: int) -> float:
+    """Return a width that is wider or narrower by a tenth at most, in round numbers."""
+    step = clean_step_within(decimal_product(width, 0.1)) if width > _LEAST_WIDTH else 0.1
+    return max(decimal_sum(width, count * step), 0.0)
 
 
 def _read_limit(text: str) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...actions.declaration import action
+from ...actions.declaration import switch
 from ...actions.sections import VIEW_MODE
 from ...appearance.theme import LIGHT, PRINTED, Theme
 from ...state.window_state import WindowState
@@ -34,27 +34,25 @@ class StyleViewCommands:
         if self._canvas.layers.theme is not wanted:
             self._canvas.set_theme(wanted)
 
-    @action(
+    @switch(
+        "thin_lines",
         "thinLines",
         "Thin Lines",
         VIEW_MODE,
         "Ctrl+5",
-        checked=lambda now: now.state.thin_lines,
         keywords="outline wireframe mode without fills widths",
     )
     def _switch_thin_lines(self) -> None:
         """Show every curve as a thin line without its fill, to edit what lies below others."""
-        self._store.change(thin_lines=not self._store.state.thin_lines)
         thin = self._store.state.thin_lines
         self._session.say("Thin lines, without fills." if thin else "Lines and fills as they print.")
 
-    @action(
+    @switch(
+        "as_printed",
         "paperAsPrinted",
         "Paper as Printed",
         VIEW_MODE,
-        checked=lambda now: now.state.as_printed,
         keywords="white light exact colours proof page",
     )
     def _switch_paper(self) -> None:
         """Show light paper and the very colours that were chosen, also such as can hardly be seen."""
-        self._store.change(as_printed=not self._store.state.as_printed)

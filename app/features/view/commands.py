@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
-from ...actions.declaration import Action, action, action_for_each, also, also_for_each
+from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch
 from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...actions.sections import (
     EDIT_TOOLS,
@@ -28,6 +28,9 @@ from .zoom_commands import ZoomCommands
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
 
+_AROUND = {"basis": True, "side_panel": True}
+"""What stands around the canvas in a new window, by field of the window's state."""
+
 _THEMES = (
     (ThemeMode.SYSTEM, "Theme: as the System", "Light or dark, as the system is"),
     (ThemeMode.LIGHT, "Theme: Light", "Light colours"),
@@ -43,6 +46,7 @@ class ViewCommands:
         self._session, self._store = context.session, context.store
         self._before_presentation = b""
         self._before_folding = b""
+        self._before_canvas_only = _AROUND
         self._store.changed.connect(self._show_state)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
@@ -114,19 +118,18 @@ class ViewCommands:
 
     # What is shown
 
-    @action(
+    @switch(
+        "grid",
         "toggleGrid",
         "Grid",
         VIEW_DRAWING,
         "Ctrl+'",
         "grid",
         full_name="Show Grid",
-        checked=lambda now: now.state.grid,
     )
     @also(TOOLBAR(61), CANVAS_MENU(31))
     def _toggle_grid(self) -> None:
         """Show or hide the grid."""
-        self._store.change(grid=not self._store.state.grid)
 
     @action(
         "toggleScrub",
@@ -148,19 +151,19 @@ class ViewCommands:
         session.selected.set_scrub(start + 0.4 * (end - start))
         session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
 
-    @action(
+    @switch(
+        "basis",
         "toggleBasis",
         "Basis Functions",
         VIEW_SHOWN,
         "F8",
         "panel-bottom",
-        checked=lambda now: now.state.basis,
     )
     def _toggle_basis(self) -> None:
         """Show or hide the basis functions."""
-        self._store.change(basis=not self._store.state.basis)
 
-    @action(
+    @switch(
+        "with_estimates",
         "toggleEstimates",
         "Functions with Estimates",
         VIEW_SHOWN,
@@ -168,23 +171,38 @@ class ViewCommands:
         "cardinal",
         full_name="Basis Functions with Estimates",
         needs=HERMITE_CURVE,
-        checked=lambda now: now.state.with_estimates,
     )
     def _toggle_estimates(self) -> None:
         """Show what each point does with the velocities estimated from it, not the family's functions."""
-        self._store.change(with_estimates=not self._store.state.with_estimates)
 
-    @action(
+    @switch(
+        "side_panel",
         "toggleSidePanel",
         "Side Panel",
         VIEW_SHOWN,
         "F9",
         "panel-right",
-        checked=lambda now: now.state.side_panel,
     )
     def _toggle_side_panel(self) -> None:
         """Show or hide the panels at the side."""
-        self._store.change(side_panel=not self._store.state.side_panel)
+
+    @action(
+        "toggleCanvasOnly",
+        "Canvas Only",
+        VIEW_SHOWN,
+        "F12",
+        "canvas-only",
+        checked=lambda now: not (now.state.basis or now.state.side_panel),
+        keywords="hide panels dialogs docks focus distraction",
+    )
+    def _toggle_canvas_only(self) -> None:
+        """Hide side panel and basis functions, or bring back what there was of them."""
+        now = {name: getattr(self._store.state, name) for name in _AROUND}
+        if any(now.values()):
+            self._before_canvas_only = now
+            self._store.change(**dict.fromkeys(_AROUND, False))
+        else:
+            self._store.change(**self._before_canvas_only)
 
     def _show_side_panel(self, state: WindowState) -> None:
         window, shown = self._context.window, state.side_panel
@@ -237,17 +255,16 @@ class ViewCommands:
 
     # Presentation
 
-    @action(
+    @switch(
+        "presentation",
         "presentation",
         "Presentation",
         VIEW_SIZE,
         "F11",
         "presentation",
-        checked=lambda now: now.state.presentation,
     )
     def _toggle_presentation(self) -> None:
         """Hide everything but canvas and basis functions."""
-        self._store.change(presentation=not self._store.state.presentation)
 
     def _present(self) -> None:
         context, window = self._context, self._context.window

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from ...document import words
 from ...document.model import Vector
 from ...document.several_curves import PointGroup
 from ...document.shape_edits import next_pressed
 from .. import hints
+from ..below import click_below, find_below, words_below
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
 from ..drags import BendCurve
 from ..guides import GuidePicker
@@ -14,7 +17,7 @@ from ..marks import GestureMarks
 from ..marquee import CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
 from ..parts import GESTURES, press_on_part, toggling, unless_locked
-from ..pointer import Cursor, Hint, Hit, Part
+from ..pointer import Cursor, Hint, Hit, Part, Stride
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
@@ -32,7 +35,16 @@ class SelectTool(Tool):
         self._drags_grip = False
 
     def press(self, context: ToolContext) -> None:
-        """Begin what a press here means."""
+        """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
+        self._guides.let_go()
+        below = find_below(context)
+        self._press(context)
+        if below is not None:
+            context.drags.mean_by_click(lambda: click_below(context, below))
+            if isinstance(self.gesture, Marquee):
+                self.gesture.mean_by_click(lambda context: click_below(context, below))
+
+    def _press(self, context: ToolContext) -> None:
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
             return
@@ -83,7 +95,7 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove the guide under the pointer with Delete; edit the curve that is chosen with Enter."""
+        """Remove a guide with Delete; edit the curve that is chosen with Enter."""
         if self._guides.key(context, key):
             return True
         selected = context.host.selected
@@ -91,6 +103,18 @@ class SelectTool(Tool):
             return False
         edit_curve(context, context.host.active_index)
         return True
+
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+        """Move the guide that was clicked, or else what is selected."""
+        return self._guides.nudge(context, direction, stride) or super().nudge(context, direction, stride)
+
+    def dismiss(self) -> bool:
+        """Let go of the guide that was clicked."""
+        return self._guides.let_go()
+
+    def reset(self) -> None:
+        """Forget the guide of another document."""
+        self._guides.let_go()
 
     def walk(self, context: ToolContext, step: int) -> bool:
         """Select the next point; while no curve is edited, choose the next curve."""
@@ -121,7 +145,7 @@ class SelectTool(Tool):
         context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
 
     def claims(self, key: str) -> bool:
-        """Whether a key is for the guide under the pointer."""
+        """Whether a key is for a guide."""
         return self._guides.claims(key)
 
     def end(self) -> None:
@@ -133,6 +157,12 @@ class SelectTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
+        hint, below = self._hint(context), find_below(context)
+        if below is None:
+            return hint
+        return replace(hint, text=" · ".join(filter(None, (words_below(context, below), hint.text))))
+
+    def _hint(self, context: ToolContext) -> Hint:
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
         snaps = context.settings.snapping.on
         takes_pivot = self._is_on_pivot(context)
@@ -169,7 +199,7 @@ class SelectTool(Tool):
             pivot=context.drags.about_at(context.pointer) or (None if is_banding else self._pivot(context)),
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
-            guide=self._guides.lit,
+            guide=self._guides.shown,
         )
 
     @staticmethod
@@ -238,6 +268,7 @@ SELECT = ToolRecord(
         ),
         GestureRow("Click a chosen curve", "grips that rotate and skew, or scale again", curves=True),
         GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
+        GestureRow("Click a guide", "choose it: arrow keys move it, Del removes it"),
         GestureRow(
             "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
         ),
@@ -245,6 +276,7 @@ SELECT = ToolRecord(
         GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
         GestureRow("Drag another curve", "move it whole; Shift keeps to one axis"),
         GestureRow("Click another curve", "edit it"),
+        GestureRow("Alt+click", "the curve below the topmost one there; again: the next below"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),
         GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
         GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),

@@ -1,0 +1,115 @@
+"""Fields of the document's values: what each holds and what it is called, as its annotation says.
+
+A field is described where it is declared: ``width: Annotated[float | None, at_least(0), "Stroke width"]``.
+``plain`` makes numbers of what are numbers, the check of files and changes asks for the requirements, and the
+history takes the words.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import cache
+from types import NoneType, UnionType
+from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin, get_type_hints
+
+from .value import Value
+
+
+class Requirement(NamedTuple):
+    """Requirement of what a field holds, beyond its type.
+
+    Attributes
+    ----------
+    is_met
+        Tells of a value of the type whether it meets it.
+    words
+        It, to follow "must": "be 0 or greater".
+    of_all
+        Whether it is one of the whole tuple, where a field holds one.
+    shown
+        What of the value a refusal tells.
+    """
+
+    is_met: Callable[[Any], bool]
+    words: str
+    of_all: bool = False
+    shown: Callable[[Any], object] = lambda value: value
+
+
+def at_least(least: float) -> Requirement:
+    """Return the requirement of a number that is not below another."""
+    return Requirement(lambda value: value >= least, f"be {least:g} or greater")
+
+
+def above(bound: float) -> Requirement:
+    """Return the requirement of a number that is greater than another."""
+    return Requirement(lambda value: value > bound, f"be greater than {bound:g}")
+
+
+def between(least: float, most: float) -> Requirement:
+    """Return the requirement of a number that lies between two others, or is one of them."""
+    return Requirement(lambda value: least <= value <= most, f"lie between {least:g} and {most:g}")
+
+
+def printed(most: int, words: str) -> Requirement:
+    """Return the requirement of a text on one line, of at most so many characters."""
+    return Requirement(lambda text: len(text) <= most and text.isprintable(), words)
+
+
+def few(most: int, words: str) -> Requirement:
+    """Return the requirement of a tuple of at most so many."""
+    return Requirement(lambda values: len(values) <= most, words, of_all=True, shown=len)
+
+
+def matching(pattern: str, words: str) -> Requirement:
+    """Return the requirement of a text that a pattern describes."""
+    return Requirement(lambda text: re.fullmatch(pattern, text) is not None, words)
+
+
+class Field(NamedTuple):
+    """A field of a value.
+
+    Attributes
+    ----------
+    name
+        Of the field.
+    kind
+        What it holds, or holds several of: float, bool, str, a `Value`, or something else.
+    is_many, is_optional
+        Whether it is a tuple of these, and whether it may be None.
+    requirements
+        Of each of them, or of all.
+    words
+        What people call it; its name where that is not said.
+    """
+
+    name: str
+    kind: type
+    is_many: bool
+    is_optional: bool
+    requirements: tuple[Requirement, ...]
+    words: str
+
+    @property
+    def holds_values(self) -> bool:
+        """Whether it holds other values of the document."""
+        return isinstance(self.kind, type) and issubclass(self.kind, Value)
+
+
+@cache
+def fields_of(kind: type[Value]) -> tuple[Field, ...]:
+    """Return the fields of a kind of value, in order."""
+    hints = get_type_hints(kind, include_extras=True)
+    return tuple(_field(name, hints[name]) for name in kind.__struct_fields__)
+
+
+def _field(name: str, hint: object) -> Field:
+    hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
+    requirements = tuple(note for note in notes if isinstance(note, Requirement))
+    words = next((note for note in notes if isinstance(note, str)), name)
+    choices = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
+    first = next(choice for choice in choices if choice is not NoneType)
+    is_many = get_origin(first) is tuple
+    kind = get_args(first)[0] if is_many else first
+    return Field(name, kind, is_many, NoneType in choices, requirements, words)

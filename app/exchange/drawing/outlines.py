@@ -1,0 +1,64 @@
+"""Outlines: curves as the cubic Bézier pieces that pictures are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import groupby
+from operator import attrgetter
+
+import msgspec
+
+from curvecore.arrays import FloatArray
+
+from ...document.style import PLAIN_STYLE, Style
+
+
+class Outline(msgspec.Struct, frozen=True):
+    """One curve as cubic Bézier pieces.
+
+    Attributes
+    ----------
+    name
+        The curve's name.
+    control_points
+        (k, 4, 2); a piece begins where the one before it ends.
+    points
+        The points that the curve goes through, or control points beside it, (n, 2).
+    deviation
+        Largest distance from the true curve; zero where the curve is a chain of cubics itself.
+    closed
+        Whether the last piece ends where the first begins, and goes on there.
+    style
+        Stroke and fill; its width is in the unit of the control points.
+    shape, groups, visible
+        As in `Curve`.
+    """
+
+    name: str
+    control_points: FloatArray
+    points: FloatArray
+    deviation: float
+    closed: bool = False
+    style: Style = PLAIN_STYLE
+    shape: str = ""
+    groups: tuple[str, ...] = ()
+    visible: bool = True
+
+    @property
+    def colour(self) -> str:
+        """The paint that the curve is known by, "#rrggbb", or empty for the ink of the picture."""
+        return self.style.colour
+
+    @property
+    def reach(self) -> float:
+        """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
+        return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
+
+
+def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
+    """Return outlines that follow each other in one shape together, and the others each by itself."""
+    return [
+        each
+        for shape, together in groupby(outlines, attrgetter("shape"))
+        for each in ([tuple(together)] if shape else [(outline,) for outline in together])
+    ]

@@ -1,0 +1,55 @@
+"""Strokes and fills of a document's styles as Qt has them: the same on the screen and in print."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPen
+
+from ..document.style import FillRule, LineCap, LineJoin, Style
+
+FILL_RULES: Final = {
+    FillRule.NONZERO: Qt.FillRule.WindingFill,
+    FillRule.EVENODD: Qt.FillRule.OddEvenFill,
+}
+
+_CAPS = {
+    LineCap.BUTT: Qt.PenCapStyle.FlatCap,
+    LineCap.ROUND: Qt.PenCapStyle.RoundCap,
+    LineCap.SQUARE: Qt.PenCapStyle.SquareCap,
+}
+_JOINS = {
+    # Qt's own miters are cut off at the limit, and not bevelled.
+    LineJoin.MITER: Qt.PenJoinStyle.SvgMiterJoin,
+    LineJoin.ROUND: Qt.PenJoinStyle.RoundJoin,
+    LineJoin.BEVEL: Qt.PenJoinStyle.BevelJoin,
+}
+
+_LEAST_DASH = 1e-3
+"""In place of a dash of length 0, of which Qt draws no cap."""
+
+
+def pen_of(style: Style, colour: QColor, width: float, *, is_dashed: bool) -> QPen:
+    """Return the pen of a line, `width` wide in the units of the painter; without dashes if so wanted."""
+    pen = QPen(colour, width)
+    pen.setCapStyle(_CAPS[style.cap])
+    pen.setJoinStyle(_JOINS[style.join])
+    pen.setMiterLimit(style.miter_limit)
+    if style.dash and is_dashed:
+        pen.setDashPattern([max(length, _LEAST_DASH) for length in style.dashes_and_gaps])
+        pen.setDashOffset(style.dash_offset)
+    return pen
+
+
+def overhang_of(pen: QPen) -> float:
+    """Return how far a line may be seen from where it runs."""
+    has_miters = pen.joinStyle() == Qt.PenJoinStyle.SvgMiterJoin
+    return pen.widthF() * (max(1.0, pen.miterLimit()) if has_miters else 1.0)
+
+
+def with_opacity(colour: QColor, opacity: float) -> QColor:
+    """Return a colour that is seen through."""
+    result = QColor(colour)
+    result.setAlphaF(opacity)
+    return result

@@ -1,0 +1,134 @@
+"""The drawing stays where it is on the screen while what stands beside the canvas comes, goes and moves."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def seen(editor):
+    """Return pixels per unit, and where the point 0 lies in the window."""
+    canvas = editor.window.canvas
+    shown = canvas.pixel_map
+    place = canvas.viewport().mapTo(editor.window, canvas.to_pixel(*editor.point(0)))
+    return shown.sx, shown.sy, place
+
+
+def drag_border(editor, handle, by):
+    middle = handle.rect().center()
+    QTest.mousePress(handle, LEFT, pos=middle)
+    QTest.mouseMove(handle, middle + by)
+    QTest.mouseRelease(handle, LEFT, pos=middle + by)
+    editor.settle()
+
+
+def drag_the_splitter(editor):
+    drag_border(editor, editor.window.splitter.handle(1), QPoint(0, -90))
+
+
+CHANGES = {
+    "the basis functions": lambda editor: editor.trigger("toggleBasis"),
+    "the side panel": lambda editor: editor.trigger("toggleSidePanel"),
+    "the border below": drag_the_splitter,
+    "a plot": lambda editor: editor.trigger("plotCurvature"),
+    "a panel at the left": lambda editor: editor.show_dock("lessonsDock"),
+    "the rulers": lambda editor: editor.trigger("toggleRulers"),
+}
+
+
+@pytest.mark.parametrize("is_fitted", [True, False], ids=["fitted", "zoomed"])
+@pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
+def test_scale_and_place_stay(editor, change, is_fitted):
+    canvas = editor.window.canvas
+    if not is_fitted:
+        editor.trigger("zoomIn")
+    size, before = canvas.size(), seen(editor)
+    change(editor)
+    editor.settle()
+    assert canvas.size() != size or canvas.rulers.thickness == 0
+    after = seen(editor)
+    assert after[:2] == pytest.approx(before[:2], rel=1e-12)
+    # Hiding the basis functions enlarged the drawing 1.5 times.
+    assert (after[2] - before[2]).manhattanLength() <= 1
+
+
+def test_what_goes_and_comes_back_leaves_no_trace(editor):
+    editor.trigger("zoomIn")
+    before = editor.window.canvas.pixel_map.box
+    for name in ("toggleBasis", "toggleSidePanel") * 2:
+        editor.trigger(name)
+        editor.settle()
+    assert editor.window.canvas.pixel_map.box == pytest.approx(before, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "touch",
+    [None, lambda editor: editor.trigger("zoomIn"), lambda editor: editor.add_point(1.0, 1.0)],
+    ids=["untouched", "zoomed", "drawn"],
+)
+def test_a_window_of_another_size_is_fitted_again_while_nothing_was_touched(new_editor, touch):
+    editor, canvas = new_editor, new_editor.window.canvas
+    if touch:
+        touch(editor)
+    before = seen(editor)
+    editor.window.resize(editor.window.width() + 150, editor.window.height() + 150)
+    editor.settle()
+    scale, fitted = canvas.pixel_map.sx, canvas.framing.is_as_fitted
+    if touch:
+        assert not fitted
+        assert seen(editor) == (
+            pytest.approx(before[0], rel=1e-12),
+            pytest.approx(before[1], rel=1e-12),
+            before[2],
+        )
+    else:
+        assert fitted
+        assert scale > before[0]
+        editor.fit()
+        assert canvas.pixel_map.sx == pytest.approx(scale, rel=1e-12)
+
+
+def test_one_key_leaves_the_canvas_alone_and_brings_back_what_there_was(editor):
+    window, before = editor.window, seen(editor)
+    panes = (window.basis_panel, window.point_table)
+    editor.key(Qt.Key.Key_F12)
+    assert not any(pane.isVisible() for pane in panes)
+    assert window.menuBar().isVisible()
+    assert window.canvas.width() == window.width()
+    assert window.canvas.height() > 0.8 * window.height()
+    assert seen(editor) == (
+        pytest.approx(before[0], rel=1e-12),
+        pytest.approx(before[1], rel=1e-12),
+        before[2],
+    )
+    editor.key(Qt.Key.Key_F12)
+    assert all(pane.isVisible() for pane in panes)
+    # Who works without the functions comes back to that.
+    for key in (Qt.Key.Key_F8, Qt.Key.Key_F12, Qt.Key.Key_F12):
+        editor.key(key)
+    assert [pane.isVisible() for pane in panes] == [False, True]
+
+
+@pytest.mark.parametrize("size", [(1024, 700), (1280, 800), (1600, 1000)], ids=str)
+def test_the_canvas_is_dominant_in_the_first_window(new_editor, size):
+    window = new_editor.window
+    window.resize(*size)
+    new_editor.settle()
+    assert window.canvas.height() == pytest.approx(2 / 3 * window.height(), rel=0.06)
+    assert 300 <= window.width() - window.canvas.width() <= 360
+
+
+@pytest.mark.parametrize("height", [540, 700, 1000])
+def test_the_values_of_the_basis_functions_end_where_the_rail_begins(new_editor, height):
+    window = new_editor.window
+    window.resize(1024, height)
+    new_editor.settle()
+    panel = window.basis_panel
+    places = [place for place, _text in panel.getAxis("left").ticks_in(panel.pixel_map).labels]
+    # −0.8 and −1.6 stood beside the rail of a low window.
+    assert min(places) >= -0.5
+    assert 0.0 in places
+    assert max(places) >= 0.8
