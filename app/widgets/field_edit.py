@@ -14,14 +14,14 @@ from ..qt.keys import PASSING, ClaimsKeys
 from .controls import named
 from .number_text import decimal_mark, typed_text
 
+_OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
+
 _STEPS = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
 """Keys, and how many steps up they mean."""
 
 _KEYPAD = Qt.KeyboardModifier.KeypadModifier
 _NOTCH = 120
 """Eighths of a degree by which a wheel turns from notch to notch."""
-
-_OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
 
 class FieldEdit(ClaimsKeys, QLineEdit):
@@ -113,7 +113,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         return event.key() == Qt.Key.Key_Escape and self.isModified()
 
     def _passes_on(self, event: QKeyEvent) -> bool:
-        """Whether a key is meant for the document, for here is nothing to take back or to copy."""
+        """Whether a key is meant for the document: nothing is chosen here to copy, nor typed to take back."""
         if event.matches(QKeySequence.StandardKey.Copy):
             return not self.hasSelectedText()
         return not self.isModified() and any(map(event.matches, _OF_DOCUMENT))
@@ -123,7 +123,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         if is_asked and isinstance(event, QKeyEvent) and self._passes_on(event):
             # A QLineEdit claims these keys, whatever it can do with them.
             event.ignore()
-            return False
+            return True
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -207,9 +207,9 @@ def test_points_of_a_curve_are_skewed_by_the_grips_too(arch):
     arch.trigger("familyLagrange")  # no handle lies where a grip is
     arch.select([1, 2, 3])
     arch.trigger("turnGrips")
-    start = arch.grip(0, 1)
-    arch.drag(start, plus(start, 0.75, 0.0), keys=CTRL)
+    start = arch.grip(-1, 0)
+    arch.drag(start, plus(start, 0.0, -1.5), keys=CTRL)
     expected = np.array(POINTS)
-    expected[1:] = skewed((2.5, 1.25), 45.0, start=POINTS[1:])
+    expected[1:] = skewed((2.5, 1.25), 45.0, axis=1, start=POINTS[1:])
     assert points(arch) == pytest.approx(expected, abs=1e-12)
     assert undo_text(arch) == "Skew 3 points"
