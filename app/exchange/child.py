@@ -29,13 +29,14 @@ from .errors import ExchangeError
 if sys.platform == "linux":
     import resource
 
-SECONDS = 5.0
+SECONDS = 10.0
 """The longest that a file of up to `SMALL` bytes may take to be read."""
 
-SMALL = 2**20
-SECONDS_PER_MB = 5.0
+SMALL = 2**16
+SECONDS_PER_MB = 120.0
 """Seconds for every further 2**20 bytes: a file that makes a parser work for hours can be small, and an
-honest large one takes its time. Whoever waits can cancel.
+honest large one takes its time, of short paths some 13 s of a processor that may be busy otherwise. Whoever
+waits can cancel.
 """
 
 _POLL = 0.05

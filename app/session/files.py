@@ -112,10 +112,12 @@ class Files:
         """Begin with the first sketch, or with an empty document."""
         self.replace(plain(document), None, beginning=Beginning(gives_way=True))
 
-    def begin_imported(self, document: Document, name: str, step: str = "") -> None:
+    def begin_imported(
+        self, document: Document, name: str, step: str = "", views: Sequence[CurveView] = ()
+    ) -> None:
         """Begin with the content of a file of another format; saving it suggests its `name`.
 
-        Undo goes back to the document before where it is a `step` of the history.
+        Undo goes back to the document before where it is a `step` of the history. Its views may be given.
 
         Raises
         ------
@@ -127,9 +129,10 @@ class Files:
             raise EditError(reason)
         session, beginning = self._session, Beginning(title=name, file_stem=name)
         if not step:
-            self.replace(document, None, beginning=beginning)
+            self.replace(document, None, beginning=beginning, views=views)
             return
         session.cancel()
+        session.expect(views)
         session.history.push(session.state, State(document, 0, beginning), step)
         self._take_note_of(document.export)
 

@@ -45,7 +45,7 @@ from .sheet import sheet_of
 from .state import State, Window
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
 
-MAX_PATHS = 2_000
+MAX_PATHS = 10_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"

@@ -3,3 +3,4 @@ from . import export_dialog as export_dialog
 from . import form_parts as form_parts
 from . import import_drawing_dialog as import_drawing_dialog
 from . import import_table_dialog as import_table_dialog
+from . import intake as intake

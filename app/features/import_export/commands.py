@@ -15,7 +15,6 @@ from ...actions.declaration import action
 from ...actions.sections import FILE_EXCHANGE
 from ...document.edits import EditError
 from ...document.model import Document
-from ...document.several_curves import add_imported, is_blank
 from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import (
@@ -45,11 +44,14 @@ if TYPE_CHECKING:
     from ...exchange.table.prepared import PreparedTable
     from ...exchange.table.source import TableSource
     from ...exchange.table.table import Preview
+    from ...view_model.arrivals import Arrival
     from .export_dialog import ExportDialog
     from .import_drawing_dialog import ImportDrawingDialog
     from .import_table_dialog import ImportTableDialog
 
 # Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
+
+_NOT_IMPORTED = "{} not imported, for another document was opened meanwhile."
 
 
 class ExchangeCommands:
@@ -134,7 +136,7 @@ class ExchangeCommands:
     def _give_up(self) -> None:
         """Leave out what was meant for another document than there is now."""
         names = listed(self._series.skip_rest())
-        self._session.refuse(f"{names} not imported, for another document was opened meanwhile.")
+        self._session.refuse(_NOT_IMPORTED.format(names))
         self._series.end()
 
     def _ask(self, dialog: ImportDrawingDialog | ImportTableDialog) -> None:
@@ -177,55 +179,67 @@ class ExchangeCommands:
         self._ask(dialog)
 
     def _take_in(self, path: Path, taken: Imported | PreparedTable, anew: bool) -> None:
-        """Begin with the curves or add them, and go on with the next file."""
-        files = self._context.files
-        try:
-            assert taken.document is not None
-            if anew and not files.may_discard():
-                return
-            if anew or self._session.files.is_untouched:
-                self._begin_with(path, taken.document, taken.deviation, "" if anew else f"Import {path.name}")
-            else:
-                self._add(path, taken.document, taken.deviation)
-        finally:
-            # What comes next of the series goes where this one went.
-            self._meant_for = self._documents
-            self._series.end()
+        """Begin with the curves or add them, and go on with the next file; many are computed beside."""
+        files, session, intake = self._context.files, self._session, import_export.intake
+        assert taken.document is not None
+        if anew and not files.may_discard():
+            self._end_turn()
+            return
+        new, begins = taken.document, anew or session.files.is_untouched
+        target = session.files.blank() if begins else session.committed
 
-    def _begin_with(self, path: Path, new: Document, deviation: float, step: str) -> None:
-        """Begin a document with the curves: as the file has them, and in its unit."""
-        files = self._session.files
-        document, first = add_imported(files.blank(), new)
-        try:
-            files.begin_imported(document, path.stem, step)
-        except EditError as reason:
-            self._session.refuse(str(reason))
+        def work(report: Report) -> Arrival:
+            return intake.intake(target, new, lambda share: report(share, "Computing curves"))
+
+        def done(arrival: Arrival) -> None:
+            try:
+                if self._meant_for != self._documents:
+                    session.refuse(_NOT_IMPORTED.format(listed([path.name])))
+                    return
+                if not begins and session.committed is not target:
+                    arrival = intake.intake(session.committed, new)
+                factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
+                if self._put(path, arrival, begins=begins, anew=anew):
+                    self._show_added(path, arrival, taken.deviation * factor)
+            finally:
+                self._end_turn()
+
+        self._meant_for = self._documents
+        if intake.points_of(new) < intake.MANY_POINTS:
+            done(intake.intake(target, new))
         else:
-            self._show_added(path, new, first, deviation)
+            self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
-    def _add(self, path: Path, new: Document, deviation: float) -> None:
-        """Add the curves to what is there, as one step."""
-        if not is_blank(self._session.document):
-            # What is an inch there is an inch here.
-            unit = self._session.document.unit
-            deviation *= exchange.rescaled.factor_between(new.unit, unit)
-            new = exchange.rescaled.in_unit(new, unit)
-        document, first = add_imported(self._session.document, new)
-        if self._session.change(f"Import {path.name}", lambda _: document, active=first):
-            self._show_added(path, new, first, deviation)
+    def _end_turn(self) -> None:
+        # What comes next of the series goes where this one went.
+        self._meant_for = self._documents
+        self._series.end()
 
-    def _show_added(self, path: Path, new: Document, first: int, deviation: float) -> None:
-        """Show and choose what has come in, from place `first` on, and say what it is."""
-        added = range(first, first + len(new.curves))
-        if first > 0 or len(new.curves) > 1:
+    def _put(self, path: Path, arrival: Arrival, *, begins: bool, anew: bool) -> bool:
+        """Begin with what has arrived, or make it the next step; return whether it is there."""
+        session, step = self._session, f"Import {path.name}"
+        if not begins:
+            session.expect(arrival.views)
+            return bool(session.change(step, lambda _: arrival.document, active=arrival.places.start))
+        try:
+            session.files.begin_imported(arrival.document, path.stem, "" if anew else step, arrival.views)
+        except EditError as reason:
+            session.refuse(str(reason))
+            return False
+        return True
+
+    def _show_added(self, path: Path, arrival: Arrival, deviation: float) -> None:
+        """Show and choose what has come in, and say what it is."""
+        added, curves = arrival.places, arrival.document.curves[arrival.places.start :]
+        if added.start > 0 or len(curves) > 1:
             # What came to others is put in its place as a whole.
             self._session.selected.set_curves(added)
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
-        if first == 0 or not self._context.central.canvas.framing.shows_curves(added):
+        if added.start == 0 or not self._context.central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
-        count = sum(len(curve.points) for curve in new.curves)
-        what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
+        count = sum(len(curve.points) for curve in curves)
+        what = f"{count_of(len(curves), 'curve')}, {count_of(count, 'point')}"
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
         self._session.say(f"Imported {path.name}: {what}, {exact}.")
 

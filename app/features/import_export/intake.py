@@ -1,0 +1,35 @@
+"""Curves of a file in the document that they come to, with the views of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ... import exchange
+from ...document.model import Document
+from ...document.plain import plain
+from ...document.several_curves import add_imported, is_blank
+from ...document.shapes import tidy_shapes
+from ...view_model.arrivals import Arrival
+from ...view_model.views_ahead import views_ahead
+
+MANY_POINTS = 1000
+"""Points of curves whose views are made beside the window."""
+
+
+def points_of(document: Document) -> int:
+    """Return the number of points of all curves."""
+    return sum(len(curve.points) for curve in document.curves)
+
+
+def intake(document: Document, new: Document, told: Callable[[float], object] | None = None) -> Arrival:
+    """Return a document with the curves of another in front, and views of them if somebody is `told`.
+
+    What is an inch there is an inch here; to an empty document they bring their unit and their page.
+    """
+    if not is_blank(document):
+        new = exchange.rescaled.in_unit(new, document.unit)
+    filled, first = add_imported(document, new)
+    # As the door of the session leaves it, whose curves the views are to be of.
+    filled = tidy_shapes(plain(filled, document), document)
+    views = views_ahead(filled.curves[first:], told) if told is not None else ()
+    return Arrival(filled, range(first, len(filled.curves)), tuple(views))
