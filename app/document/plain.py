@@ -44,11 +44,13 @@ def plain(document: Document, before: Document | None = None) -> Document:
     image = document.image
     if image is not None and (before is None or image is not before.image):
         image = _with_plain(image, _OF_IMAGE, ("locked",))
-    document = _with_plain(document, ("grid_spacing",))
+    if before is None or document.grid_spacing is not before.grid_spacing:
+        document = _with_plain(document, ("grid_spacing",))
     if before is None or document.guides is not before.guides:
         document = _with_each(document, "guides", lambda guide: _with_plain(guide, ("position",)))
-    if document.page is not None and (page := _with_plain(document.page, _OF_PAGE)) is not document.page:
-        document = replace(document, page=page)
+    if document.page is not None and (before is None or document.page is not before.page):
+        page = _with_plain(document.page, _OF_PAGE)
+        document = document if page is document.page else replace(document, page=page)
     if image is document.image and not any(map(is_not, curves, document.curves)):
         return document
     return replace(document, curves=curves, image=image)

@@ -21,7 +21,7 @@ def test_marks_of_one_point_can_be_told_apart(editor, family, count):
     editor.fit()
     editor.select_point(count // 2)
     shown, layer = editor.window.canvas.pixel_map, editor.window.canvas.drawing.points
-    sizes = mark_sizes(layer.handles, shown, 1.0)
+    sizes = dict(zip(layer.handles, mark_sizes(layer.handles, shown, 1.0), strict=True))
     assert len(sizes) == 2 * editor.curve.family.derivatives
     for before, after in pairwise(layer.handles):
         if after.anchor == before.position:
