@@ -42,6 +42,7 @@ class EditedShapeLayer(Layer):
         """Draw the curves of the shape from the next paint on; without any, nothing."""
         if shape != self._shape:
             self._shape = shape
+            self.set_visible(bool(shape))
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from itertools import compress
+from operator import is_not
 
 from ..document.model import Vector
-from ..document.shapes import shapes
+from ..document.shapes import shape_around, shapes
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..tools.pointer import Hit
@@ -48,6 +50,8 @@ class DrawnCurves:
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
         self._is_thin = False
+        # The places of the curves of the edited shape, where it is no plain line.
+        self._edited_places = range(0)
         self._shown: tuple[Sequence[CurveView], int | None, frozenset[int], frozenset[int]]
         self._shown = ((), 0, frozenset(), frozenset())
 
@@ -59,8 +63,30 @@ class DrawnCurves:
         edited: frozenset[int],
     ) -> None:
         """Show the curves of a document: the active one if it is edited, those selected and those edited."""
-        self._shown = (views, active, selected, edited)
+        before, self._shown = self._shown, (views, active, selected, edited)
         self.areas.render(views)
+        if not self._rest_since(*before):
+            self._render_all()
+        elif self._edited_places:
+            self.edited.render(tuple(views[place] for place in self._edited_places))
+
+    def _rest_since(self, views: Sequence[CurveView], active: int | None, *places: frozenset[int]) -> bool:
+        """Whether all that has changed is where the active curve runs, as under a drag."""
+        now, *others = self._shown
+        if active is None or others != [active, *places] or not active < len(now) == len(views):
+            return False
+        if any(place != active for place in compress(range(len(now)), map(is_not, now, views))):
+            return False
+        new, old = now[active], views[active]
+        return (
+            new.source.style is old.source.style
+            and new.source.visible is old.source.visible
+            and new.source.shape == old.source.shape
+            and is_faint(new) is is_faint(old)
+        )
+
+    def _render_all(self) -> None:
+        views, active, selected, edited = self._shown
         # Points are shown of what is edited, and of what is worked on together with it.
         self.selected.set_rings(active is not None)
         active = -1 if active is None else active
@@ -72,6 +98,7 @@ class DrawnCurves:
         ]
         below, shape, above = self._in_order(views, active, selected)
         self.others.render_shapes(below, found)
+        self._edited_places = shape_around([view.source for view in views], active) if shape else range(0)
         self.edited.render(shape)
         self.above.render_shapes(above, [])
         self.selected.render(views, [place for place in other if place in selected])
@@ -132,7 +159,7 @@ class DrawnCurves:
         self._is_thin = thin
         for layer in (self.others, self.above, self.selected, self.curve):
             layer.set_thin(thin)
-        self.render(*self._shown)
+        self._render_all()
 
     def set_cased(self, cased: bool) -> None:
         """Keep plain lines apart from what lies below them, a picture to trace, or not."""

@@ -49,11 +49,13 @@ class GuidesLayer(Layer):
         self.locked = False
         self._unit = ""
         self._halo = Halo()
+        self.set_shown(False)
 
     def render(self, guides: tuple[Guide, ...], unit: str) -> None:
         """Draw these guides from the next paint on; `unit` is that of their places."""
         if (guides, unit) != (self.guides, self._unit):
             self.guides, self._unit = guides, unit
+            self.set_shown(bool(guides))
             self.update()
 
     def light(self, place: int | None) -> None:

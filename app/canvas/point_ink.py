@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QBrush, QColor, QFontMetrics, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QFontMetrics,
+    QFontMetricsF,
+    QGlyphRun,
+    QPainter,
+    QPen,
+    QTextLayout,
+)
 
 from ..appearance.theme import Theme, mix
 from ..plotting.fonts import Sizes
@@ -24,6 +35,30 @@ class HandleInk:
         self.outline, self.filled = QPen(colour, 1.5 * scale), QBrush(colour)
 
 
+class Written(NamedTuple):
+    """A text as it is written: glyphs, which Qt need not seek in every frame.
+
+    Attributes
+    ----------
+    size
+        In whole pixels.
+    to_start
+        The way from its middle to the left end of its baseline.
+    glyphs, ascent
+        The runs of glyphs, and how far below where they are drawn the baseline lies.
+    """
+
+    size: QSize
+    to_start: QPointF
+    glyphs: list[QGlyphRun]
+    ascent: QPointF
+
+    def draw(self, painter: QPainter, centre: QPointF) -> None:
+        """Draw it with the painter's pen, its middle at a place."""
+        for run in self.glyphs:
+            painter.drawGlyphRun(centre + self.to_start - self.ascent, run)
+
+
 class PointInk:
     """Pens and fonts of points under one theme, in one scale: they stay from frame to frame."""
 
@@ -37,14 +72,19 @@ class PointInk:
         )
         self.paper, self.beneath = QBrush(theme.paper), QPen(theme.paper, 4 * scale)
         self.font = fonts.times(0.95 * scale)
-        self._written: dict[tuple[str, float], tuple[QSize, QPointF]] = {}
+        self._written: dict[tuple[str, float], Written] = {}
 
-    def written(self, text: str, painter: QPainter) -> tuple[QSize, QPointF]:
-        """Return the size of a text in whole pixels, and the way from its middle to where it is begun."""
+    def written(self, text: str, painter: QPainter) -> Written:
+        """Return a text as it is written on what is painted on."""
         device = painter.device()
         key = (text, device.devicePixelRatioF())
         if key not in self._written:
             exact = QFontMetricsF(self.font, device)
             to_start = QPointF(-exact.horizontalAdvance(text) / 2, exact.ascent() - exact.height() / 2)
-            self._written[key] = (QFontMetrics(self.font, device).size(0, text), to_start)
+            layout = QTextLayout(text, self.font, device)
+            layout.beginLayout()
+            line = layout.createLine()
+            layout.endLayout()
+            size, ascent = QFontMetrics(self.font, device).size(0, text), QPointF(0.0, line.ascent())
+            self._written[key] = Written(size, to_start, layout.glyphRuns(), ascent)
         return self._written[key]

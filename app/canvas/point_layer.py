@@ -28,7 +28,7 @@ from ..view_model.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
-from .point_ink import PointInk
+from .point_ink import PointInk, Written
 from .point_marks import REACH, paint_mark
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
@@ -68,7 +68,7 @@ class _NumberLabel(NamedTuple):
     text: str
     colour: QColor
     centre: QPointF
-    start: QPointF
+    written: Written
 
 
 class PointLayer(Layer):
@@ -269,13 +269,12 @@ class PointLayer(Layer):
         numbered = self._roles.numbered
         if not numbered:
             return
-        painter.setFont(self._ink.font)
         for label in self._labels(painter, pixels, numbered):
             self.numbers.append((label.centre, len(label.text)))
             if self.over_picture:
                 self._paint_plate(painter, label.centre, label.text)
             painter.setPen(label.colour)
-            painter.drawText(label.start, label.text)
+            label.written.draw(painter, label.centre)
 
     def _labels(
         self, painter: QPainter, pixels: FloatArray, indices: Sequence[int]
@@ -295,7 +294,8 @@ class PointLayer(Layer):
                 colour = self.theme.warning if weight < 0 else self.theme.ink
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
-            size, to_start = self._ink.written(text, painter)
+            written = self._ink.written(text, painter)
+            size = written.size
             beyond = max(size.width() / 2 - half, 0.0)
             centre: QPointF | None = number_place(pixels, index, away, beyond)
             if self.weights is not None and centre is not None:
@@ -303,7 +303,7 @@ class PointLayer(Layer):
                 aside = QPointF(size.width(), 0.0)
                 centre = taken.take((centre, further, centre - aside, centre + aside), QSizeF(size))
             if centre is not None:
-                yield _NumberLabel(text, colour, centre, centre + to_start)
+                yield _NumberLabel(text, colour, centre, written)
 
     def _numbered(self, count: int, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
@@ -318,7 +318,7 @@ class PointLayer(Layer):
 
     def _paint_plate(self, painter: QPainter, centre: QPointF, text: str) -> None:
         """Lay a piece of paper under a number."""
-        paper, size = QColor(self.theme.paper), painter.fontMetrics().size(0, text)
+        paper, size = QColor(self.theme.paper), self._ink.written(text, painter).size
         paper.setAlphaF(0.75)
         plate = QRectF(0, 0, size.width() + 6, size.height() + 2)
         plate.moveCenter(centre)

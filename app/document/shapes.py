@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import count, takewhile
+from operator import attrgetter, is_
 
 from msgspec.structs import replace
 
@@ -17,6 +18,8 @@ SHARED = ("style", "groups", "visible", "locked")
 
 _DEEPEST = 50
 """Groups that may be within each other."""
+
+_looks = attrgetter(*SHARED, "shape")
 
 
 def shape_of(document: Document, curve: int) -> range:
@@ -73,9 +76,8 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
 
 def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
     """Whether nothing that shapes and groups are made of is another, nor at another place."""
-    fields = (*SHARED, "shape")
     return len(before) == len(after) and all(
-        new is old or all(getattr(new, field) == getattr(old, field) for field in fields)
+        new is old or all(map(is_, values := _looks(new), was := _looks(old))) or values == was
         for new, old in zip(after, before, strict=True)
     )
 

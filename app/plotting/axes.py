@@ -147,7 +147,6 @@ class Side:
         # From where ticks go out, and in which direction.
         self._edge = 0.0 if is_upright or is_above else shown.height
         self._out = -1.0 if is_upright or is_above else 1.0
-        self._bars = Bars()
 
     @property
     def length(self) -> float:
@@ -178,8 +177,9 @@ class Side:
         lengths += [(along, _TICK) for along, _ in places]
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.ghost if axis.is_ruler else theme.grid_coarse)
-        self._bars.fill(self._ticks_at(np.array(lengths, dtype=float).reshape(-1, 2)))
-        self._bars.draw(painter)
+        bars = Bars()
+        bars.fill(self._ticks_at(np.array(lengths, dtype=float).reshape(-1, 2)))
+        bars.draw(painter)
         painter.setFont(axis.font)
         painter.setPen(theme.muted)
         for along, text in places:
@@ -229,6 +229,9 @@ class Axes:
         self._by_side = {side: Axis(changed, is_upright=side == "left") for side in ("left", "bottom")}
         self._theme = LIGHT
         self.are_rulers = False
+        # The sides, and what they were found for: under a drag they stay.
+        self._sides: tuple[Side, ...] = ()
+        self._sides_of: tuple[PixelMap | None, bool] = (None, False)
         self.frame = QGraphicsWidget()
         self._grid = QGraphicsGridLayout(self.frame)
         self._grid.setSpacing(0)
@@ -263,12 +266,15 @@ class Axes:
         self._grid.setContentsMargins(_MARGIN + left, _MARGIN + above, _MARGIN, _MARGIN + below)
         self._grid.activate()
 
-    def sides(self, shown: PixelMap) -> tuple[Side, Side]:
+    def sides(self, shown: PixelMap) -> tuple[Side, ...]:
         """Return the sides of the plot area where the axis along x and the one along y are painted."""
-        return (
-            Side(self["bottom"], shown, is_upright=False, is_above=self.are_rulers),
-            Side(self["left"], shown, is_upright=True, is_above=False),
-        )
+        if self._sides_of[0] is not shown or self._sides_of[1] is not self.are_rulers:
+            self._sides_of = (shown, self.are_rulers)
+            self._sides = (
+                Side(self["bottom"], shown, is_upright=False, is_above=self.are_rulers),
+                Side(self["left"], shown, is_upright=True, is_above=False),
+            )
+        return self._sides
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Paint both, in pixels of the plot area."""

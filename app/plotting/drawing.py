@@ -108,7 +108,7 @@ class Stroke:
     def __init__(self, margin: float = MARGIN) -> None:
         self._margin = margin
         self._pieces: list[QPolygonF] = []
-        self._crowd = Crowd()
+        self._crowd, self._is_crowd = Crowd(), False
         self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
         self._shown: tuple[FloatArray | None, PixelMap | None] = (None, None)
 
@@ -121,7 +121,8 @@ class Stroke:
     def fill(self, points: FloatArray, width: float, height: float) -> None:
         """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
         runs, crowd = _near(points, width, height, self._margin)
-        if len(crowd) or len(self._crowd):
+        if self._is_crowd or len(crowd):
+            self._is_crowd = bool(len(crowd))
             self._crowd.fill(crowd, width, height)
         pieces = [run[i : i + _PIECE + 1] for run in runs for i in range(0, len(run) - 1, _PIECE)]
         self._pieces = [self._polygon(number, piece) for number, piece in enumerate(pieces)]
@@ -139,7 +140,8 @@ class Stroke:
         """Draw with the painter's pen."""
         for piece in self._pieces:
             painter.drawPolyline(piece)
-        self._crowd.draw(painter)
+        if self._is_crowd:
+            self._crowd.draw(painter)
 
 
 _NO_SEGMENTS = np.empty((0, 4))

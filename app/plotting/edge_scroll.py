@@ -45,6 +45,10 @@ class EdgeScroll(QObject):
 
     def follow(self, pixel: Vector) -> None:
         """Scroll from now on if the pointer is at the edge here, or no longer."""
+        shown = self._camera.pixel_map
+        is_inside = _ZONE <= pixel[0] <= shown.width - _ZONE and _ZONE <= pixel[1] <= shown.height - _ZONE
+        if is_inside and self._way == (0.0, 0.0):
+            return
         x, y = (
             _beyond(now, before) for now, before in zip(self._overshoot(pixel), self._at_press, strict=True)
         )

@@ -119,12 +119,18 @@ class LayerStack:
     ----------
     area
         Tells which part of the viewport they paint on.
+    spread
+        Tells which part is painted anew with them: that, and what is marked beside it.
     beside
         Paints what lies beside that, and is still.
     """
 
-    def __init__(self, viewport: QWidget, area: Callable[[], QRect], beside: Painting) -> None:
-        self._viewport, self._area, self._paint_beside = viewport, area, beside
+    def __init__(
+        self, viewport: QWidget, area: Callable[[], QRect], spread: Callable[[], QRect], beside: Painting
+    ) -> None:
+        self._viewport, self._area, self._spread, self._paint_beside = viewport, area, spread, beside
+        # Whether Qt has been told that they are due: several change at every move.
+        self._is_due = False
         self._layers: list[Layer] = []
         self._ground: QPixmap | None = None
         self.theme, self.scale, self.fonts = LIGHT, 1.0, Sizes(viewport.font())
@@ -139,7 +145,9 @@ class LayerStack:
         """Have the plot area painted anew, in which `layer` is another one now."""
         if layer.is_still:
             self._ground = None
-        self._viewport.update(self._area())
+        if not self._is_due:
+            self._is_due = True
+            self._viewport.update(self._spread())
 
     def reset_ground(self) -> None:
         """Have the layers that are still painted anew as well."""
@@ -153,6 +161,10 @@ class LayerStack:
         ratio = painter.device().devicePixelRatioF()
         if self._ground is None or self._ground.devicePixelRatio() != ratio:
             self._ground = self._make_ground(ratio, shown, origin)
+        if region.rectCount() == 1:
+            # Qt clips to it already.
+            painter.drawPixmap(0, 0, self._ground)
+            return
         for part in rectangles_of(region):
             painter.setClipRect(part)
             painter.drawPixmap(0, 0, self._ground)
@@ -160,6 +172,7 @@ class LayerStack:
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Paint the layers that are not still, in pixels of the plot area."""
+        self._is_due = False
         self._paint_layers(painter, shown, still=False)
 
     def paint_still(self, painter: QPainter, shown: PixelMap, origin: QPointF) -> None:

@@ -55,8 +55,10 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         self._box = ViewBox()
         self._axes = Axes(self._box, self._repaint_all)
         self.camera = self.camera_class(self, self._box)
-        self.layers = LayerStack(self.viewport(), lambda: self.camera.area, self._axes.paint)
         self.rulers = Rulers(self.viewport(), self._axes, self.camera)
+        self.layers = LayerStack(
+            self.viewport(), lambda: self.camera.area, lambda: self.rulers.spread, self._axes.paint
+        )
         self._shows_focus = False
         self._set_up_view()
         self._axes.set_scale(self.font(), 1.0)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from PySide6.QtCore import QRect
+from PySide6.QtCore import QPoint, QRect
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 from PySide6.QtWidgets import QWidget
 
@@ -16,6 +17,12 @@ from .pixel_map import PixelMap
 
 _MARK = 6.0
 """Pixels from the plot area to the far end of the pointer's mark."""
+
+_REACH = math.ceil(_MARK) + 2
+"""Pixels beside the plot area that marks take, along both sides and where these meet."""
+
+_INSIDE = 2
+"""Pixels of the plot area that they touch."""
 
 _BAND = 4.0
 _BAND_SHARE = 0.45
@@ -43,6 +50,10 @@ class Rulers:
         self._viewport, self._axes, self._camera = viewport, axes, camera
         self.pointer: tuple[float, float] | None = None
         self.extent: Extent | None = None
+        # The colour of bands, and the theme that it is of.
+        self._band: tuple[QColor, Theme | None] = (QColor(), None)
+        # The plot area with the marks beside it, and the area that it was found for.
+        self._spread, self._spread_of = QRect(), QRect()
 
     @property
     def are_shown(self) -> bool:
@@ -54,23 +65,26 @@ class Rulers:
         """Pixels that the upper one takes of the height; 0 while there is none."""
         return self._camera.origin.y() if self.are_shown else 0.0
 
+    @property
+    def spread(self) -> QRect:
+        """The plot area, with what the marks take beside it: one rectangle, which Qt clips to quickly."""
+        area = self._camera.area
+        if not self._axes.are_rulers:
+            return area
+        if area is not self._spread_of:
+            corner = self._camera.origin.toPoint() - QPoint(_REACH, _REACH)
+            self._spread, self._spread_of = QRect(corner, self._viewport.rect().bottomRight()), area
+        return self._spread
+
     def show(self, pointer: tuple[float, float] | None, extent: Extent | None) -> None:
         """Mark these from the next paint on."""
         if (pointer, extent) == (self.pointer, self.extent):
             return
         self.pointer, self.extent = pointer, extent
         if self.are_shown:
-            for strip in self._strips():
-                self._viewport.update(strip)
-
-    def _strips(self) -> tuple[QRect, QRect]:
-        """Return what the marks take of the viewport, above the plot area and to the left of it."""
-        origin, size = self._camera.origin.toPoint(), self._viewport.size()
-        reach = math.ceil(_MARK) + 2
-        return (
-            QRect(0, origin.y() - reach, size.width(), reach + 2),
-            QRect(origin.x() - reach, 0, reach + 2, size.height()),
-        )
+            spread = self.spread
+            self._viewport.update(spread.x(), spread.y(), spread.width(), _REACH + _INSIDE)
+            self._viewport.update(spread.x(), spread.y(), _REACH + _INSIDE, spread.height())
 
     def axis_at(self, pixel: tuple[float, float]) -> int | None:
         """Return the ruler at a pixel of the plot area: 0 for that of x, 1 for that of y, None elsewhere."""
@@ -85,35 +99,34 @@ class Rulers:
         """Paint the marks, in pixels of the plot area."""
         if not self.are_shown:
             return
-        band = QColor(theme.accent)
-        band.setAlphaF(_BAND_SHARE)
-        for axis, side in enumerate(self._axes.sides(shown)):
-            if self.extent is not None:
-                self._paint_band(painter, side, axis, self.extent, band, theme)
-            if self.pointer is not None:
-                painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-                self._paint_pointer(painter, side, self.pointer[axis], theme)
+        sides = self._axes.sides(shown)
+        if self.extent is not None:
+            self._paint_bands(painter, sides, self.extent, theme)
+        if self.pointer is not None:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+            painter.setPen(theme.surface)
+            painter.setBrush(theme.ink)
+            for side, along in zip(sides, self.pointer, strict=True):
+                if 0 <= along <= side.length:
+                    painter.drawPolygon(_triangle(side, along))
 
-    def _paint_band(
-        self, painter: QPainter, side: Side, axis: int, extent: Extent, band: QColor, theme: Theme
-    ) -> None:
+    def _paint_bands(self, painter: QPainter, sides: Sequence[Side], extent: Extent, theme: Theme) -> None:
         """Paint how far the selection reaches, with a line at each end of it."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        ends = sorted((side.at(extent.low[axis]), side.at(extent.high[axis])))
-        first, last = max(ends[0], 0.0), min(ends[1], side.length)
-        if first > last:
-            return
-        painter.fillRect(side.box(first, last, 0, _BAND), band)
+        if self._band[1] is not theme:
+            colour = QColor(theme.accent)
+            colour.setAlphaF(_BAND_SHARE)
+            self._band = (colour, theme)
         painter.setPen(theme.accent)
-        for end in (round(first), round(last)):
-            painter.drawLine(side.point(end, 0), side.point(end, _MARK))
+        for axis, side in enumerate(sides):
+            ends = sorted((side.at(extent.low[axis]), side.at(extent.high[axis])))
+            first, last = max(ends[0], 0.0), min(ends[1], side.length)
+            if first <= last:
+                painter.fillRect(side.box(first, last, 0, _BAND), self._band[0])
+                for end in (round(first), round(last)):
+                    painter.drawLine(side.point(end, 0), side.point(end, _MARK))
 
-    def _paint_pointer(self, painter: QPainter, side: Side, along: float, theme: Theme) -> None:
-        """Paint a triangle that points at the drawing."""
-        if not 0 <= along <= side.length:
-            return
-        half = 0.7 * _MARK
-        tip = [side.point(along, 0), side.point(along - half, _MARK), side.point(along + half, _MARK)]
-        painter.setPen(theme.surface)
-        painter.setBrush(theme.ink)
-        painter.drawPolygon(QPolygonF(tip))
+
+def _triangle(side: Side, along: float) -> QPolygonF:
+    """Return a triangle that points at the drawing."""
+    half = 0.7 * _MARK
+    return QPolygonF([side.point(along, 0), side.point(along - half, _MARK), side.point(along + half, _MARK)])

@@ -239,10 +239,12 @@ class Toolbox:
 
     def marks(self) -> GestureMarks:
         """Return what is drawn over the plot."""
-        marks = replace(self._chosen.marks(self.context), waiting=self.background.lines)
-        if marks.pivot is None:
+        marks = self._chosen.marks(self.context)
+        if self.background.lines:
+            marks = replace(marks, waiting=self.background.lines)
+        if marks.pivot is None and (pivot := self._target.pivot) is not None:
             # One that was chosen is there whatever tool is in use.
-            marks = replace(marks, pivot=self._target.pivot)
+            marks = replace(marks, pivot=pivot)
         return self._above.marks(self.context).above(marks) if self._above is not None else marks
 
     def progress(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
@@ -534,6 +534,32 @@ def strip(editor, first, last):
     pixels = range(canvas.to_pixel(first, 0).x(), canvas.to_pixel(last, 0).x())
     ratio = image.devicePixelRatio()
     return [image.pixelColor(round(x * ratio), round(y * ratio)).name() for x in pixels]
+
+
+class _Painted(QObject):
+    """The rectangles of each paint of a widget."""
+
+    def __init__(self, widget):
+        super().__init__(widget)
+        self.counts = []
+        widget.installEventFilter(self)
+
+    def eventFilter(self, _widget, event):
+        if event.type() == QEvent.Type.Paint:
+            self.counts.append(event.region().rectCount())
+        return False
+
+
+def test_a_frame_of_a_drag_is_one_rectangle_with_the_marks_on_the_rulers(drawing):
+    """Of three, the plot area and two strips beside it, Qt clips every line to each."""
+    drawing.hover((2.0, -1.0))
+    drawing.settle()
+    painted = _Painted(drawing.window.canvas.viewport())
+    drawing.hover((3.0, -1.5))
+    assert painted.counts == [2], "the strips alone, while nothing is dragged"
+    painted.counts.clear()
+    drawing.drag_point(1, to=(1.5, 0.7))
+    assert set(painted.counts) == {1}
 
 
 def test_the_rulers_show_where_the_pointer_is_and_how_far_the_selection_reaches(drawing):

@@ -200,7 +200,8 @@ class SelectTool(Tool):
             band=self.gesture.band if isinstance(self.gesture, Band) else None,
             box=box if is_idle else None,
             frame=None if is_idle or is_banding else box,
-            pivot=context.drags.about_at(context.pointer) or (None if is_banding else self._pivot(context)),
+            pivot=context.drags.about_at(context.pointer)
+            or (None if is_banding else self._pivot(context, box)),
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
@@ -219,17 +220,17 @@ class SelectTool(Tool):
         is_inside = box is not None and box.holds(context.pointer)
         return context.target.group if is_inside else None
 
-    def _pivot(self, context: ToolContext) -> Vector | None:
+    @staticmethod
+    def _pivot(context: ToolContext, box: TransformBox | None) -> Vector | None:
         """Return the pivot that can be taken: one that was chosen, or the middle of the box."""
-        target = context.target
-        if (place := target.pivot) is not None:
+        if (place := context.target.pivot) is not None:
             return place
-        box = self._box(context)
         return box.centre if box is not None else None
 
     def _is_on_pivot(self, context: ToolContext) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
-        place, hit, box = self._pivot(context), context.hit, self._box(context)
+        hit, box = context.hit, self._box(context)
+        place = self._pivot(context, box)
         is_plain = hit is None or hit.part in (Part.CURVE, Part.GUIDE)
         is_free = context.target.pivot is not None or (
             is_plain and box is not None and is_roomy(box, context.pointer)
