@@ -37,6 +37,7 @@ class EditedShapeLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._shape: Shape = ()
+        self.set_visible(False)
 
     def render(self, shape: Shape) -> None:
         """Draw the curves of the shape from the next paint on; without any, nothing."""
