@@ -8,6 +8,8 @@ from PySide6.QtGui import QPainter
 
 from curvecore.arrays import BoolArray, FloatArray
 
+from ..document.lines import line_beside
+from ..document.model import Curve
 from ..plotting.pens import diamond, triangle
 from ..plotting.pixel_map import PixelMap
 from ..plotting.segments import Bars, Segments
@@ -59,7 +61,8 @@ class ShownHandles:
 
     Of a single selected point all handles are shown, of several those of the velocities. So are, fainter,
     the velocity handles at the far ends of the segments beside them, which shape the same segments; not
-    while points are added, when a press beside the curve means a point.
+    while points are added, when a press beside the curve means a point. Straight segments are bent by those
+    of a single point: more would only lie on them.
     """
 
     def __init__(self) -> None:
@@ -77,13 +80,15 @@ class ShownHandles:
         sides_of = (selection, count, is_closed, free)
         if view is self._view and sides_of == self._sides_of:
             return
-        if sides_of != self._sides_of:
+        is_one = len(selection) == 1
+        # A line stays one while points are dragged.
+        if sides_of != self._sides_of or not view.is_followed:
             indices = [index for index in selection if index < count]
-            facing = () if free else indices
-            self._sides = (sides_at(indices), sides_facing(facing, count, closed=is_closed))
+            facing = sides_facing(() if free else indices, count, closed=is_closed)
+            sides = sides_at(indices)
+            self._sides = (sides if is_one else _bent(view.source, sides), _bent(view.source, facing))
         self._view, self._sides_of = view, sides_of
         self._in_sight = (None, NO_HANDLES, NO_HANDLES)
-        is_one = len(selection) == 1
         own = handles_on(view, self._sides[0], free=free and is_one)
         self._own = own if is_one else own.of_velocities()
         self._facing = handles_on(view, self._sides[1]).of_velocities()
@@ -161,6 +166,15 @@ class ShownHandles:
             for arm in which[:, order].nonzero()[0].tolist():
                 shape, place = (diamond, triangle)[order - 1], QPointF(*pixels[arm, order + 1].tolist())
                 painter.drawPolygon(shape(place, float(sizes[arm, order])))
+
+
+def _bent(curve: Curve, sides: PointSides) -> PointSides:
+    """Return the sides on which there is no straight segment."""
+    if not curve.family.derivatives:
+        return sides
+    arms = zip(sides.indices.tolist(), sides.ahead.tolist(), strict=True)
+    is_bent = np.array([not line_beside(curve, index, ahead=ahead) for index, ahead in arms], dtype=bool)
+    return sides if is_bent.all() else PointSides(sides.indices[is_bent], sides.ahead[is_bent])
 
 
 def _near(handles: Handles, shown: PixelMap) -> Handles:

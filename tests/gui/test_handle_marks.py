@@ -111,6 +111,21 @@ def test_handles_that_face_the_selected_points_are_fainter_and_dragged_as_well(z
     assert not len(canvas.drawing.points.shown_handles.facing(canvas.pixel_map))
 
 
+def test_a_straight_segment_has_the_handles_of_a_single_point_alone(zigzag):
+    layer = zigzag.window.canvas.drawing.points
+    zigzag.select([2, 3])
+    zigzag.trigger("straightSegment")
+    assert {(each.index, each.ahead) for each in layer.handles} == {(2, False), (3, True)}
+    zigzag.select([2])
+    facing = layer.shown_handles.facing(zigzag.window.canvas.pixel_map)
+    assert {(each.index, each.ahead) for each in layer.handles} == {(2, False), (2, True)}
+    assert [(each.index, each.ahead) for each in facing] == [(1, True)]
+    # Bent, it has them again.
+    zigzag.drag_handle((5.0, 4.0), index=2)
+    zigzag.select([2, 3])
+    assert {(2, True), (3, False)} < {(each.index, each.ahead) for each in layer.handles}
+
+
 def test_of_very_many_points_handles_are_shown_when_few_are_in_sight(editor):
     count = 3 * MOST_POINTS
     points = [(float(abs(k % 40 - 19.5)), float(k // 20)) for k in range(count)]
