@@ -104,6 +104,7 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     assert weights == pytest.approx(uneven.session.active_view.cardinal.basis(uneven.session.selected.scrub))
     assert np.abs(weights).sum() > 7
     # A velocity that is set does not follow its point any more, though no parameter has changed.
+    uneven.fit()
     uneven.select_point(2)
     start = uneven.window.canvas.to_pixel(*uneven.handle().position)
     canvas = uneven.window.canvas

@@ -363,7 +363,8 @@ def test_the_cost_page_counts_measures_and_marks_n(lab, qtbot):
     chart = commands(lab)._panel.cost.chart
     assert chart._marker == 6
     assert [line.values[-1] > 1e6 for line in chart.lines] == [True, True]
-    lab.add_point(7, 1)
+    lab.fit()
+    lab.add_point(5.5, 3)
     settled(lab, qtbot)
     assert chart._marker == 7
     assert "With 7 points" in text(lab, "costWords")

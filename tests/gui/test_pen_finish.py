@@ -299,7 +299,7 @@ def test_the_second_press_of_a_double_click_drags_the_point_as_any_press_does(pe
 
 
 def test_a_click_on_the_first_point_closes_a_curve_without_handles_too_and_it_is_said(pen):
-    pen.choose_family(LAGRANGE)
+    pen.choose_family("cubic_spline")
     pen.hover(pen.point(0))
     assert hint(pen) == "Click to close the curve · Drag to move point 0"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor
 
 from app.appearance.theme import LIGHT
 from app.canvas.label_place import NOTHING, Surroundings, covered_lengths, free_corner
@@ -104,8 +105,14 @@ def column(editor, place, up):
 
 
 def has_accent(editor, place, between):
-    wanted = LIGHT.accent.rgb()
-    return any(wanted in column(editor, place, up) for up in range(*between))
+    # A smooth line between two columns of pixels has half of its colour in each.
+    wanted = 0.4 * _blueness(LIGHT.accent)
+    pixels = (QColor(pixel) for up in range(*between) for pixel in column(editor, place, up))
+    return any(_blueness(pixel) > wanted for pixel in pixels)
+
+
+def _blueness(colour):
+    return colour.blue() - colour.red()
 
 
 def test_one_line_of_the_grid_is_shown_as_a_line(snapping):

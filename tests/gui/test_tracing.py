@@ -105,7 +105,8 @@ def test_a_point_being_added_says_where_and_how(traced):
     traced.choose_family(HERMITE)
     traced.trigger("addTool")
     traced.press((1.0, 2.0))
-    assert traced.status.startswith("Add point 0 at 1.0")
+    x, y = traced.window.canvas.to_plane(traced.window.canvas.to_pixel(1.0, 2.0))
+    assert traced.status.startswith(f"Add point 0 at {x:.4g}, {y:.4g}")
     assert "velocity" not in traced.status
     traced.move((1.0, 3.0))
     assert "velocity at 90°" in traced.status
