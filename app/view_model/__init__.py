@@ -31,6 +31,7 @@ A curve changed:
   points.  ``measure``: the change of shape.
 - ``least_squares``: curves of few points near many.
 - ``bounds``: the box of points or curves.  ``stroked``: with strokes.  ``stretch``: what fills another.
+- ``fixed_point``: equations whose values take a while.
   ``alignment``: curves by theirs.  ``pivot``: the place that transforms are about, and what they did.
 - ``pasting``: points carried from one curve to another.  ``arrivals``: curves from elsewhere.
 - ``point_columns``: the columns of the point table.

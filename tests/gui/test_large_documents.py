@@ -82,7 +82,7 @@ def test_many_curves_are_imported_beside_the_window(editor, large, qtbot):
         dialog.ok.click()
         editor.wait_for_work()
 
-    # 1,760 for each curve when their views were made in this thread, 1,060 when all were measured for their box.
+    # 1,760 for each curve when their views were made in this thread, 1,060 when all were measured.
     calls = calls_of(imported)
     assert len(editor.session.document.curves) == COUNT + 1
     assert calls < 960 * COUNT
