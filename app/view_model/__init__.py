@@ -26,11 +26,12 @@ A curve changed:
 - ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.
-- ``reshape``, ``split_join``: other points for the same curve, two curves of one.
+- ``reshape``, ``splitting``, ``joining``: other points for the same curve, two curves of one, one of several.
   ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``point_kinds``: the kinds of
   points.  ``measure``: the change of shape.
 - ``least_squares``: curves of few points near many.
 - ``bounds``: the box of points or curves.  ``stroked``: with strokes.  ``stretch``: what fills another.
+- ``fixed_point``: equations whose values take a while.
   ``alignment``: curves by theirs.  ``pivot``: the place that transforms are about, and what they did.
 - ``pasting``: points carried from one curve to another.  ``arrivals``: curves from elsewhere.
 - ``point_columns``: the columns of the point table.

@@ -90,8 +90,23 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
     @cached_property
     def extent(self) -> FloatArray:
         """Lowest and highest corner of the points, and of the curve with them, (2, 2, 2)."""
-        drawn = np.vstack([self.points, self.polyline])
-        return np.array([(each.min(axis=0), each.max(axis=0)) for each in (self.points, drawn)])
+        points = np.array([self.points.min(axis=0), self.points.max(axis=0)])
+        if not len(self.polyline):
+            return np.array([points, points])
+        low, high = np.minimum(points[0], self.drawn_box[0]), np.maximum(points[1], self.drawn_box[1])
+        return np.array([points, (low, high)])
+
+    @cached_property
+    def drawn_box(self) -> FloatArray:
+        """Lowest and highest corner of the polyline of a curve that there is, (2, 2)."""
+        return np.array([self.polyline.min(axis=0), self.polyline.max(axis=0)])
+
+    @property
+    def known_box(self) -> tuple[FloatArray, float] | None:
+        """The box of the polyline, and by how much the curve's may differ; None before it is asked for."""
+        if "drawn_box" not in self.__dict__ or not self._whole[1]:
+            return None
+        return self.drawn_box, self._whole[1]
 
     @cached_property
     def _whole(self) -> tuple[Polyline, float]:

@@ -20,7 +20,7 @@ from ..document.point_group import PointGroup
 from ..document.words import number
 from .appending import appended_parameter, with_points_appended
 from .curve_view import CurveView, view_of
-from .split_join import split
+from .splitting import split
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:

@@ -2,8 +2,8 @@
 
 Where a rule gives the parameters by the distances of the points, or estimates by their coordinates, a curve
 whose points are stretched along one axis is not the stretched curve; and strokes that are measured do not
-grow as their curves do. The stretch is then corrected by the bounds that come out, until these are the ones
-wanted.
+grow as their curves do. The stretch is then corrected by the bounds that come out, along secants through the
+last ones, until these are the ones wanted.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import math
 from collections.abc import Sequence
 
 import msgspec
+import numpy as np
 
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
@@ -19,6 +20,7 @@ from ..document.several_curves import mapped, scaled_strokes
 from ..document.transforms import Affine
 from .bounds import BARE, Bounds, Strokes, bounds_of, is_whole
 from .curve_view import CurveView, view_of
+from .fixed_point import Secants
 
 Corners = tuple[Vector, Vector]
 """Images of the lower left and of the upper right corner of a box; they may have changed places."""
@@ -26,6 +28,12 @@ Corners = tuple[Vector, Vector]
 _ROUNDS = 40
 _ROUNDING = 2.0**-50
 """Share of the largest coordinate within which bounds are computed."""
+
+_IN_VAIN, _NEAR = 5, 1e-9
+"""Rounds without half the deviation that end it, and the share of the coordinates below which it is noise.
+
+Curves that swing wildly have bounds that are no better known.
+"""
 
 _LEAST_SHARE = 0.01
 """Of the size of a box too small for its strokes: what the curves in it keep, so that they can grow again."""
@@ -67,18 +75,33 @@ def stretched(
         return _with_strokes(document, group, plain, strokes)
     largest = max(abs(value) for corner in (*corners, before.bare.low, before.bare.high) for value in corner)
     enough = max(tolerance, _ROUNDING * largest)
-    best, least = document, float("inf")
+    best, least, secants, vain = document, math.inf, Secants(4), 0
     for _ in range(_ROUNDS):
         changed = _with_strokes(document, group, between(before.bare, aim), strokes)
         reached = _measured(_views_of(changed, views, group), group, strokes)
         wanted = goal.from_(reached)
         off = _distance(reached.outer, wanted.outer)
+        vain = vain + 1 if off > least / 2.0 else 0
         if off < least:
             best, least = changed, off
-        if off <= enough:
+        if off <= enough or (vain == _IN_VAIN and least <= _NEAR * largest):
             break
-        aim = (_corrected(aim[0], reached.bare, wanted.bare), _corrected(aim[1], reached.bare, wanted.bare))
+        corrected = (
+            _corrected(aim[0], reached.bare, wanted.bare),
+            _corrected(aim[1], reached.bare, wanted.bare),
+        )
+        aim = _next_aim(secants, aim, corrected)
     return best
+
+
+def _next_aim(secants: Secants, aim: Corners, corrected: Corners) -> Corners:
+    """Return the corners to be tried next: along secants, unless these would turn the box over."""
+    left, bottom, right, top = secants.after(np.ravel(aim), np.ravel(corrected)).tolist()
+    (x, y), (end_x, end_y) = corrected
+    if (right - left) * (end_x - x) < 0.0 or (top - bottom) * (end_y - y) < 0.0:
+        secants.forget()
+        return corrected
+    return (left, bottom), (right, top)
 
 
 class _Measured(msgspec.Struct, frozen=True):

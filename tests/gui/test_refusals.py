@@ -42,7 +42,7 @@ def has(widget, colour):
 @pytest.mark.parametrize(
     ("key", "held", "expected"),
     [
-        (Qt.Key.Key_J, CTRL, "“Join Curve End to Start” needs a second curve."),
+        (Qt.Key.Key_J, CTRL, "“Join Ends of Curves” needs two selected ends, or a second curve."),
         (Qt.Key.Key_2, ALT, "“Corner Tangents” needs selected points of a Hermite curve."),
         (Qt.Key.Key_4, ALT, "“Straight Segment” needs a Hermite curve."),
         (Qt.Key.Key_4, ALT | KEYPAD, "“Straight Segment” needs a Hermite curve."),
@@ -82,7 +82,7 @@ def test_they_say_so_from_the_panels_too(line):
     view = line.window.commands[CurveListCommands].panel.view
     view.setFocus()
     QTest.keyClick(view, Qt.Key.Key_J, CTRL)
-    assert line.status == "“Join Curve End to Start” needs a second curve."
+    assert line.status == "“Join Ends of Curves” needs two selected ends, or a second curve."
 
 
 def test_keys_that_a_person_chose_say_it(line):
@@ -90,7 +90,7 @@ def test_keys_that_a_person_chose_say_it(line):
     key = line.action("splitCurve").shortcut()
     keymap.assign("joinCurve", [key])
     line.key(Qt.Key.Key_K, CTRL)
-    assert line.status.startswith("“Join Curve End to Start” needs")
+    assert line.status.startswith("“Join Ends of Curves” needs")
     keymap.reset_all()
 
 

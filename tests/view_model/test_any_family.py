@@ -41,12 +41,13 @@ from app.view_model.curve_view import view_of
 from app.view_model.goals import MEASURES, parse_goal, result_of
 from app.view_model.growth import growth_of_points
 from app.view_model.hold import BendWith
+from app.view_model.joining import joined
 from app.view_model.motion import STATIONS, Course, Pace
 from app.view_model.motion_picture import jumps_in_words, rivals_of
 from app.view_model.motion_settings import timed_families
 from app.view_model.nearest import NearestPoint
 from app.view_model.reshape import reversed_curve, with_point_inserted
-from app.view_model.split_join import joined, split
+from app.view_model.splitting import split
 from curvecore import ParametricCurve, joint_report, monomial_condition
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance

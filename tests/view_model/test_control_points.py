@@ -21,7 +21,7 @@ from app.view_model.analysis.wording import short
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import view_of
 from app.view_model.handles import control_polygon
-from app.view_model.split_join import joined
+from app.view_model.joining import joined
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
 

@@ -1,4 +1,4 @@
 """Whole curves: new, join, split, reverse, close, name and order.
 
-- ``commands``: the actions.
+- ``commands``: the actions; ``join_commands``: those that make one curve of several.
 """

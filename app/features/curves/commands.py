@@ -1,10 +1,8 @@
-"""Whole curves, one at a time: new, join, split, reverse, close, name and order."""
+"""Whole curves, one at a time: new, split, reverse, close, name and order."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-
-import numpy as np
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
@@ -19,10 +17,10 @@ from ...document.shapes import shape_of
 from ...document.words import number
 from ...view_model.appending import with_closed
 from ...view_model.curve_view import view_of
-from ...view_model.measure import is_kept
 from ...view_model.reshape import Reshaped, inserted_index, reversed_curve, with_point_inserted
-from ...view_model.split_join import Split, joined, split
+from ...view_model.splitting import Split, split
 from ...workbench.context import WindowContext
+from .join_commands import JoinCommands
 
 
 class CurveCommands:
@@ -171,45 +169,6 @@ class CurveCommands:
             act(t)
 
     @action(
-        "joinCurve",
-        "Join End to Start",
-        CURVE_SHAPE,
-        "Ctrl+J",
-        "join",
-        full_name="Join Curve End to Start",
-        needs=Need(SECOND_CURVE.words, lambda now: now.view.is_current and SECOND_CURVE.is_met(now)),
-    )
-    @also(CURVE_MENU(12), CURVE_LIST_MENU(32), CURVE_LIST_BUTTONS(13))
-    def _join(self) -> None:
-        """Join the end of the curve to the nearest start of another."""
-        session, index = self._session, self._session.active_index
-        partner = self._nearest_start()
-        if partner is None:
-            session.refuse("There is no other open, visible curve whose start could follow.")
-            return
-        name = session.document.curves[partner].name
-        made = self._reshape(
-            f"Join {session.active_curve.name} and {name}",
-            lambda: joined(session.active_view, session.views[partner]),
-            lambda document: curve_edits.remove_curve(document, partner),
-            active=index - (partner < index),
-        )
-        if made is not None:
-            shapes = "shapes kept" if is_kept(made.residual, (made.curve,)) else "the shapes are others"
-            session.say(f"Joined with “{name}”: {shapes}, largest change {number(made.residual, 2)}.")
-
-    def _nearest_start(self) -> int | None:
-        """Return the open visible curve whose start is nearest to the end of the active one."""
-        views, active = self._session.views, self._session.active_index
-        end = views[active].points[-1]
-        others = [
-            (float(np.hypot(*(view.points[0] - end))), place)
-            for place, view in enumerate(views)
-            if place != active and view.source.visible and view.is_current and not view.source.is_closed
-        ]
-        return min(others)[1] if others else None
-
-    @action(
         "splitCurve", "Split", CURVE_SHAPE, "Ctrl+K", "split", full_name="Split Curve", needs=UNLOCKED_CURVE
     )
     @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
@@ -299,4 +258,4 @@ def _with_parts(document: Document, index: int, first: Curve, *others: Curve) ->
     return document
 
 
-COMMAND_SETS = (CurveCommands,)
+COMMAND_SETS = (CurveCommands, JoinCommands)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
-from ...actions.declaration import Action, action, action_for_each, also_for_each
+from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
 from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
@@ -178,56 +178,48 @@ class SelectionCommands:
         selected = self._session.selected
         selected.set_turns(not selected.turns)
 
-    @action(
+    @switch(
+        "transform_box",
         "toggleTransformBox",
         "Box with Grips",
         EDIT_TRANSFORM_BOX,
         icon="transform-box",
         full_name="Transform Box with Grips",
-        checked=lambda now: now.state.transform_box,
         during_gesture=True,
     )
     def _toggle_box(self) -> None:
         """Show a box with grips around two or more selected points, or around selected curves."""
-        store = self._context.store
-        store.change(transform_box=not store.state.transform_box)
 
-    @action(
+    @switch(
+        "keep_proportions",
         "keepProportions",
         "Keep Proportions",
         EDIT_TRANSFORM_BOX,
         icon="lock",
         full_name="Transform Panel: Keep Proportions",
-        checked=lambda now: now.state.keep_proportions,
     )
     def _toggle_proportions(self) -> None:
         """Let the height follow where a width is typed, and the width a height."""
-        store = self._context.store
-        store.change(keep_proportions=not store.state.keep_proportions)
 
-    @action(
+    @switch(
+        "measure_strokes",
         "measureStrokes",
         "Measure with Strokes",
         EDIT_TRANSFORM_BOX,
-        checked=lambda now: now.state.measure_strokes,
         keywords="visual geometric bounding box line width size",
     )
     def _toggle_measured(self) -> None:
         """Let sizes, edges and the box with grips be those of curves as they print, with caps and joins."""
-        store = self._context.store
-        store.change(measure_strokes=not store.state.measure_strokes)
 
-    @action(
+    @switch(
+        "scale_strokes",
         "scaleStrokes",
         "Scale Stroke Widths",
         EDIT_TRANSFORM_BOX,
-        checked=lambda now: now.state.scale_strokes,
         keywords="line width thickness",
     )
     def _toggle_strokes(self) -> None:
         """Let strokes get wider, or thinner, with the curves that they are of."""
-        store = self._context.store
-        store.change(scale_strokes=not store.state.scale_strokes)
 
 
 COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands)

@@ -1,10 +1,8 @@
-"""One curve made two, and two made one, with their shapes kept."""
+"""One curve made two, with its shape kept."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from itertools import pairwise
 
 import msgspec
 import numpy as np
@@ -16,22 +14,17 @@ from curvecore.parametrization import spread
 from .. import view_model
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError
-from ..document.model import Curve, ParametrizationKind, Point, Vector
-from ..document.ties import tied_if_parallel
+from ..document.model import Curve, ParametrizationKind, Point
 from ..document.words import number
-from ..families import HERMITE, titles_with_derivatives
+from ..families import HERMITE
 from .curve_view import CurveView, view_of
 from .measure import dense, is_kept, largest_distance, outcome
-from .plane import polygon_length, size_of
-from .reshape import Reshaped, baked, refuse_without_curve, through, with_point_inserted
+from .reshape import baked, refuse_without_curve, through, with_point_inserted
 
 MOST_POINTS_SPLIT = 40
 """Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""
 
 _BETWEEN_ENDS = "The curve can be split between its ends, not at them."
-
-_COINCIDE = 1e-9
-"""Distance, relative to the size of two curves, up to which end and start are one point."""
 
 
 class Split(msgspec.Struct, frozen=True):
@@ -110,7 +103,7 @@ def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
         raise EditError(_BETWEEN_ENDS)
     halves = ((start, t), (t, end))
     return tuple(
-        _part(view.source, _on_polynomial(view, *half), half[1], name)
+        part_of(view.source, _on_polynomial(view, *half), half[1], name)
         for half, name in zip(halves, _names_of_parts(view.source.name), strict=True)
     )
 
@@ -136,10 +129,10 @@ def _split_pieces(view: CurveView, t: float) -> tuple[Curve, ...]:
     if not 0 < nearest < len(points) - 1:
         raise EditError(_BETWEEN_ENDS)
     first, second = _names_of_parts(view.source.name)
-    ending, beginning = points[nearest].without_corner(), _beginning(points[nearest])
+    end, start = points[nearest].without_corner(), beginning(points[nearest])
     return (
-        _part(whole.source, [*points[:nearest], ending], ending.t or 0.0, first),
-        _part(whole.source, [beginning, *points[nearest + 1 :]], points[-1].t or 0.0, second),
+        part_of(whole.source, [*points[:nearest], end], end.t or 0.0, first),
+        part_of(whole.source, [start, *points[nearest + 1 :]], points[-1].t or 0.0, second),
     )
 
 
@@ -148,17 +141,18 @@ def _opened(whole: CurveView, at: int) -> Curve:
     points = whole.source.points
     period = float(whole.parameters[-1] - whole.parameters[0])
     later = [replace(point, t=(point.t or 0.0) + period) for point in points[: at + 1]]
-    around = [_beginning(points[at]), *points[at + 1 :], *later[:-1], later[-1].without_corner()]
-    return _part(whole.source, around, around[-1].t or 0.0, whole.source.name)
+    around = [beginning(points[at]), *points[at + 1 :], *later[:-1], later[-1].without_corner()]
+    return part_of(whole.source, around, around[-1].t or 0.0, whole.source.name)
 
 
-def _beginning(point: Point) -> Point:
+def beginning(point: Point) -> Point:
     """Return `point` as the first of a curve: with what it has after it."""
     after = [point.explicit_sides(each.order)[1] for each in DERIVATIVES]
     return point.without_corner().with_derivatives(after, ())
 
 
-def _part(curve: Curve, points: Sequence[Point], end: float, name: str) -> Curve:
+def part_of(curve: Curve, points: Sequence[Point], end: float, name: str) -> Curve:
+    """Return an open curve like another through points with parameters of their own, which go on to `end`."""
     rule = replace(curve.parametrization, kind=ParametrizationKind.MANUAL, start=points[0].t or 0.0, end=end)
     return replace(curve, name=name, points=tuple(points), parametrization=rule, closed=False)
 
@@ -174,102 +168,4 @@ def _residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
         refuse_without_curve(part)
         t = dense(part.parameters)
         residual = max(residual, largest_distance(view, np.where(t > end, t - (end - start), t), part, t))
-    return residual
-
-
-def joined(first: CurveView, second: CurveView) -> Reshaped:
-    """Join the end of `first` to the start of `second`: one curve, its parameters one after the other.
-
-    Both keep their shapes. Where end and start coincide they become one point, a corner if the derivatives
-    there differ; else a segment leads from one to the other, at the mean of the speeds on both sides.
-
-    Raises
-    ------
-    EditError
-        If there is no curve to join, or the two cannot be one curve of a family.
-    """
-    _refuse_to_join(first, second)
-    a, b = baked(first), baked(second)
-    ending, beginning = a.points[-1].without_corner(), _beginning(b.points[0])
-    gap = math.dist(first.points[-1], second.points[0])
-    size = max(size_of(np.vstack([first.points, second.points])), 1e-300)
-    if gap <= _COINCIDE * size:
-        wait = 0.0
-        seam, after = (_merged(ending, beginning),), b.points[1:]
-    else:
-        wait = gap / _speed_at_seam(first, second)
-        seam, after = (ending,), (beginning, *b.points[1:])
-    end = float(first.parameters[-1])
-    start = float(second.parameters[0])
-    later = tuple(replace(point, t=end + wait + ((point.t or 0.0) - start)) for point in after)
-    points = (*a.points[:-1], *seam, *later)
-    if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(points)):
-        raise EditError("The parameters of the second curve lie too close together to follow the first's.")
-    curve = _part(a, points, points[-1].t or 0.0, a.name)
-    residual = _residual_of_join(first, second, view_of(curve), end + wait - start)
-    if not is_kept(residual, (first.source, second.source)):
-        other = f"Choose {titles_with_derivatives()} for both."
-        if not a.family.interpolates:
-            other = f"Convert both to {titles_with_derivatives()} first, keeping the shape."
-        raise EditError(
-            f"Two {a.family.title} curves cannot be joined: they would become another curve, up to "
-            f"{number(residual, 2)} away. {other}"
-        )
-    return Reshaped(curve, residual)
-
-
-def _refuse_to_join(first: CurveView, second: CurveView) -> None:
-    for view in (first, second):
-        if not view.is_current:
-            raise EditError(f"“{view.source.name}” cannot be joined. {view.problem}")
-        if view.source.is_closed:
-            raise EditError(f"“{view.source.name}” is closed and has no end; open it first.")
-    one, other = first.source.family, second.source.family
-    if one.curve_class.is_one_polynomial or other.curve_class.is_one_polynomial:
-        raise EditError(f"Two polynomials make no third; choose {titles_with_derivatives()} for both curves.")
-    if one != other:
-        first_kind, second_kind = (each.full_title.partition(" ")[0] for each in (one, other))
-        raise EditError(f"One curve is {first_kind}, the other {second_kind}; choose one family for both.")
-
-
-def _speed_at_seam(first: CurveView, second: CurveView) -> float:
-    """Return the speed for the way from one curve to the other, positive."""
-    assert first.curve is not None
-    assert second.curve is not None
-    velocities = [
-        first.curve.evaluate(first.curve.domain[1], 1),
-        second.curve.evaluate(second.curve.domain[0], 1),
-    ]
-    speeds = np.hypot(*np.array(velocities).T)
-    mean = float(speeds.mean())
-    if mean > 0:
-        return mean
-    chord = polygon_length(first.points)
-    return max(chord, 1e-300) / float(first.parameters[-1] - first.parameters[0])
-
-
-def _merged(end: Point, start: Point) -> Point:
-    """Return the point where a curve ends and another starts: smooth where they go on in one direction.
-
-    A corner where not, and a point like any other where all goes on alike.
-    """
-    before, after = ([getattr(point, each.name) for each in DERIVATIVES] for point in (end, start))
-    if all(map(_alike, before, after)):
-        return end
-    return tied_if_parallel(end.as_corner().with_derivatives(before, after))
-
-
-def _alike(x: Vector | None, y: Vector | None) -> bool:
-    if x is None or y is None:
-        return x is y
-    scale = max(*map(abs, x), *map(abs, y))
-    return max(abs(x[0] - y[0]), abs(x[1] - y[1])) <= 1e-12 * scale
-
-
-def _residual_of_join(first: CurveView, second: CurveView, whole: CurveView, shift: float) -> float:
-    refuse_without_curve(whole)
-    residual = 0.0
-    for view, by in ((first, 0.0), (second, shift)):
-        t = dense(view.parameters)
-        residual = max(residual, largest_distance(view, t, whole, t + by))
     return residual

@@ -1,0 +1,131 @@
+"""Several curves made one: at two selected ends, by the nearest ends of those chosen, or end to start."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+
+import numpy as np
+
+from ...actions.declaration import action, also
+from ...actions.needs import SECOND_CURVE, Need
+from ...actions.sections import CURVE_SHAPE
+from ...actions.situation import Situation
+from ...actions.strips import CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
+from ...document import curve_edits
+from ...document.model import Document
+from ...document.several_curves import remove_curves
+from ...document.words import number
+from ...view_model.appending import with_closed
+from ...view_model.joining import End, Joined, Link, joined_by, link_of, nearest_links
+from ...view_model.measure import is_kept
+from ...workbench.context import WindowContext
+
+
+def _is_joinable(now: Situation) -> bool:
+    return now.view.is_current and (
+        SECOND_CURVE.is_met(now) or link_of(now.session.views, now.group) is not None
+    )
+
+
+class JoinCommands:
+    """Actions that make one curve of several."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session = context.session
+
+    @action(
+        "joinCurve",
+        "Join Ends",
+        CURVE_SHAPE,
+        "Ctrl+J",
+        "join",
+        full_name="Join Ends of Curves",
+        needs=Need("two selected ends, or a second curve", _is_joinable),
+        keywords="connect nodes combine close path weld start",
+    )
+    @also(CURVE_MENU(12), POINT_MENU(21), CURVE_LIST_MENU(32), CURVE_LIST_BUTTONS(13))
+    def _join(self) -> None:
+        """Join two selected ends, or the nearest ends of chosen curves; else the end to the nearest start."""
+        session = self._session
+        link = link_of(session.views, session.selected.group)
+        if link is not None:
+            self._join_ends(link)
+        elif len(session.selected.group.parts) > 1:
+            session.refuse("Select one end each of two open curves, and nothing else, to join them there.")
+        elif len(session.selected.chosen) > 1:
+            self._join_chosen()
+        else:
+            self._join_to_nearest_start()
+
+    def _join_ends(self, link: Link) -> None:
+        session, view = self._session, self._session.active_view
+        ends = {end.curve for end in link}
+        if len(ends) == 1 and not view.source.family.derivatives:
+            # Nothing keeps its shape there: it closes as its rules have it.
+            session.change(
+                _step_name(session.document, ends),
+                lambda document: with_closed(document, session.active_index, view, closed=True),
+            )
+            return
+        self._make(ends, session.active_index, lambda kept: joined_by(session.views, [link], kept))
+
+    def _join_chosen(self) -> None:
+        session, views = self._session, self._session.views
+        is_open = (place for place in session.selected.chosen if not views[place].source.is_closed)
+        curves = sorted(place for place in is_open if len(views[place].points))
+        if len(curves) < 2:
+            session.refuse("Choose two open curves or more to join them; closed ones have no ends.")
+            return
+        kept = session.active_index if session.active_index in curves else curves[-1]
+        self._make(
+            curves, kept, lambda kept: joined_by(views, nearest_links(views, curves), kept, is_ring=True)
+        )
+
+    def _join_to_nearest_start(self) -> None:
+        session, index = self._session, self._session.active_index
+        partner = self._nearest_start()
+        if partner is None:
+            session.refuse("There is no other open, visible curve whose start could follow.")
+            return
+        link = (End(index, is_last=True), End(partner, is_last=False))
+        self._make({index, partner}, index, lambda kept: joined_by(session.views, [link], kept))
+
+    def _nearest_start(self) -> int | None:
+        """Return the open visible curve whose start is nearest to the end of the active one."""
+        views, active = self._session.views, self._session.active_index
+        end = views[active].points[-1]
+        others = [
+            (float(np.hypot(*(view.points[0] - end))), place)
+            for place, view in enumerate(views)
+            if place != active and view.source.visible and view.is_current and not view.source.is_closed
+        ]
+        return min(others)[1] if others else None
+
+    def _make(self, curves: Collection[int], kept: int, make: Callable[[int], Joined]) -> None:
+        """Put what `make` returns in the place of the curve `kept`, and remove the others."""
+        session, made = self._session, list[Joined]()
+        others = set(curves) - {kept}
+        names = [session.document.curves[place].name for place in (*sorted(others), kept)]
+
+        def edit(document: Document) -> Document:
+            made.append(make(kept))
+            document = curve_edits.replace_curve(document, kept, made[0].curve)
+            return remove_curves(document, others)
+
+        active = kept - sum(place < kept for place in others)
+        if not session.change(_step_name(session.document, curves, kept), edit, active=active):
+            return
+        if session.selected.is_editing:
+            session.selected.set_points(made[0].seams)
+        else:
+            session.selected.choose([session.active_index])
+        what = f"with “{names[0]}”" if len(names) == 2 else f"{len(names)} curves" if others else "both ends"
+        shapes = "shapes kept" if is_kept(made[0].residual, (made[0].curve,)) else "the shapes are others"
+        session.say(f"Joined {what}: {shapes}, largest change {number(made[0].residual, 2)}.")
+
+
+def _step_name(document: Document, curves: Collection[int], kept: int = 0) -> str:
+    if len(curves) > 2:
+        return f"Join {len(curves)} curves"
+    names = [document.curves[place].name for place in sorted(curves, key=lambda place: place != kept)]
+    return f"Join {names[0]} and {names[1]}" if len(names) == 2 else f"Close {names[0]}"

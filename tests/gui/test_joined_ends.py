@@ -1,0 +1,171 @@
+"""Ends of curves joined: two that are selected, both of one curve, those of chosen curves; real events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+
+from app.document.model import Document, make_curve
+from app.families import FAMILIES, HERMITE
+from app.view_model.curve_view import view_of
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+Key = Qt.Key
+
+LEFT = [(0.0, 0.0), (1.0, 2.0), (3.0, 2.0)]
+RIGHT = [(8.0, 0.0), (7.0, 2.0), (4.0, 2.0)]
+FAR = [(4.0, -3.0), (1.0, -3.0), (0.0, -2.0)]
+
+
+def show(editor, *curves):
+    editor.session.commit(Document(curves), "Begin", active=0)
+    editor.session.selected.activate(0)
+    editor.window.canvas.camera.show_box((-2, 10), (-5, 5))
+    editor.settle()
+    return editor
+
+
+def hermite(points, name, shape=""):
+    return (
+        make_curve(points, name=name, family=HERMITE)
+        if not shape
+        else replace(make_curve(points, name=name, family=HERMITE), shape=shape)
+    )
+
+
+@pytest.fixture
+def arcs(editor):
+    """Two contours of one shape whose last points are neighbours, and another curve."""
+    return show(editor, hermite(LEFT, "Left", "Arch"), hermite(RIGHT, "Right", "Arch"), hermite(FAR, "Far"))
+
+
+def names(editor):
+    return [curve.name for curve in editor.session.document.curves]
+
+
+def places(editor):
+    return [point.position for point in editor.curve.points]
+
+
+def farthest(editor, curve):
+    """How far a curve of before is from the one that is edited, at most."""
+    t = np.linspace(0, 1, 60)
+    before = view_of(curve)
+    start, end = before.curve.domain
+    whole = editor.session.active_view.curve
+    fine = whole.evaluate(np.linspace(*whole.domain, 40_001))
+    away = fine - before.curve.evaluate(start + t * (end - start))[:, None]
+    return np.hypot(away[..., 0], away[..., 1]).min(axis=1).max()
+
+
+def test_a_band_over_two_ends_and_ctrl_j_join_these(arcs):
+    begun = arcs.session.document
+    arcs.drag((2.5, 2.6), (4.5, 1.5))
+    assert dict(arcs.session.selected.group.parts) == {0: {2}, 1: {2}}
+    arcs.key(Key.Key_J, CTRL)
+    assert names(arcs) == ["Left", "Far"]
+    # The other one runs the other way now.
+    assert places(arcs) == [*LEFT, *reversed(RIGHT)]
+    assert max(farthest(arcs, curve) for curve in begun.curves[:2]) < 1e-3
+    assert arcs.status.startswith("Joined with “Right”: shapes kept, largest change ")
+    assert dict(arcs.session.selected.group.parts) == {0: {2, 3}}
+    assert arcs.session.undo_stack.undoText() == "Join Left and Right"
+    arcs.trigger("undo")
+    assert arcs.session.document == begun
+    assert arcs.session.selected.curves == {0, 1}
+
+
+def test_ends_that_meet_become_one_point_whichever_they_are(editor):
+    """Two starts: the edited curve keeps its direction, the other one comes before it."""
+    show(editor, hermite(LEFT, "A"), hermite([LEFT[0], *FAR], "B"))
+    editor.session.selected.set_curves({0, 1}, active=0)
+    editor.drag((-0.5, 0.5), (0.5, -0.5))
+    assert editor.session.selected.group.counted == "2 points in 2 curves"
+    editor.key(Key.Key_J, CTRL)
+    assert names(editor) == ["A"]
+    assert places(editor) == [*reversed(FAR), *LEFT]
+    assert editor.session.selection == {3}
+    assert editor.curve.points[3].corner
+
+
+def test_both_ends_of_one_curve_close_it_and_nothing_else_moves(editor):
+    show(editor, hermite(LEFT, "A"))
+    before = editor.curve
+    editor.click(LEFT[0])
+    editor.click(LEFT[2], keys=SHIFT)
+    assert editor.action("joinCurve").isEnabled()
+    editor.key(Key.Key_J, CTRL)
+    assert editor.curve.is_closed
+    assert places(editor) == LEFT
+    assert farthest(editor, before) < 1e-3
+    assert editor.session.selection == {0, 2}
+    assert editor.session.undo_stack.undoText() == "Close A"
+    assert editor.status.startswith("Joined both ends: shapes kept")
+
+
+def test_a_loop_whose_ends_meet_closes_in_one_point(editor):
+    show(editor, hermite([*LEFT, (3.0, -1.0), LEFT[0]], "A"))
+    before = editor.curve
+    editor.drag((-0.5, 0.5), (0.5, -0.5))
+    editor.key(Key.Key_J, CTRL)
+    assert editor.curve.is_closed
+    assert len(editor.curve.points) == 4
+    assert farthest(editor, before) < 1e-3
+    assert editor.session.selection == {0}
+
+
+def test_a_curve_that_keeps_no_shape_closes_as_its_rules_have_it(editor):
+    show(editor, make_curve([*LEFT, (3.0, -1.0)], name="A", family=FAMILIES.named("cubic_spline")))
+    editor.click(LEFT[0])
+    editor.click((3.0, -1.0), keys=SHIFT)
+    editor.key(Key.Key_J, CTRL)
+    assert editor.curve.is_closed
+    assert editor.session.undo_stack.undoText() == "Close A"
+
+
+def test_an_inner_point_beside_an_end_joins_nothing(arcs):
+    begun = arcs.session.document
+    arcs.click(LEFT[2])
+    arcs.click(RIGHT[1], keys=SHIFT)
+    arcs.key(Key.Key_J, CTRL)
+    assert arcs.status.startswith("Select one end each of two open curves")
+    assert arcs.session.document == begun
+
+
+def test_polynomials_are_not_joined_at_their_ends_either(editor):
+    show(editor, make_curve(LEFT, name="A"), make_curve(RIGHT, name="B"))
+    editor.session.selected.set_curves({0, 1}, active=0)
+    editor.drag((2.5, 2.6), (4.5, 1.5))
+    editor.key(Key.Key_J, CTRL)
+    assert editor.status.startswith("Two polynomials make no third")
+    assert names(editor) == ["A", "B"]
+
+
+def test_chosen_curves_are_joined_nearest_ends_first_and_a_ring_closes(editor):
+    sides = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)]
+    a, b, c, d = ((sides[at], sides[at + 1]) for at in range(4))
+    pieces = [list(a), list(reversed(c)), list(reversed(b)), list(d)]
+    show(editor, *(hermite(points, name) for points, name in zip(pieces, "acbd", strict=True)))
+    editor.key(Key.Key_Escape)
+    editor.key(Key.Key_A, CTRL)
+    assert len(editor.session.selected.chosen) == 4
+    editor.key(Key.Key_J, CTRL)
+    assert len(editor.session.document.curves) == 1
+    assert editor.curve.is_closed
+    assert sorted(places(editor)) == sorted(sides[:4])
+    assert editor.session.undo_stack.undoText() == "Join 4 curves"
+    assert editor.status.startswith("Joined 4 curves: shapes kept")
+    editor.trigger("undo")
+    assert names(editor) == list("acbd")
+
+
+def test_two_chosen_curves_are_joined_at_their_nearest_ends(arcs):
+    arcs.session.selected.choose({1, 0})
+    arcs.key(Key.Key_J, CTRL)
+    assert len(arcs.session.document.curves) == 2
+    assert len(arcs.curve.points) == 6
+    assert not arcs.curve.is_closed
+    assert arcs.session.selected.chosen == {arcs.session.active_index}
