@@ -409,7 +409,7 @@ def test_icons_show_checked_and_disabled(qapp):
 
 def test_upright_lines_are_crisp_at_16_pixels(qapp):
     # Centred on x = 3/24 of 16 px a line fell on two half-grey columns.
-    picture = icon("plot-curvature", LIGHT).pixmap(QSize(16, 16), 1.0)
+    picture = icon("comb", LIGHT).pixmap(QSize(16, 16), 1.0)
     column = [colour.alpha() for colour in pixels(picture)]
     assert max(column) == 255
 
