@@ -106,8 +106,19 @@ def with_closed(document: Document, index: int, view: CurveView, closed: bool) -
     EditError
         If the curve cannot be closed.
     """
+    if closed and _ends_where_it_starts(view.source):
+        # The segment that closes it has no length: the last point is the first.
+        document = document.with_curve(index, replace(view.source, points=view.source.points[:-1]))
+        return set_closed(document, index, closed)
     scale = scale_of(view, replace(view.source, closed=closed))
     return set_closed(document, index, closed, parameter_scale=scale)
+
+
+def _ends_where_it_starts(curve: Curve) -> bool:
+    """Whether the last point of an open curve is at the place of the first, with nothing set there."""
+    first, last = curve.points[:1], curve.points[-1:]
+    is_loop = len(curve.points) > curve.family.least_to_close and first[0].position == last[0].position
+    return is_loop and curve.family.curve_class.can_close and not any(vectors_of(last[0]))
 
 
 def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:

@@ -117,12 +117,16 @@ def test_a_loop_whose_ends_meet_closes_in_one_point(editor):
     assert editor.session.selection == {0}
 
 
-def test_a_curve_that_keeps_no_shape_closes_as_its_rules_have_it(editor):
-    show(editor, make_curve([*LEFT, (3.0, -1.0)], name="A", family=FAMILIES.named("cubic_spline")))
-    editor.click(LEFT[0])
-    editor.click((3.0, -1.0), keys=SHIFT)
+@pytest.mark.parametrize("end", [(3.0, -1.0), LEFT[0]])
+def test_a_curve_that_keeps_no_shape_closes_as_its_rules_have_it(editor, end):
+    """Where its ends met the segment between them had no length, and there was no curve."""
+    points = [*LEFT, (4.0, -1.0), end]
+    show(editor, make_curve(points, name="A", family=FAMILIES.named("cubic_spline")))
+    editor.session.selected.set_points([0, 4])
     editor.key(Key.Key_J, CTRL)
     assert editor.curve.is_closed
+    assert editor.session.active_view.is_current
+    assert places(editor) == list(dict.fromkeys(points))
     assert editor.session.undo_stack.undoText() == "Close A"
 
 
