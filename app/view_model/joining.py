@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError, set_closed
+from ..document.lines import line_beside
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_group import PointGroup
 from ..document.ties import tied_if_parallel
@@ -22,6 +23,7 @@ from .measure import dense, is_kept, largest_distance
 from .plane import polygon_length, size_of
 from .reshape import Reshaped, baked, refuse_without_curve, reversed_curve
 from .splitting import beginning, part_of
+from .straight import with_straight_segments
 
 MOST_JOINED = 1000
 """Curves that are joined at once: the distances of all of their ends are compared."""
@@ -49,7 +51,8 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
     """Join the end of each curve to the start of the next: one curve, its parameters one after the other.
 
     All keep their shapes. Where end and start coincide they become one point, a corner if the derivatives
-    there differ; else a segment leads from one to the other, at the mean of the speeds on both sides.
+    there differ; else a segment leads from one to the other: a straight one beside a straight segment, or
+    one that goes on from the curves, at the mean of the speeds on both sides.
 
     Parameters
     ----------
@@ -83,6 +86,8 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
     curve = part_of(parts[kept], points, last, parts[kept].name)
     if is_closed:
         curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
+    if lines := [*_straight_bridges(parts, waits)]:
+        curve = with_straight_segments(view_of(curve), lines)
     residual = _residual_of(views, view_of(curve), shifts)
     _refuse_another_shape(views, residual)
     return Joined(curve, residual, seams=frozenset(seams))
@@ -113,6 +118,17 @@ def _one_after_the_other(
         points += [ending, start] if wait else [_merged(ending, start)]
         points += later[1:]
     return points, seams
+
+
+def _straight_bridges(parts: Sequence[Curve], waits: Sequence[float]) -> Iterator[int]:
+    """Yield the segments that lead from one curve to the next and lie beside a straight one."""
+    last = -1
+    for part, following, wait in zip(parts, (*parts[1:], parts[0]), waits, strict=False):
+        last += len(part.points)
+        if not wait:
+            last -= 1
+        elif line_beside(part, len(part.points) - 1, ahead=False) or line_beside(following, 0, ahead=True):
+            yield last
 
 
 def _met(points: Sequence[Point], wait: float) -> list[Point]:

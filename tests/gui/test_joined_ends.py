@@ -7,6 +7,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
+from app.document.lines import is_line
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve_view import view_of
@@ -59,6 +60,24 @@ def farthest(editor, curve):
     fine = whole.evaluate(np.linspace(*whole.domain, 40_001))
     away = fine - before.curve.evaluate(start + t * (end - start))[:, None]
     return np.hypot(away[..., 0], away[..., 1]).min(axis=1).max()
+
+
+@pytest.mark.parametrize("meets", [False, True])
+def test_between_straight_lines_the_segment_that_joins_them_is_straight(editor, meets):
+    """It bulged."""
+    far = (3.0, 1.0) if meets else (4.0, 3.0)
+    show(editor, hermite([(0, 0), (3, 1)], "Left", "Arch"), hermite([(6, 0), far], "Right", "Arch"))
+    for place in (0, 1):
+        editor.session.selected.activate(place)
+        editor.select([0, 1])
+        editor.trigger("straightSegment")
+    editor.session.selected.activate(0)
+    editor.drag((2.5, 3.6), (4.5, 0.5))
+    editor.key(Key.Key_J, CTRL)
+    assert places(editor) == [(0.0, 0.0), (3.0, 1.0), *([] if meets else [far]), (6.0, 0.0)]
+    assert [is_line(editor.curve, segment) for segment in range(len(places(editor)) - 1)] == (
+        [True] * (len(places(editor)) - 1)
+    )
 
 
 def test_a_band_over_two_ends_and_ctrl_j_join_these(arcs):
