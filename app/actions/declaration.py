@@ -113,6 +113,10 @@ class Action(msgspec.Struct, frozen=True):
     on_sight: Callable[[Situation], Sight] | None = None
     field: str = ""
 
+    def missing(self, is_met: Callable[[Need], bool]) -> Need | None:
+        """Return the first of its needs that is not met, those of its section before its own."""
+        return next((each for each in (self.section.needs, self.needs) if not is_met(each)), None)
+
     @property
     def interrupts(self) -> bool:
         """Whether a gesture in flight is taken back before it begins."""

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import msgspec
 
+from ..document.selection import NONE_CHOSEN
 from .situation import Situation
 
 
@@ -19,15 +20,25 @@ class Need(msgspec.Struct, frozen=True):
     is_met
         Whether it is there.
     why
-        What the tooltip says instead of all else; empty for the usual one.
+        What is said where it is missing, as a sentence; empty for the usual one.
     """
 
     words: str
     is_met: Callable[[Situation], bool]
     why: Callable[[Situation], str] | None = None
 
+    def reason(self, now: Situation) -> str:
+        """Return what is said where it is missing; empty for the usual sentence."""
+        return self.why(now) if self.why is not None else ""
+
+
+def _is_curve_meant(now: Situation) -> bool:
+    # A blank document has nothing to choose from: its curve is the one that is about to be drawn.
+    return bool(now.session.selected.marked) or now.is_blank
+
 
 NOTHING = Need("", lambda _now: True)
+CHOSEN = Need("a curve that is chosen or edited", _is_curve_meant, why=lambda _now: NONE_CHOSEN)
 
 HIGHLIGHTED = Need("a curve or a point", lambda now: now.has_highlight)
 HERMITE_CURVE = Need("a Hermite curve", lambda now: now.has_derivatives)

@@ -24,6 +24,7 @@ from .keymap import (
     set_keywords,
     tool_tip,
 )
+from .needs import Need
 from .sections import Menu, Section
 from .situation import Situation
 from .strips import Strip
@@ -189,21 +190,17 @@ class Actions(QObject):
         """Enable, check and name all actions as the situation has it."""
         now, on = self._now, set[str]()
         # Many actions need the same: it is asked once.
-        met: dict[int, bool] = {}
+        is_met = _remembering(now)
         for name, each in self._declared.items():
-            action, needs = self._actions[name], each.needs
-            is_met = met.get(id(needs))
-            if is_met is None:
-                is_met = met[id(needs)] = needs.is_met(now)
-            action.setEnabled(is_met)
+            action, missing = self._actions[name], each.missing(is_met)
+            action.setEnabled(missing is None)
+            say_reason(action, missing.reason(now) if missing is not None else "")
             if each.checked is not None:
                 is_on = each.checked(now)
                 action.setChecked(is_on)
                 on |= {name} if is_on else set()
             if each.title is not None:
                 action.setText(each.title(now))
-            if each.needs.why is not None:
-                action.setToolTip(each.needs.why(now) or tool_tip(action))
         if now.view is not self._seen_of:
             for name in self._seen:
                 self._show(name, Sight(self._declared[name].text, self._declared[name].tip))
@@ -221,7 +218,9 @@ class Actions(QObject):
         """
         self._seen_of = self._now.view
         for name, each in self._declared.items():
-            if each.on_sight is not None and name not in self._seen and each.needs.is_met(self._now):
+            if each.on_sight is None or name in self._seen:
+                continue
+            if each.missing(lambda need: need.is_met(self._now)) is None:
                 self._seen[name] = each.on_sight(self._now)
                 self._show(name, self._seen[name])
 
@@ -229,8 +228,10 @@ class Actions(QObject):
         action = self._actions[name]
         action.setText(sight.text)
         action.setStatusTip(sight.tip)
-        action.setEnabled(self._declared[name].needs.is_met(self._now) and not sight.why_not)
-        say_reason(action, sight.why_not)
+        missing = self._declared[name].missing(lambda need: need.is_met(self._now))
+        action.setEnabled(missing is None and not sight.why_not)
+        say_reason(action, missing.reason(self._now) if missing is not None else sight.why_not)
+        action.setToolTip(tool_tip(action))
 
     def set_theme(self, theme: Theme) -> None:
         """Tint the icons for `theme`."""
@@ -238,6 +239,19 @@ class Actions(QObject):
         for name, each in self._declared.items():
             if each.icon:
                 self._actions[name].setIcon(icon(each.icon, theme))
+
+
+def _remembering(now: Situation) -> Callable[[Need], bool]:
+    """Return what tells whether a need is met now, each asked once."""
+    met: dict[int, bool] = {}
+
+    def is_met(need: Need) -> bool:
+        found = met.get(id(need))
+        if found is None:
+            found = met[id(need)] = need.is_met(now)
+        return found
+
+    return is_met
 
 
 @cache

@@ -11,6 +11,7 @@ from itertools import count
 import msgspec
 
 from ..view_model.analysis.overlay import Group
+from .needs import CHOSEN, NOTHING, Need
 
 MENUS: list[Menu] = []
 """The menus of the menu bar, in order."""
@@ -29,12 +30,15 @@ class Section(msgspec.Struct, frozen=True):
         Whether a separator stands before it; of the first section of a submenu, before the submenu.
     place
         Its place among all sections.
+    needs
+        What all of its actions need, besides what each needs itself.
     """
 
     menu: Menu
     submenu: str
     is_separated: bool
     place: int
+    needs: Need
 
 
 class Menu:
@@ -46,18 +50,21 @@ class Menu:
         Its text, without mnemonic.
     interrupts
         Whether its actions take back a gesture in flight before they begin: they may change the document.
+    needs
+        What the actions of its sections need, where these do not say otherwise.
     sections
         What it is made of.
     """
 
-    def __init__(self, title: str, *, interrupts: bool = False) -> None:
-        self.title, self.interrupts = title, interrupts
+    def __init__(self, title: str, *, interrupts: bool = False, needs: Need = NOTHING) -> None:
+        self.title, self.interrupts, self.needs = title, interrupts, needs
         self.sections: list[Section] = []
         MENUS.append(self)
 
-    def section(self, submenu: str = "", *, is_separated: bool = True) -> Section:
+    def section(self, submenu: str = "", *, is_separated: bool = True, needs: Need | None = None) -> Section:
         """Return a new section at the end of the menu."""
-        self.sections.append(Section(self, submenu, is_separated, next(_places)))
+        needs = self.needs if needs is None else needs
+        self.sections.append(Section(self, submenu, is_separated, next(_places), needs))
         return self.sections[-1]
 
 
@@ -96,9 +103,10 @@ EDIT_DERIVATIVES = EDIT.section("Copy and Paste Special")
 EDIT_STYLE = EDIT.section("Copy and Paste Special")
 EDIT_PROGRAM = EDIT.section()
 
-CURVE = Menu("Curve", interrupts=True)
+CURVE = Menu("Curve", interrupts=True, needs=CHOSEN)
 CURVE_FAMILY = CURVE.section()
-CURVE_POINTS = CURVE.section("Points")
+CURVE_EDITING = CURVE.section("Points", needs=NOTHING)
+CURVE_POINTS = CURVE.section("Points", is_separated=False)
 CURVE_CONVERT = CURVE.section("Points")
 CURVE_TANGENTS = CURVE.section("Tangents", is_separated=False)
 CURVE_VELOCITIES = CURVE.section("Tangents")
@@ -106,16 +114,18 @@ CURVE_ESTIMATES = CURVE.section("Tangents")
 CURVE_RULES = CURVE.section("Parameters", is_separated=False)
 CURVE_PARAMETERS = CURVE.section("Parameters")
 CURVE_STARTS = CURVE.section("Parameters")
-CURVE_NUMBER = CURVE.section()
+CURVE_NEW = CURVE.section(needs=NOTHING)
+CURVE_NUMBER = CURVE.section(is_separated=False)
 CURVE_SHAPE = CURVE.section()
 CURVE_PROPERTIES = CURVE.section("Properties")
 CURVE_COLOUR = CURVE.section("Properties")
+CURVE_STYLE = CURVE.section("Properties", is_separated=False, needs=NOTHING)
 CURVE_SETTINGS = CURVE.section("Properties")
 CURVE_NAME = CURVE.section("Properties", is_separated=False)
 CURVE_SHAPES = CURVE.section("Arrange", is_separated=False)
 CURVE_GROUPS = CURVE.section("Arrange")
 CURVE_ORDER = CURVE.section("Arrange")
-CURVE_WALK = CURVE.section("Arrange")
+CURVE_WALK = CURVE.section("Arrange", needs=NOTHING)
 
 ANALYSIS = Menu("Analysis")
 OVERLAY_SECTIONS = [ANALYSIS.section("Overlays", is_separated=group > 0) for group in Group]

@@ -49,8 +49,13 @@ class Situation:
     @property
     def has_highlight(self) -> bool:
         """Whether there is something to copy or to delete."""
-        highlight, curves = self.session.selected.highlight(), self.session.document.curves
-        return bool(highlight.curves) and (len(curves) > 1 or bool(curves[0].points))
+        return bool(self.session.selected.highlight().curves) and not self.is_blank
+
+    @property
+    def is_blank(self) -> bool:
+        """Whether nothing has been drawn yet."""
+        curves = self.session.document.curves
+        return len(curves) == 1 and not curves[0].points
 
     @property
     def chosen(self) -> frozenset[int]:

@@ -9,6 +9,9 @@ import msgspec
 from .model import Curve, Point, Vector
 from .point_group import PointGroup
 
+NONE_CHOSEN = "No curve is chosen; click one, or press Ctrl+A for all."
+"""What is said to whoever wants something of a curve while none is edited and none chosen."""
+
 
 class Choice(msgspec.Struct, frozen=True):
     """All that is selected at a moment, for a gesture that is taken back.

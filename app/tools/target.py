@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.point_group import PointGroup, points_of
+from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import whole_curves
 from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.pivot import Anchor, Pivot, anchored
@@ -86,7 +87,7 @@ class TransformTarget:
     def refusal_of_keys(self) -> str:
         """Why keys cannot transform anything: it is locked, or there is nothing."""
         if self.group is None and not self._host.selected.is_editing:
-            return "No curve is chosen; click one, or press Ctrl+A for all."
+            return NONE_CHOSEN
         group, source = self.for_keys, self._host.active_view.source
         if not any(indices for _, indices in group.parts):
             return f"“{source.name}” has no points yet; press P to add some."

@@ -38,14 +38,18 @@ def has(widget, colour):
 
 # Keys of what is disabled
 
+HERMITES = "choose Hermite, quintic Hermite or septic Hermite."
+NO_VELOCITIES = f"A Lagrange curve has no velocities at its points; {HERMITES}"
+NO_SEGMENTS = f"A Lagrange curve is one polynomial and has no segments of its own; {HERMITES}"
+
 
 @pytest.mark.parametrize(
     ("key", "held", "expected"),
     [
         (Qt.Key.Key_J, CTRL, "“Join Ends of Curves” needs two selected ends, or a second curve."),
-        (Qt.Key.Key_2, ALT, "“Corner Tangents” needs selected points of a Hermite curve."),
-        (Qt.Key.Key_4, ALT, "“Straight Segment” needs a Hermite curve."),
-        (Qt.Key.Key_4, ALT | KEYPAD, "“Straight Segment” needs a Hermite curve."),
+        (Qt.Key.Key_2, ALT, NO_VELOCITIES),
+        (Qt.Key.Key_4, ALT, NO_SEGMENTS),
+        (Qt.Key.Key_4, ALT | KEYPAD, NO_SEGMENTS),
         (
             Qt.Key.Key_PageUp,
             CTRL | Qt.KeyboardModifier.ShiftModifier,

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
-from ...actions.sections import CURVE_NUMBER, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
+from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits, edits
@@ -32,7 +32,7 @@ class CurveCommands:
 
     # Number and order
 
-    @action("newCurve", "New Curve", CURVE_NUMBER, "Ctrl+Shift+N", "plus")
+    @action("newCurve", "New Curve", CURVE_NEW, "Ctrl+Shift+N", "plus")
     @also(CANVAS_MENU(22), CURVE_LIST_MENU(30), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
         """Add a curve to the document."""

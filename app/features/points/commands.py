@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import (
-    CURVE_POINTS,
+    CURVE_EDITING,
     CURVE_VELOCITIES,
     EDIT_SELECT,
 )
@@ -49,7 +49,7 @@ class PointCommands:
     @action(
         "editCurve",
         "Edit Curve",
-        CURVE_POINTS,
+        CURVE_EDITING,
         icon="spline-pointer",
         checked=lambda now: now.session.selected.is_editing,
         keywords="points nodes whole curves leave objects",

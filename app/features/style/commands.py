@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action, also
-from ...actions.needs import Need
-from ...actions.sections import CURVE_COLOUR, EDIT_STYLE
+from ...actions.needs import CHOSEN
+from ...actions.sections import CURVE_STYLE, EDIT_STYLE
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import Theme
 from ...document.model import Document
@@ -46,7 +46,6 @@ _NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one the
 _HOW_TO_CHOOSE = "Click a curve, or press Ctrl+A for all."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 _MOST_REMEMBERED = 12
-_CHOSEN = Need("a curve that is chosen or edited", lambda now: bool(now.session.selected.marked))
 
 
 class StyleCommands:
@@ -163,7 +162,7 @@ class StyleCommands:
     @action(
         "showStyle",
         "Stroke and Fill…",
-        CURVE_COLOUR,
+        CURVE_STYLE,
         "Ctrl+Shift+F",
         "palette",
         full_name="Style: Stroke and Fill…",
@@ -183,7 +182,7 @@ class StyleCommands:
         "Ctrl+Alt+Shift+C",
         "style-copy",
         keywords="colour format painter",
-        needs=_CHOSEN,
+        needs=CHOSEN,
     )
     def _copy(self) -> None:
         """Copy stroke and fill of the curve that is edited."""
@@ -199,7 +198,7 @@ class StyleCommands:
         "Ctrl+Shift+V",
         "style-paste",
         keywords="colour format painter",
-        needs=_CHOSEN,
+        needs=CHOSEN,
     )
     def _paste(self) -> None:
         """Give the curve, or all that are selected, the stroke and the fill that were copied.

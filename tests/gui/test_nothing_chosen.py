@@ -1,0 +1,86 @@
+"""With nothing edited and nothing chosen, no action does anything to a curve."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+
+from app.actions.sections import ANALYSIS, CURVE, EDIT
+from app.window.connect import all_actions
+
+NO_CURVE = "No curve is chosen; click one, or press Ctrl+A for all."
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+
+BY_THEMSELVES = {
+    *("newCurve", "pastePoints", "pasteInPlace", "pasteAsCurve", "pageAroundCurves"),
+    *("undo", "redo", "commandPalette"),
+}
+"""Actions that are about the document as a whole, or add to it."""
+
+
+@pytest.fixture
+def none(waves):
+    """Three waves, none edited and none chosen."""
+    three = waves("ABC")
+    three.escape()
+    three.escape()
+    assert not three.session.selected.is_editing
+    assert not three.session.selected.chosen
+    return three
+
+
+def test_no_action_changes_a_curve_that_nobody_chose(none):
+    session, before, tried = none.session, none.session.document, []
+    for each in all_actions():
+        action = none.action(each.name)
+        elsewhere = each.section.menu not in {EDIT, CURVE, ANALYSIS} or each.name in BY_THEMSELVES
+        if elsewhere or action.text().endswith("…") or each.field:
+            continue
+        session.selected.choose(())
+        if action.isEnabled():
+            action.trigger()
+            session.interrupt()
+            tried.append(each.name)
+            assert session.document is before, each.name
+    assert len(tried) > 20
+
+
+@pytest.mark.parametrize(
+    ("key", "held"),
+    [
+        (Qt.Key.Key_Delete, SHIFT),
+        (Qt.Key.Key_C, Qt.KeyboardModifier.NoModifier),
+        (Qt.Key.Key_1, Qt.KeyboardModifier.NoModifier),
+        (Qt.Key.Key_H, CTRL),
+        (Qt.Key.Key_R, CTRL),
+    ],
+)
+def test_a_key_of_a_curve_says_that_none_is_chosen(none, key, held):
+    before = none.session.document
+    none.key(key, held)
+    assert none.session.document is before
+    assert none.status == NO_CURVE
+    assert none.window.status_line.is_refusal
+
+
+def test_the_menu_of_curves_offers_nothing_and_says_why(none):
+    offered = [each.name for each in all_actions() if each.section.needs is CURVE.needs]
+    assert {"deleteCurve", "splitCurve", "joinCurve", "closeCurve", "lowerCurve"} < set(offered)
+    for name in offered:
+        assert not none.action(name).isEnabled(), name
+        assert none.action(name).toolTip().endswith(NO_CURVE), name
+    none.session.selected.choose((0,))
+    assert none.action("deleteCurve").isEnabled()
+    assert NO_CURVE not in none.action("deleteCurve").toolTip()
+    none.trigger("deleteCurve")
+    assert [curve.name for curve in none.session.document.curves] == ["B", "C"]
+
+
+def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(editor):
+    editor.new()
+    editor.trigger("selectTool")
+    editor.escape()
+    editor.escape()
+    assert not editor.session.selected.marked
+    editor.key(Qt.Key.Key_3)
+    assert editor.curve.family.name == "quintic_hermite"
