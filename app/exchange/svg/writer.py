@@ -16,6 +16,7 @@ from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .numbers import number
 from .our_own import MARK, PAGE
+from .style_attributes import dash_style
 from .tree import Tree, escaped, pair
 
 NOMINAL_SIDE = 800
@@ -160,7 +161,7 @@ def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
     if annotation.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'
-    dash = f' stroke-dasharray="{" ".join(map(number, annotation.dash))}"' if annotation.dash else ""
+    dash = f' style="{dash_style(annotation.dash)}"' if annotation.dash else ""
     return (
         f'    <path d="{data}" stroke="{colour}" stroke-width="{number(annotation.width)}"{dash}{opacity}/>'
     )
