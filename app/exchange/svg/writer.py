@@ -25,7 +25,7 @@ NOMINAL_SIDE = 800
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
 
-def svg_of(document: Document, options: Options = DEFAULT) -> Written:
+def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = False) -> Written:
     """Return a document as SVG.
 
     Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
@@ -33,6 +33,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     the tolerance takes; the largest deviation stands in a comment and in the description. The curves of a
     shape are one path, in their groups and with its style; hidden ones are there, and not displayed. Points
     are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
+    All curves may lie `in_group`, one without a name.
 
     Raises
     ------
@@ -47,6 +48,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
         points=options.points,
         width=options.width,
         unit=options.unit,
+        in_group=in_group,
         report=part(options.report, 0.7, 1.0),
     )
     return Written(text, drawing.deviation, drawing.remarks)
@@ -80,6 +82,7 @@ def svg_text(
     points: bool,
     width: float | None = None,
     unit: str = "",
+    in_group: bool = False,
     report: Report = silent,
 ) -> str:
     """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
@@ -95,7 +98,9 @@ def svg_text(
         f"  <desc>{escaped(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
+        *(["  <g>"] if in_group else []),
         *_curves(drawing, style, report),
+        *(["  </g>"] if in_group else []),
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
         *_annotations(drawing, style, "basis"),
