@@ -35,7 +35,8 @@ def drawing_in(data: QMimeData) -> Fragment | None:
         return None
     for kind in (INKSCAPE, SVG):
         if data.hasFormat(kind):
-            return exchange.svg.fragments.Fragment(bytes(data.data(kind).data()))
+            content = bytes(data.data(kind).data())
+            return exchange.svg.fragments.Fragment(content, is_in_groups=kind == INKSCAPE)
     return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None
 
 

@@ -292,6 +292,25 @@ def test_inkscape_takes_the_coordinates_for_pixels(editor, unit, side, pixels):
         assert width == pytest.approx(pixels, rel=0.01), "but for the line"
 
 
+def test_groups_go_to_inkscape_and_back_as_groups(three):
+    """Inkscape dissolves the outermost groups of what has its MIME type: it puts what it copies into some."""
+    curves = three.session.document.curves
+    grouped = (replace(curves[0], groups=("House",)), replace(curves[1], groups=("House",)), curves[2])
+    three.session.commit(replace(three.session.document, curves=grouped), "Begin")
+    three.session.selected.set_curves({0, 1, 2})
+    three.trigger("copySvg")
+    three.wait_for_work()
+    svg = bytes(QGuiApplication.clipboard().mimeData().data("image/x-inkscape-svg").data())
+    (outer,) = ElementTree.fromstring(svg).findall(f"{{{SVG}}}g")
+    assert outer.get("id") is None
+    assert [len(each) for each in outer] == [2, 0]
+    assert len(list(ElementTree.fromstring(svg).iter(f"{{{SVG}}}path"))) == 3
+    # Inkscape gives names to its own.
+    offer(image__x_inkscape_svg=svg.decode().replace("<g>", '<g id="g72">'))
+    paste(three, CTRL | ALT)
+    assert [each.groups for each in pasted(three)] == [("House copy",), ("House copy",), ()]
+
+
 def test_without_a_unit_numbers_stay_between_documents(editor):
     editor.session.commit(Document((make_curve([(0, 0), (4, 1)], name="A"),)), "Begin")
     editor.window.canvas.setFocus()

@@ -11,23 +11,27 @@ from ..units import known_unit
 from .writer import svg_of
 
 
-def svg_for_clipboard(document: Document, report: Report = silent) -> Written:
-    """Return a document as SVG of true size; without a unit of length, one is a pixel.
+def svg_for_clipboard(document: Document, report: Report = silent, *, in_group: bool = False) -> Written:
+    """Return a document as SVG of true size; without a unit of length, one is a pixel. See `svg_of`.
 
     Raises
     ------
     ExchangeError
         As `svg_of`.
     """
-    return svg_of(document, Options(unit=known_unit(document.unit) or "px", report=report))
+    options = Options(unit=known_unit(document.unit) or "px", report=report)
+    return svg_of(document, options, in_group=in_group)
 
 
 def svg_for_inkscape(document: Document) -> Written:
-    """Return the same in pixels: Inkscape 1.2 pastes coordinates as such, whatever the view box.
+    """Return the same in pixels, in a group: what Inkscape 1.2 pastes.
+
+    It takes coordinates as such, whatever the view box. And it dissolves the outermost groups of what has
+    its own MIME type, for it puts all that it copies into some.
 
     Raises
     ------
     ExchangeError
         As `svg_of`.
     """
-    return svg_for_clipboard(in_unit(document, "px"))
+    return svg_for_clipboard(in_unit(document, "px"), in_group=True)

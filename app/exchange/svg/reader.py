@@ -95,10 +95,25 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
         With the element, for anything that is no SVG or that is hostile: a DTD, entities, elements that
         use themselves, more than `MAX_ELEMENTS` elements, broken data.
     """
+    return _read(data, tolerance)
+
+
+def read_copied(data: bytes, tolerance: float | None = None) -> Imported:
+    """Return the same of what Inkscape copied, without the groups that it put around.
+
+    Raises
+    ------
+    ExchangeError
+        As `read_svg`.
+    """
+    return _read(data, tolerance, is_in_groups=True)
+
+
+def _read(data: bytes, tolerance: float | None, *, is_in_groups: bool = False) -> Imported:
     root = parsed(data)
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
-    reader = _Reader(root, tolerance)
+    reader = _Reader(root, tolerance, is_in_groups=is_in_groups)
     paths = reader.all_paths()
     found = imported(paths, missed=tuple(reader.missed))
     sheet = reader.sheet
@@ -117,8 +132,8 @@ class _Reader:
         What does not come in as it is.
     """
 
-    def __init__(self, root: ET.Element, tolerance: float | None) -> None:
-        self._root, self._tolerance = root, tolerance
+    def __init__(self, root: ET.Element, tolerance: float | None, *, is_in_groups: bool) -> None:
+        self._root, self._tolerance, self._is_in_groups = root, tolerance, is_in_groups
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
         self._by_id = {element.get("id", ""): element for element in root.iter()}
         self._ours = OurOwn(root)
@@ -189,7 +204,8 @@ class _Reader:
         )
 
     def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
-        if tag == "g" or (depth > 0 and name_of(element)):
+        is_around_copied = self._is_in_groups and tag == "g" and depth == 1
+        if not is_around_copied and (tag == "g" or (depth > 0 and name_of(element))):
             is_layer = element.get(_GROUP_MODE) == "layer"
             group = Group(self._visited, name_of(element), is_layer)
             state = replace(state, groups=(*state.groups, group))

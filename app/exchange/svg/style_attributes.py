@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ..drawing.styles import PictureStyle
 from .numbers import number
@@ -14,6 +16,16 @@ def style_attributes(style: Style, picture: PictureStyle, usual_width: float) ->
     if style.opacity < 1:
         pairs.append(("opacity", number(style.opacity)))
     return "".join(f' {name}="{value}"' for name, value in pairs)
+
+
+def dash_style(dashes: Sequence[float], offset: float = 0.0) -> str:
+    """Return lengths of dashes and gaps as CSS.
+
+    As attributes Inkscape leaves them as they are when it enlarges a stroke, be it that a drawing in pixels
+    is pasted into one in millimetres; of CSS it enlarges both.
+    """
+    css = f"stroke-dasharray:{','.join(map(number, dashes))}"
+    return f"{css};stroke-dashoffset:{number(offset)}" if offset else css
 
 
 def _of_fill(style: Style) -> list[tuple[str, str]]:
@@ -36,10 +48,9 @@ def _of_stroke(style: Style, picture: PictureStyle, usual_width: float) -> list[
         pairs.append(("stroke-linejoin", str(style.join.value)))
     elif style.miter_limit != 4:
         pairs.append(("stroke-miterlimit", number(style.miter_limit)))
-    if style.dash:
-        pairs.append(("stroke-dasharray", " ".join(number(each * width) for each in style.dash)))
-    if style.dash and style.dash_offset:
-        pairs.append(("stroke-dashoffset", number(style.dash_offset * width)))
     if style.stroke_opacity < 1:
         pairs.append(("stroke-opacity", number(style.stroke_opacity)))
+    if style.dash:
+        dashes = [each * width for each in style.dash]
+        pairs.append(("style", dash_style(dashes, style.dash_offset * width)))
     return pairs

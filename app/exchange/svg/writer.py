@@ -16,6 +16,7 @@ from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .numbers import number
 from .our_own import MARK, PAGE
+from .style_attributes import dash_style
 from .tree import Tree, escaped, pair
 
 NOMINAL_SIDE = 800
@@ -24,7 +25,7 @@ NOMINAL_SIDE = 800
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
 
-def svg_of(document: Document, options: Options = DEFAULT) -> Written:
+def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = False) -> Written:
     """Return a document as SVG.
 
     Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
@@ -32,6 +33,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     the tolerance takes; the largest deviation stands in a comment and in the description. The curves of a
     shape are one path, in their groups and with its style; hidden ones are there, and not displayed. Points
     are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
+    All curves may lie `in_group`, one without a name.
 
     Raises
     ------
@@ -46,6 +48,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
         points=options.points,
         width=options.width,
         unit=options.unit,
+        in_group=in_group,
         report=part(options.report, 0.7, 1.0),
     )
     return Written(text, drawing.deviation, drawing.remarks)
@@ -79,6 +82,7 @@ def svg_text(
     points: bool,
     width: float | None = None,
     unit: str = "",
+    in_group: bool = False,
     report: Report = silent,
 ) -> str:
     """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
@@ -94,7 +98,9 @@ def svg_text(
         f"  <desc>{escaped(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
+        *(["  <g>"] if in_group else []),
         *_curves(drawing, style, report),
+        *(["  </g>"] if in_group else []),
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
         *_annotations(drawing, style, "basis"),
@@ -160,7 +166,7 @@ def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
     if annotation.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'
-    dash = f' stroke-dasharray="{" ".join(map(number, annotation.dash))}"' if annotation.dash else ""
+    dash = f' style="{dash_style(annotation.dash)}"' if annotation.dash else ""
     return (
         f'    <path d="{data}" stroke="{colour}" stroke-width="{number(annotation.width)}"{dash}{opacity}/>'
     )
