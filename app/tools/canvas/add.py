@@ -17,6 +17,7 @@ from ...view_model.reshape import inserted_index
 from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
 from ..drag_machine import EditingHost
+from ..inserting import say_inserted
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
@@ -212,12 +213,9 @@ def _close(host: EditingHost, *, by_line: bool) -> None:
 
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
     made = insert.on_curve
-    if host.active_view.source != made.curve:
-        return  # dragged off the curve: the change is what was wanted
-    if made.parameters_moved:
-        host.offer(made.sentence, "keepShape", insert.hit.t)
-    else:
-        host.say(made.sentence)
+    # Dragged off the curve: the change is what was wanted.
+    if host.active_view.source == made.curve:
+        say_inserted(host, made, insert.hit.t)
 
 
 ADD = ToolRecord(
