@@ -13,7 +13,7 @@ from ...document import curve_edits, edits
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
-from ...document.shape_edits import place_above, stepped
+from ...document.shape_edits import stepped
 from ...document.shapes import shape_of
 from ...document.words import count_of, number
 from ...tools.inserting import insert_at
@@ -41,7 +41,7 @@ class CurveCommands:
     def _new(self) -> None:
         """Add a curve to the document."""
         session = self._session
-        model, place = session.active_curve, place_above(session.document, session.active_index)
+        model, place = session.active_curve, len(session.document.curves)
         fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
         if session.change(
             f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place

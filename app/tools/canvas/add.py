@@ -10,7 +10,6 @@ from msgspec.structs import replace
 from ...document.curve_edits import add_curve, fresh_curve
 from ...document.model import Vector
 from ...document.point_group import points_of
-from ...document.shape_edits import place_above
 from ...view_model.appending import closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
 from ...view_model.reshape import inserted_index
@@ -139,7 +138,7 @@ class AddTool(Tool):
     def _begin(self, context: ToolContext) -> None:
         """Begin another curve; it is the one that is edited from the press on."""
         host = context.host
-        model, place = context.view.source, place_above(host.document, host.active_index)
+        model, place = context.view.source, len(host.document.curves)
         fresh = fresh_curve(host.document, model, model.parametrization)
         document = add_curve(host.document, place, fresh)
         self._finished.discard((place, fresh.name))
