@@ -22,10 +22,10 @@ from .transforms import Affine, transform_points
 
 
 class Added(NamedTuple):
-    """A document with curves added, and their places in it."""
+    """A document with copies of curves added, and their places in it, in the order of the originals."""
 
     document: Document
-    places: range
+    places: tuple[int, ...]
 
 
 def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
@@ -123,17 +123,25 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
 
 
 def add_copies(document: Document, curves: Collection[int]) -> Added:
-    """Add copies of curves right in front of them, in their order, as they look, visible and free.
+    """Add copies of curves, in their order, as they look, visible and free.
 
-    Copies of whole shapes and groups are shapes and groups of their own; those of a part of a shape are in
-    front of it, and not in it.
+    Each stays in the group of its original, in front of the last that is copied there. Copies of whole shapes
+    and groups are shapes and groups of their own; those of a part of a shape are in front of it, and not in
+    it.
     """
-    last = whole_nodes(document.curves, curves)[-1]
-    around, at = last.around, last.places.stop
-    if around.shape:
-        around, at = around.around, shape_of(document, last.places.start).stop
-    copies = list(contained(document.curves, curves, around).values())
-    return Added(add_curves(document, copies, at, around), range(at, at + len(copies)))
+    copied = dict[Container, tuple[int, list[int]]]()
+    for node in whole_nodes(document.curves, curves):
+        around, at = node.around, node.places.stop
+        if around.shape:
+            around, at = around.around, shape_of(document, node.places.start).stop
+        _, before = copied.get(around, (at, []))
+        copied[around] = (at, [*before, *node.places])
+    new, places = document, dict[int, int]()
+    for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
+        at = place + len(places)
+        new = add_curves(new, list(contained(document.curves, originals, around).values()), at, around)
+        places |= zip(originals, range(at, at + len(originals)), strict=True)
+    return Added(new, tuple(places[curve] for curve in sorted(places)))
 
 
 def add_curves(

@@ -102,13 +102,6 @@ def _stepped(nodes: Sequence[Node], chosen: frozenset[int], step: int) -> Iterat
             yield from _stepped(node.parts, chosen, step)
 
 
-def place_above(document: Document, curve: int) -> int:
-    """Return the place in front of a curve, and of the shape and the groups that it is in."""
-    own = document.curves[curve]
-    around = group_around(document.curves, curve, 0) if own.groups else shape_of(document, curve)
-    return around.stop
-
-
 # Shapes
 
 

@@ -231,6 +231,9 @@ class ToolPlot(PlotWidget):
         return direction is not None and self.tools.nudge(direction, stride_of(event, self.camera.pixel_size))
 
     def focusNextPrevChild(self, forward: bool) -> bool:
+        if not self.hasFocus():
+            # Asked by a field on top of it: by Tab there, or when it goes with the focus.
+            return bool(super().focusNextPrevChild(forward))
         # Tab belongs to a transform in flight; no gesture lets it lead elsewhere.
         self.give_key("tab")
         return self.is_dragging or self.walk(forward) or bool(super().focusNextPrevChild(forward))

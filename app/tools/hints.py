@@ -84,7 +84,8 @@ def to_bend(view: CurveView, pointer: Pointer) -> Hint:
     """Return the hint over the curve, selecting."""
     keys = "" if pointer.alt or pointer.ctrl else bend_keys(view)
     text = f"Drag to bend; {what_bends(view, pointer)}"
-    return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.BEND)
+    inserts = "" if pointer.alt or pointer.ctrl or pointer.shift else "Double click: insert a point"
+    return Hint(" · ".join(filter(None, (text, keys, inserts))), cursor=Cursor.BEND)
 
 
 def to_add_on_part(

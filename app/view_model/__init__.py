@@ -28,7 +28,7 @@ A curve changed:
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.
 - ``reshape``, ``splitting``, ``joining``: other points for the same curve, two curves of one, one of several.
   ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``point_kinds``: the kinds of
-  points.  ``measure``: the change of shape.
+  points.  ``midpoints``: a point more in the middle of segments.  ``measure``: the change of shape.
 - ``least_squares``: curves of few points near many.
 - ``bounds``: the box of points or curves.  ``stroked``: with strokes.  ``stretch``: what fills another.
 - ``fixed_point``: equations whose values take a while.

@@ -134,10 +134,12 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
         own = np.arange(len(curve.points))
         grown = estimates_kept(view, grown, own, np.where(own < index, own, own + 1))
         after = view_of(grown)
-        return Reshaped(grown, _change(view, after, after.parameters))
+        return Reshaped(grown, change_of_shape(view, after, after.parameters))
     grown = _stretched_along(view, grown, index, t)
     after = view_of(grown)
-    return Reshaped(grown, _change(view, after, np.insert(view.parameters, index, t)), parameters_moved=True)
+    return Reshaped(
+        grown, change_of_shape(view, after, np.insert(view.parameters, index, t)), parameters_moved=True
+    )
 
 
 def inserted_index(view: CurveView, t: float) -> int:
@@ -281,7 +283,7 @@ def _factors_at(
     return mean, mean
 
 
-def _change(before: CurveView, after: CurveView, old_knots: FloatArray) -> float:
+def change_of_shape(before: CurveView, after: CurveView, old_knots: FloatArray) -> float:
     """Return how far the curve moved; `old_knots` are the old parameters of the knots of `after`."""
     return largest_distance(before, dense(old_knots), after, dense(after.parameters))
 

@@ -20,7 +20,6 @@ from app.document.shape_edits import (
     moved_into,
     named_anew,
     next_pressed,
-    place_above,
     pressed,
     stepped,
     ungrouped,
@@ -240,11 +239,6 @@ def test_a_step_to_the_next_thing_goes_past_whole_shapes_and_groups():
     assert found == ["bc", "de", "a", "bc"]
 
 
-def test_new_curves_tear_nothing_apart():
-    some = document("a(bc)[d[ef]]g")
-    assert [place_above(some, place) for place in range(7)] == [1, 3, 3, 6, 6, 6, 7]
-
-
 def test_copies_of_shapes_and_groups_have_names_of_their_own():
     some = document("(ab)[cd]")
     copied = add_copies(some, {0, 1}).document
@@ -254,6 +248,12 @@ def test_copies_of_shapes_and_groups_have_names_of_their_own():
     assert [curve.groups for curve in inside.curves[2:]] == [("G1",)] * 3
     whole = add_copies(some, {2, 3}).document
     assert [curve.groups for curve in whole.curves[2:]] == [("G1",), ("G1",), ("G1 copy",), ("G1 copy",)]
+    # Each stays in the group of its original, whatever else is copied with it.
+    some = document("a[bc][d(ef)]g")
+    each = add_copies(some, {0, 1, 3, 4})
+    assert text(each.document).replace(" copy", "'") == "aa'[bb'c][d(ef)d'e']g"
+    assert [each.document.curves[place].name for place in each.places] == [f"{name} copy" for name in "abde"]
+    some = document("(ab)[cd]")
     pasted = add_curves(some, some.curves, 4)
     assert [curve.shape for curve in pasted.curves] == ["S1", "S1", "", "", "S1 copy", "S1 copy", "", ""]
 

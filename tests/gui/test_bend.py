@@ -24,6 +24,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
 NO_KEYS = Qt.KeyboardModifier.NoModifier
+INSERTS = "Double click: insert a point"
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 
 
@@ -113,9 +114,10 @@ def test_the_status_line_says_before_the_press_whether_the_points_stay(arch, fam
     line, place = arch.window.status_line, middle(arch)[1]
     arch.hover(place)
     if not family.derivatives:
-        assert line.hint == f"Drag to bend; this family has no handles: the {family.point}s move"
+        assert line.hint == f"Drag to bend; this family has no handles: the {family.point}s move · {INSERTS}"
         return
-    assert line.hint == "Drag to bend; the points stay · Alt: points come along · Ctrl: points alone"
+    keys = "Alt: points come along · Ctrl: points alone"
+    assert line.hint == f"Drag to bend; the points stay · {keys} · {INSERTS}"
     # While a key is held, what it does.
     arch.move(place, held=False, keys=ALT)
     assert line.hint == "Drag to bend; the points come along"

@@ -339,6 +339,19 @@ def test_a_double_click_types_its_place(drawing):
     assert drawing.session.undo_stack.undoText() == "Move guide to x = −2.25"
 
 
+def test_the_key_that_enters_a_place_chooses_nothing(drawing):
+    with_guides(drawing, ("x", -1.0))
+    for _ in range(2):
+        drawing.key(Qt.Key.Key_Escape)
+    chosen = drawing.session.selected.choice
+    assert not chosen.chosen
+    double_click(drawing, drawing.window.canvas.to_pixel(-1.0, 1.0))
+    type_place(drawing, "-2.25")
+    assert guides(drawing) == [("x", -2.25)]
+    assert drawing.session.selected.choice == chosen
+    assert drawing.window.canvas.hasFocus()
+
+
 def test_a_double_click_on_a_ruler_types_a_new_one_along_it(drawing):
     double_click(drawing, above(drawing))
     type_place(drawing, "1")

@@ -309,13 +309,13 @@ def test_the_curve_in_front_is_at_the_top_and_raise_goes_up(three):
     assert not three.action("raiseCurve").isEnabled()
 
 
-def test_a_copy_and_a_new_curve_stand_right_above(three):
+def test_a_copy_stands_right_above_and_a_new_curve_on_top(three):
     model = list_of(three).model
     three.trigger("duplicateCurve")
     assert [model.index(row).data() for row in range(4)] == ["C", "B copy", "B", "A"]
     three.trigger("undo")
     three.trigger("newCurve")
-    assert [model.index(row).data() for row in range(4)] == ["C", "Curve 1", "B", "A"]
+    assert [model.index(row).data() for row in range(4)] == ["Curve 1", "C", "B", "A"]
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_Delete, Qt.Key.Key_Backspace])
@@ -378,7 +378,7 @@ def test_the_menu_of_a_row_is_for_that_curve(three):
 
 def test_new_duplicate_and_delete(three):
     three.trigger("newCurve")
-    assert names(three) == "ABCurve 1C"
+    assert names(three) == "ABCCurve 1"
     assert three.curve.points == ()
     assert three.curve.family is HERMITE
     assert three.action("addTool").isChecked()

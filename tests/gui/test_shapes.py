@@ -363,7 +363,7 @@ def test_commands_take_the_whole_shape_of_the_curve_that_is_edited(ring):
 def test_a_new_curve_does_not_tear_a_shape(ring):
     ring.session.selected.activate(0)
     ring.trigger("newCurve")
-    assert names(ring) == ["Outer", "Inner", "Curve 1", "Side"]
+    assert names(ring) == ["Outer", "Inner", "Side", "Curve 1"]
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
 
 
@@ -521,7 +521,7 @@ def test_within_the_shape_that_is_edited_a_rubber_band_begins(ring):
 
 
 @pytest.mark.parametrize("how", ["pen", "pencil", "paste"])
-def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, qtbot, how):
+def test_what_is_drawn_or_pasted_comes_on_top_of_all(ring, qtbot, how):
     ring.session.selected.activate(0)
     if how == "pen":
         ring.trigger("addTool")
@@ -537,7 +537,7 @@ def test_what_is_drawn_or_pasted_beside_a_shape_does_not_tear_it(ring, qtbot, ho
         ring.paste_text("0 5\n1 6\n2 5")
         ring.trigger("pasteAsCurve")
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
-    assert names(ring)[2] == "Curve 1"
+    assert names(ring)[3] == "Curve 1"
 
 
 # Whole shapes and groups on the canvas

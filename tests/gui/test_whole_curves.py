@@ -178,7 +178,7 @@ def test_the_pen_begins_another_curve_where_none_was_edited(whole):
     whole.hover((1.5, 4.6))
     assert whole.window.status_line.hint.startswith("Click to begin another curve")
     whole.click((1.5, 4.6))
-    assert [len(curve.points) for curve in whole.session.document.curves] == [4, 4, 1, 4]
+    assert [len(curve.points) for curve in whole.session.document.curves] == [4, 4, 4, 1]
     whole.click((2.0, 4.8))
     assert len(whole.curve.points) == 2
 

@@ -18,7 +18,6 @@ from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
 from ...document.several_curves import name_of, named
-from ...document.shape_edits import place_above
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
 from ...tasks.progress import Report, part, silent
@@ -169,7 +168,7 @@ class PasteCommands:
 
     def _add_curve(self, pasted: PointsContent) -> None:
         session = self._session
-        place = place_above(session.document, session.active_index)
+        place = len(session.document.curves)
         name = curve_edits.free_name(session.document)
         if pasted.like is not None:
             curve = copied_as_new_curve(pasted.like, name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
@@ -11,14 +11,18 @@ from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits, edits
 from ...document.model import Curve, Document, Parametrization
+from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
-from ...document.shape_edits import place_above, stepped
+from ...document.shape_edits import stepped
 from ...document.shapes import shape_of
-from ...document.words import number
+from ...document.words import count_of, number
+from ...tools.inserting import insert_at
 from ...view_model.appending import with_closed
 from ...view_model.curve_view import view_of
+from ...view_model.midpoints import Halved, with_midpoints
 from ...view_model.reshape import Reshaped, inserted_index, reversed_curve, with_point_inserted
 from ...view_model.splitting import Split, split
+from ...view_model.straight import segments_between
 from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
 
@@ -37,7 +41,7 @@ class CurveCommands:
     def _new(self) -> None:
         """Add a curve to the document."""
         session = self._session
-        model, place = session.active_curve, place_above(session.document, session.active_index)
+        model, place = session.active_curve, len(session.document.curves)
         fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
         if session.change(
             f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place
@@ -115,13 +119,41 @@ class CurveCommands:
     @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
     def insert_at(self, t: float) -> None:
         """Insert a point on the active curve at `t`."""
-        view = self._session.active_view
-        index = inserted_index(view, t)
-        made = self._reshape(f"Insert point {index}", lambda: with_point_inserted(view, t))
-        if made is not None:
-            self._session.selected.set_points([index])
-            if made.parameters_moved:
-                self._session.offer(made.sentence, "keepShape", t)
+        insert_at(self._session, t)
+
+    @action(
+        "insertMidpoints",
+        "Insert Points Between",
+        CURVE_POINTS,
+        "Ins",
+        "add",
+        needs=UNLOCKED_CURVE,
+        keywords="add nodes midpoints halve segments subdivide",
+    )
+    @also(POINT_MENU(17))
+    def _insert_between(self) -> None:
+        """Insert a point in the middle of each segment between neighbouring selected points."""
+        session, views, made = self._session, self._session.views, dict[int, Halved]()
+        segments = {
+            curve: segments_between(views[curve].source, indices)
+            for curve, indices in session.selected.group.parts
+        }
+        group = some_points((curve, frozenset(each)) for curve, each in segments.items())
+        if not group.parts:
+            session.refuse(
+                "Select two neighbouring points, or double-click the curve where a point shall be."
+            )
+            return
+
+        def one(document: Document, curve: int, between: Collection[int]) -> Document:
+            made[curve] = with_midpoints(views[curve], between, session.selected.group.of(curve))
+            return curve_edits.replace_curve(document, curve, made[curve].made.curve)
+
+        new = count_of(group.count, "point")
+        if session.change(f"Insert {new} between", lambda document: group.changed(document, one)):
+            kept = {curve: each.old | each.new for curve, each in made.items()}
+            session.selected.set_group(some_points(kept.items()))
+            session.say(" ".join(("Inserted", f"{new}.", *(each.made.sentence for each in made.values()))))
 
     @action(
         "keepShape",

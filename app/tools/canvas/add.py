@@ -10,13 +10,13 @@ from msgspec.structs import replace
 from ...document.curve_edits import add_curve, fresh_curve
 from ...document.model import Vector
 from ...document.point_group import points_of
-from ...document.shape_edits import place_above
 from ...view_model.appending import closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
 from ...view_model.reshape import inserted_index
 from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
 from ..drag_machine import EditingHost
+from ..inserting import say_inserted
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
@@ -138,7 +138,7 @@ class AddTool(Tool):
     def _begin(self, context: ToolContext) -> None:
         """Begin another curve; it is the one that is edited from the press on."""
         host = context.host
-        model, place = context.view.source, place_above(host.document, host.active_index)
+        model, place = context.view.source, len(host.document.curves)
         fresh = fresh_curve(host.document, model, model.parametrization)
         document = add_curve(host.document, place, fresh)
         self._finished.discard((place, fresh.name))
@@ -212,12 +212,9 @@ def _close(host: EditingHost, *, by_line: bool) -> None:
 
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
     made = insert.on_curve
-    if host.active_view.source != made.curve:
-        return  # dragged off the curve: the change is what was wanted
-    if made.parameters_moved:
-        host.offer(made.sentence, "keepShape", insert.hit.t)
-    else:
-        host.say(made.sentence)
+    # Dragged off the curve: the change is what was wanted.
+    if host.active_view.source == made.curve:
+        say_inserted(host, made, insert.hit.t)
 
 
 ADD = ToolRecord(

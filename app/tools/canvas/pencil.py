@@ -12,7 +12,6 @@ from msgspec.structs import replace
 from ...document.curve_edits import add_curve, fresh_curve, replace_curve
 from ...document.edits import EditError
 from ...document.model import Curve, Parametrization, Vector
-from ...document.shape_edits import place_above
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
@@ -94,7 +93,7 @@ def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
     if not active.points and not active.locked:
         return replace(active, closed=closed), place
     fresh = fresh_curve(host.document, active, Parametrization())
-    return replace(fresh, settings=active.settings, closed=closed), place_above(host.document, place)
+    return replace(fresh, settings=active.settings, closed=closed), len(host.document.curves)
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:

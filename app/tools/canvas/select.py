@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from msgspec.structs import replace
 
 from ...document import words
@@ -11,8 +13,10 @@ from ...document.shape_edits import next_pressed
 from .. import hints
 from ..below import click_below, find_below, words_below
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
+from ..drag_machine import EditingHost
 from ..drags import BendCurve
 from ..guides import GuidePicker
+from ..inserting import insert_at
 from ..marks import GestureMarks
 from ..marquee import Band, CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
@@ -34,6 +38,8 @@ class SelectTool(Tool):
         self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
         self._lit: Vector | None = None
+        # The edited curve that the last press was on, for a double click is of two on its line.
+        self._pressed_line = -1
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
@@ -46,6 +52,7 @@ class SelectTool(Tool):
                 self.gesture.mean_by_click(lambda context: click_below(context, below))
 
     def _press(self, context: ToolContext) -> None:
+        before, self._pressed_line = self._pressed_line, -1
         if self._is_on_pivot(context):
             self.gesture = MovePivot(context)
             return
@@ -62,7 +69,7 @@ class SelectTool(Tool):
         elif hit is not None and hit.inside:
             self._press_within(context, hit)
         elif hit is not None:
-            self._press_on_curve(context, hit)
+            self._press_on_curve(context, hit, before)
         else:
             self._press_beside(context)
 
@@ -113,8 +120,9 @@ class SelectTool(Tool):
         return self._guides.let_go()
 
     def reset(self) -> None:
-        """Forget the guide of another document."""
+        """Forget the guide and the curve of another document."""
         self._guides.let_go()
+        self._pressed_line = -1
 
     def walk(self, context: ToolContext, step: int) -> bool:
         """Select the next point; while no curve is edited, choose the next curve."""
@@ -138,11 +146,15 @@ class SelectTool(Tool):
         drag = (target.scaling if is_scale else target.turning)(grip, context.pointer)
         context.drags.press(context.pointer, drag)
 
-    def _press_on_curve(self, context: ToolContext, hit: Hit) -> None:
+    def _press_on_curve(self, context: ToolContext, hit: Hit, before: int) -> None:
+        """Begin to bend the curve; a click tells where it is, a double click inserts a point."""
         host, pointer = context.host, context.pointer
-        said = f"t = {words.number(hit.t)} · c(t) = ({words.vector(hit.position)})"
+        self._pressed_line = host.active_index
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
-        context.drags.press(pointer, unless_locked(context, bend), on_click=lambda: host.say(said))
+        is_second = pointer.is_double and before == host.active_index
+        inserts = is_second and not (pointer.shift or pointer.ctrl or pointer.alt)
+        click = partial(insert_at, host, hit.t) if inserts else partial(_tell_place, host, hit)
+        context.drags.press(pointer, unless_locked(context, bend), on_click=click)
 
     def claims(self, key: str) -> bool:
         """Whether a key is for a guide."""
@@ -247,6 +259,10 @@ def _is_below_grips(hit: Hit | None) -> bool:
     return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
+def _tell_place(host: EditingHost, hit: Hit) -> None:
+    host.say(f"t = {words.number(hit.t)} · c(t) = ({words.vector(hit.position)})")
+
+
 def _unselected_place(context: ToolContext, hit: Hit | None) -> Vector | None:
     """Return where the point of another curve is that is hit; None for one that is selected."""
     if hit is None or hit.part is not Part.OTHER_POINT:
@@ -270,7 +286,7 @@ SELECT = ToolRecord(
         GestureRow("Click a small ring", "select a point of another curve of the shape, as any other"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
-        GestureRow("Click the curve", "tell t and c(t) there"),
+        GestureRow("Click the curve", "tell t and c(t) there; a double click inserts a point"),
         GestureRow(
             "Drag inside the box", "move all in it; Shift+drag: rubber band", selected=True, curves=True
         ),
