@@ -25,7 +25,10 @@ def drawing(editor):
     editor.session.commit(Document((first, above), unit="mm", grid_spacing=0.1), "Begin")
     editor.window.canvas.camera.show_box((-1, 7), (-3, 5))
     editor.settle()
-    return editor
+    yield editor
+    # The zoom says what the unit is when it is shown anew.
+    editor.new()
+    editor.settle()
 
 
 def at(editor, place):
