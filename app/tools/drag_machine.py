@@ -183,9 +183,19 @@ class DragMachine:
         press = self._press
         return press is not None and (press.drag is None or press.drag.scrolls)
 
-    def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
-        """Begin: past the threshold `drag`, if any, takes over; a release before that is `on_click`."""
-        self._press = _Press(pointer.pixel, drag, on_click, moving=False)
+    def press(
+        self,
+        pointer: Pointer,
+        drag: Drag | None,
+        on_click: Callable[[], None] | None = None,
+        *,
+        active: int | None = None,
+    ) -> None:
+        """Begin: past the threshold `drag`, if any, takes over; a release before that is `on_click`.
+
+        `active` is the curve to edit once it has taken over, where it makes another one.
+        """
+        self._press = _Press(pointer.pixel, drag, on_click, moving=False, active=active)
 
     def mean_by_click(self, on_click: Callable[[], None]) -> None:
         """Let a release before the threshold be something else than the press has said."""

@@ -313,8 +313,10 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     action, title, full_name, key, icon, tip
         What the action has by which it is selected: object name, text in a menu and where no menu stands
         around it, keys, icon, tooltip. Empty where a feature has an action of its own for it.
-    in_menu
-        Whether the menu of the canvas offers it.
+    in_menu, in_toolbar
+        Whether the menu of the canvas offers it, and the toolbar.
+    keywords
+        Other words by which the palette finds it.
     """
 
     name: str
@@ -331,6 +333,8 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     icon: str = ""
     tip: str = ""
     in_menu: bool = False
+    in_toolbar: bool = True
+    keywords: str = ""
 
     @property
     def order(self) -> tuple[int, ...]:

@@ -107,9 +107,10 @@ class ViewCommands:
             checked=lambda now: now.state.uses(tool),
             group="tool",
             during_gesture=True,
+            keywords=tool.keywords,
         ),
     )
-    @also_for_each(lambda tool: (TOOLBAR(30), CANVAS_MENU(10)) if tool.in_menu else (TOOLBAR(30),))
+    @also_for_each(lambda tool: (TOOLBAR(30),) * tool.in_toolbar + (CANVAS_MENU(10),) * tool.in_menu)
     def _use_tool(self, tool: ToolRecord) -> None:
         # Taken anew, a tool ends what it was doing.
         self._context.central.canvas.choose_tool(tool)

@@ -1,0 +1,196 @@
+"""The tools that draw a curve in a box, which a drag opens from corner to corner: a rectangle, an ellipse."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+
+import msgspec
+from msgspec.structs import replace
+
+from ...document import words
+from ...document.box_curves import (
+    Box,
+    BoxPoint,
+    box_curve_place,
+    polygon,
+    quarter_turns,
+    with_box_curve,
+)
+from ...document.model import Document, Vector
+from ...document.transforms import decimal_sum
+from ..drag import Drag
+from ..pointer import Hint, Pointer
+from ..snapping import Snapper
+from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+
+
+class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
+    """A curve that a drag draws: a further one is a record, and the `ToolRecord` that `_tool` makes of it.
+
+    Attributes
+    ----------
+    name
+        Its name, such as "ellipse".
+    phrase
+        The name with its article.
+    plural
+        Several of them.
+    regular
+        What it is in a square, with the article.
+    points
+        Its points in the box from (0, 0) to (1, 1).
+    """
+
+    name: str
+    phrase: str
+    plural: str
+    regular: str
+    points: Sequence[BoxPoint]
+
+    @property
+    def hint(self) -> str:
+        """What draws it."""
+        return f"Drag to draw {self.phrase}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        return f"Ctrl: {self.regular} · Shift: about the centre"
+
+
+class DrawInBox(Drag, frozen=True):
+    """A drag from one corner of the box, or with Shift from its middle, to the opposite corner.
+
+    Attributes
+    ----------
+    active
+        The curve that was edited at the press.
+    """
+
+    active: int
+    drawn: BoxCurve
+    start: Vector
+    snapper: Snapper
+    unit: str
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Draw {self.drawn.name}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        return self.drawn.keys
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the curve."""
+        return with_box_curve(self.document, self.active, self.drawn.points, self._box(pointer))
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return width × height."""
+        width, height = map(words.number, self._box(pointer).size)
+        return f"{width} × {height} {self.unit}".rstrip()
+
+    def _box(self, pointer: Pointer) -> Box:
+        end = self.snapper.at(_snapping_as_set(pointer))
+        way = _way(self.start, end)
+        if pointer.ctrl:
+            side = max(map(abs, way))
+            way = (math.copysign(side, way[0]), math.copysign(side, way[1]))
+            end = _after(self.start, way)
+        return Box(_after(self.start, (-way[0], -way[1])) if pointer.shift else self.start, end)
+
+
+def _way(start: Vector, end: Vector) -> Vector:
+    # In decimals, so that what begins and ends on lines of a grid of 0.1 measures whole steps of it.
+    return (decimal_sum(end[0], -start[0]), decimal_sum(end[1], -start[1]))
+
+
+def _after(start: Vector, way: Vector) -> Vector:
+    return (decimal_sum(start[0], way[0]), decimal_sum(start[1], way[1]))
+
+
+def _snapping_as_set(pointer: Pointer) -> Pointer:
+    """Return the pointer without Ctrl, which means something else here than to snap or not."""
+    return replace(pointer, ctrl=False)
+
+
+class BoxCurveTool(Tool):
+    """Tool that draws a curve in a box."""
+
+    def __init__(self, drawn: BoxCurve) -> None:
+        self._drawn = drawn
+
+    def press(self, context: ToolContext) -> None:
+        """Begin at a corner of the box."""
+        host, snapper = context.host, context.snappers.for_new(-1)
+        start = snapper.at(_snapping_as_set(context.pointer))
+        active, unit = host.active_index, context.settings.unit
+        drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit)
+        place = box_curve_place(host.document, active)
+        context.drags.press(context.pointer, drag, self._say_how(context), active=place)
+
+    def _say_how(self, context: ToolContext) -> Callable[[], None]:
+        return lambda: context.host.say(f"{self._drawn.hint}.")
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do."""
+        context.at(_snapping_as_set(context.pointer)).preview_snap(-1)
+        return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
+
+
+def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) -> ToolRecord:
+    """Return the tool that draws a curve in a box."""
+    title = drawn.name.title()
+    return ToolRecord(
+        name=drawn.name,
+        make=partial(BoxCurveTool, drawn),
+        hint=f"{drawn.hint}; V or Escape goes back to selecting.",
+        beginning=f"Drag on the canvas to draw {drawn.phrase}.",
+        doing=f"drawing {drawn.plural}",
+        gestures=(
+            GestureRow("Drag", f"draw {drawn.phrase} from corner to corner of its box"),
+            GestureRow("Ctrl, Shift", f"{drawn.regular}; about the centre"),
+        ),
+        place=place,
+        action=f"{drawn.name}Tool",
+        title=title,
+        full_name=f"{title} Tool",
+        key=key,
+        icon=icon,
+        tip=f"Draw {drawn.phrase}: drag from corner to corner; {drawn.keys}",
+        in_menu=True,
+        in_toolbar=False,
+        keywords=keywords,
+    )
+
+
+RECTANGLE = _tool(
+    BoxCurve(
+        name="rectangle",
+        phrase="a rectangle",
+        plural="rectangles",
+        regular="a square",
+        points=polygon((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)),
+    ),
+    place=26,
+    key="B",
+    icon="rectangle-horizontal",
+    keywords="box square quadrilateral",
+)
+ELLIPSE = _tool(
+    BoxCurve(
+        name="ellipse",
+        phrase="an ellipse",
+        plural="ellipses",
+        regular="a circle",
+        points=quarter_turns((1.0, 0.5), (0.5, 1.0), (0.0, 0.5), (0.5, 0.0)),
+    ),
+    place=27,
+    key="O",
+    icon="ellipse",
+    keywords="circle oval round",
+)
