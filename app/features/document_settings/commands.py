@@ -1,4 +1,4 @@
-"""The unit and the grid of the document, on the canvas and in a form; what new documents begin with."""
+"""Unit, grid and page of the document, on the canvas and in a form; what new documents begin with."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.sections import FILE_SAVE
+from ...actions.sections import EDIT_PAGE, FILE_SAVE
 from ...features import document_settings
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -74,12 +74,25 @@ class DocumentSettingsCommands:
         "Document…",
         FILE_SAVE,
         "Ctrl+Shift+D",
-        full_name="Document: Unit and Grid…",
+        full_name="Document: Unit, Grid and Page…",
         keywords="properties unit millimetres inches grid spacing new page setup",
     )
     def _show(self) -> None:
-        """Show the unit and the grid of this document, and what new ones begin with."""
+        """Show unit, grid and page of this document, and what new ones begin with."""
         self._dock.bring_up()
+
+    @action(
+        "pageSize",
+        "Page Size…",
+        EDIT_PAGE,
+        icon="page-size",
+        keywords="artboard canvas width height A4 Letter icon landscape portrait paper format",
+    )
+    def _type_page_size(self) -> None:
+        """Type width and height of the page, or choose a usual size."""
+        self._dock.bring_up()
+        assert self._panel is not None
+        self._panel.page.begin_typing()
 
 
 COMMAND_SETS = (DocumentSettingsCommands,)
