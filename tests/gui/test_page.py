@@ -71,6 +71,18 @@ def test_the_actions_wait_for_what_they_need(editor):
     assert not editor.window.actions_by_name["pageAroundCurves"].isEnabled()
 
 
+def test_fit_page_shows_all_of_it_and_little_else(drawn):
+    assert not drawn.window.actions_by_name["fitPage"].isEnabled()
+    drawn.session.change("Page", lambda document: replace(document, page=Page(100.0, -50.0, 24.0, 24.0)))
+    drawn.key(Qt.Key.Key_4, Qt.KeyboardModifier.ControlModifier)
+    drawn.settle()
+    left, bottom, right, top = drawn.window.canvas.pixel_map.box
+    assert (left < 100.0, right > 124.0, bottom < -50.0) == (True, True, True)
+    assert -26.0 < top < -14.0
+    drawn.trigger("previousView")
+    assert drawn.window.canvas.pixel_map.box[0] < 8.0
+
+
 def line(editor, name):
     return editor.window.findChild(QLineEdit, name)
 
@@ -96,6 +108,7 @@ def test_an_artboard_is_typed_and_exported(editor, tmp_path):
     assert editor.session.document.page == Page(0.0, 0.0, 24.0, 24.0)
     assert editor.window.canvas.drawing.page.page == editor.session.document.page
     assert editor.session.undo_stack.undoText() == "Page 24 × 24"
+    assert editor.status == "The page reaches out of sight; Fit Page shows all of it."
     assert editor.window.findChild(QComboBox, "pageUsual").currentText() == "24 × 24 px"
     editor.window.commands[ExchangeCommands].export(tmp_path / "icon.svg")
     editor.wait_for_work()

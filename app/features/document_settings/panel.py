@@ -50,9 +50,12 @@ class DocumentPanel(FieldForm):
     -------
     made_usual
         New documents shall begin as this one is.
+    page_asked
+        Another page was asked for, and made if that was possible.
     """
 
     made_usual = Signal()
+    page_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("documentPanel", "documentProblem", parent)
@@ -80,6 +83,7 @@ class DocumentPanel(FieldForm):
 
     def _ask_page(self, text: str, edit: Callable[[Document], Document]) -> None:
         self.edited.emit(text, lambda document, _curve: edit(document))
+        self.page_asked.emit()
 
     def render_document(self, document: Document, unit: str, spacing: float, style: Style) -> None:
         """Show `document`, and the unit, the grid and the style that new ones begin with."""
