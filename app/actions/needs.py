@@ -52,5 +52,6 @@ UNLOCKED_CURVE = Need(
     "a curve through two points or more that is not locked",
     lambda now: now.view.is_current and not now.view.source.locked,
 )
+PAGE = Need("a page", lambda now: now.session.document.page is not None)
 TWO_POINTS = Need("two points or more", lambda now: len(now.view.points) > 1)
 SECOND_CURVE = Need("a second curve", lambda now: len(now.session.document.curves) > 1)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import pytest
 from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton
 
 from app.document.model import Document, Page, make_curve
 from app.document.style import Style
@@ -66,3 +69,89 @@ def test_the_actions_wait_for_what_they_need(editor):
     editor.settle()
     assert not editor.window.actions_by_name["noPage"].isEnabled()
     assert not editor.window.actions_by_name["pageAroundCurves"].isEnabled()
+
+
+def test_fit_page_shows_all_of_it_and_little_else(drawn):
+    assert not drawn.window.actions_by_name["fitPage"].isEnabled()
+    drawn.session.change("Page", lambda document: replace(document, page=Page(100.0, -50.0, 24.0, 24.0)))
+    drawn.key(Qt.Key.Key_4, Qt.KeyboardModifier.ControlModifier)
+    drawn.settle()
+    left, bottom, right, top = drawn.window.canvas.pixel_map.box
+    assert (left < 100.0, right > 124.0, bottom < -50.0) == (True, True, True)
+    assert -26.0 < top < -14.0
+    drawn.trigger("previousView")
+    assert drawn.window.canvas.pixel_map.box[0] < 8.0
+
+
+def line(editor, name):
+    return editor.window.findChild(QLineEdit, name)
+
+
+def type_into_focus(editor, text, key):
+    focused = QApplication.focusWidget()
+    editor.type_text(focused, text)
+    QTest.keyClick(focused, key)
+    editor.settle()
+
+
+def size(editor):
+    page = editor.session.document.page
+    return page.width, page.height
+
+
+def test_an_artboard_is_typed_and_exported(editor, tmp_path):
+    """An icon of 24 × 24: two numbers, one step, and the file has that size."""
+    editor.trigger("pageSize")
+    type_into_focus(editor, "24", Qt.Key.Key_Tab)
+    assert QApplication.focusWidget() is line(editor, "pageHeight")
+    type_into_focus(editor, "24", Qt.Key.Key_Return)
+    assert editor.session.document.page == Page(0.0, 0.0, 24.0, 24.0)
+    assert editor.window.canvas.drawing.page.page == editor.session.document.page
+    assert editor.session.undo_stack.undoText() == "Page 24 × 24"
+    assert editor.status == "The page reaches out of sight; Fit Page shows all of it."
+    assert editor.window.findChild(QComboBox, "pageUsual").currentText() == "24 × 24 px"
+    editor.window.commands[ExchangeCommands].export(tmp_path / "icon.svg")
+    editor.wait_for_work()
+    assert 'viewBox="0 -24 24 24"' in (tmp_path / "icon.svg").read_text(encoding="utf-8")
+    editor.trigger("undo")
+    assert editor.session.document.page is None
+    assert line(editor, "pageWidth").text() == ""
+
+
+def test_a_page_keeps_its_corner_and_takes_units(drawn):
+    drawn.session.change("Page", lambda document: replace(document, page=Page(-1.0, 2.0, 4.0, 4.0)))
+    drawn.trigger("pageSize")
+    type_into_focus(drawn, "1in", Qt.Key.Key_Return)
+    assert drawn.session.document.page == Page(-1.0, 2.0, 25.4, 4.0)
+    drawn.trigger("pageSize")
+    type_into_focus(drawn, "0", Qt.Key.Key_Return)
+    problem = drawn.window.findChild(QLabel, "documentProblem").text()
+    assert problem == "⚠ The width of the page must be greater than 0."
+    assert size(drawn) == (25.4, 4.0)
+
+
+def test_usual_sizes_are_chosen_and_turned(drawn):
+    drawn.trigger("pageSize")
+    usual = drawn.window.findChild(QComboBox, "pageUsual")
+    for name, expected in (("A4", (210.0, 297.0)), ("Letter", (215.9, 279.4)), ("24 × 24 px", (6.35, 6.35))):
+        choose(drawn, usual, name)
+        assert size(drawn) == expected
+    choose(drawn, usual, "A4")
+    QTest.mouseClick(drawn.window.findChild(QToolButton, "pageTurn"), Qt.MouseButton.LeftButton)
+    assert (size(drawn), usual.currentText()) == ((297.0, 210.0), "A4")
+    assert drawn.session.undo_stack.undoText() == "Page 297 × 210 mm"
+    choose(drawn, usual, "none")
+    assert drawn.session.document.page is None
+    drawn.session.change("Unit", lambda document: replace(document, unit=""))
+    drawn.settle()
+    assert usual.findText("A4") == -1, "a sheet has no size where there is no length"
+
+
+def choose(editor, box, name):
+    """Choose an entry of a box by its keys."""
+    box.setFocus()
+    while box.currentText() != name:
+        before = box.currentIndex()
+        QTest.keyClick(box, Qt.Key.Key_Down if box.findText(name) > before else Qt.Key.Key_Up)
+        assert box.currentIndex() != before
+    editor.settle()

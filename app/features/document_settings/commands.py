@@ -1,14 +1,16 @@
-"""The unit and the grid of the document, on the canvas and in a form; what new documents begin with."""
+"""Unit, grid and page of the document, on the canvas and in a form; what new documents begin with."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.sections import FILE_SAVE
+from ...actions.sections import EDIT_PAGE, FILE_SAVE
+from ...canvas.fitting import all_inside
 from ...features import document_settings
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -36,6 +38,7 @@ class DocumentSettingsCommands:
         self._panel = document_settings.panel.DocumentPanel(parent)
         self._edits = FormEdits(self._session, self._panel)
         self._panel.made_usual.connect(self._make_usual)
+        self._panel.page_asked.connect(self._tell_page_out_of_sight)
         self._render_panel()
         return self._panel
 
@@ -69,17 +72,39 @@ class DocumentSettingsCommands:
         self._session.say("New documents begin with this unit and grid, and with the style of this curve.")
         self._render_panel()
 
+    def _tell_page_out_of_sight(self) -> None:
+        """Say how to see the page where a part of it is out of sight."""
+        page, shown = self._session.document.page, self._context.central.canvas.pixel_map
+        if page is None:
+            return
+        corners = np.array([(page.x, page.y), (page.x + page.width, page.y + page.height)])
+        if not all_inside(shown, corners):
+            self._session.say("The page reaches out of sight; Fit Page shows all of it.")
+
     @action(
         "documentSettings",
         "Document…",
         FILE_SAVE,
         "Ctrl+Shift+D",
-        full_name="Document: Unit and Grid…",
+        full_name="Document: Unit, Grid and Page…",
         keywords="properties unit millimetres inches grid spacing new page setup",
     )
     def _show(self) -> None:
-        """Show the unit and the grid of this document, and what new ones begin with."""
+        """Show unit, grid and page of this document, and what new ones begin with."""
         self._dock.bring_up()
+
+    @action(
+        "pageSize",
+        "Page Size…",
+        EDIT_PAGE,
+        icon="page-size",
+        keywords="artboard canvas width height A4 Letter icon landscape portrait paper format",
+    )
+    def _type_page_size(self) -> None:
+        """Type width and height of the page, or choose a usual size."""
+        self._dock.bring_up()
+        assert self._panel is not None
+        self._panel.page.begin_typing()
 
 
 COMMAND_SETS = (DocumentSettingsCommands,)

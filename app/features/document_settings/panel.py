@@ -1,7 +1,8 @@
-"""The form of a document's unit and grid."""
+"""The form of a document's unit, its grid and its page."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -21,6 +22,7 @@ from ...widgets.controls import push_button
 from ...widgets.field_form import FieldForm
 from ...widgets.length_text import length_text
 from ...widgets.preference_fields import PreferenceField, field_of
+from .page_fields import PageFields
 
 _UNIT = Text(
     "",
@@ -48,9 +50,12 @@ class DocumentPanel(FieldForm):
     -------
     made_usual
         New documents shall begin as this one is.
+    page_asked
+        Another page was asked for, and made if that was possible.
     """
 
     made_usual = Signal()
+    page_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("documentPanel", "documentProblem", parent)
@@ -58,13 +63,14 @@ class DocumentPanel(FieldForm):
         self._grid: PreferenceField[Any] = field_of(
             _GRID, partial(self._ask, "grid spacing", set_grid_spacing)
         )
+        self.page = PageFields(self._ask_page, self.watch)
         self._usual = Label(name="newDocuments", wordWrap=True)
         tip = (
             "Let new documents begin with this unit and this grid, and their curve with the style of this one"
         )
         self._take = push_button("useForNew", "Use for New Documents", tip)
         self._take.clicked.connect(self.made_usual)
-        form = form_of(*self._unit.rows, *self._grid.rows)
+        form = form_of(*self._unit.rows, *self._grid.rows, *self.page.rows)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         left = Qt.AlignmentFlag.AlignLeft
@@ -75,10 +81,15 @@ class DocumentPanel(FieldForm):
     def _ask(self, what: str, edit: Any, value: object) -> None:  # noqa: ANN401 - of the value's kind
         self.edited.emit(f"Set the {what}", lambda document, _curve: edit(document, value))
 
+    def _ask_page(self, text: str, edit: Callable[[Document], Document]) -> None:
+        self.edited.emit(text, lambda document, _curve: edit(document))
+        self.page_asked.emit()
+
     def render_document(self, document: Document, unit: str, spacing: float, style: Style) -> None:
         """Show `document`, and the unit, the grid and the style that new ones begin with."""
         self._unit.show(document.unit)
         self._grid.show(document.grid_spacing)
+        self.page.show(document.page, document.unit)
         grid = f"a grid of {length_text(spacing, unit)}" if spacing else "an adaptive grid"
         line = "usual lines" if style == Style() else "lines and fills of their own style"
         named = f"“{unit}”" if unit else NO_UNIT
@@ -87,4 +98,5 @@ class DocumentPanel(FieldForm):
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         super().set_theme(theme)
+        self.page.set_theme(theme)
         self._usual.setStyleSheet(f"color: {theme.muted.name()}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...actions.declaration import action
-from ...actions.needs import CURVE_THROUGH_TWO, Need
+from ...actions.needs import CURVE_THROUGH_TWO, PAGE
 from ...actions.sections import EDIT_PAGE
 from ...document.model import Page
 from ...document.plane_edits import set_page
@@ -12,8 +12,6 @@ from ...exchange import drawing
 from ...exchange.errors import ExchangeError
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
-
-_PAGE = Need("a page", lambda now: now.session.document.page is not None)
 
 
 class PageCommands:
@@ -48,7 +46,7 @@ class PageCommands:
             size = f"{number(page.width)} × {number(page.height)} {document.unit}".strip()
             self._session.say(f"The page is {size}; pictures show what lies on it.")
 
-    @action("noPage", "No Page", EDIT_PAGE, needs=_PAGE, keywords="remove delete artboard export area")
+    @action("noPage", "No Page", EDIT_PAGE, needs=PAGE, keywords="remove delete artboard export area")
     def _take_away(self) -> None:
         """Let pictures show what the curves take, however they change."""
         self._session.change("No Page", lambda document: set_page(document, None))

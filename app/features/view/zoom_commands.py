@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from ...actions.declaration import Action, action, action_for_each, also
-from ...actions.needs import Need
+from ...actions.needs import PAGE, Need
 from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_STEPS, VIEW_ZOOM_TO
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...plotting.scrolling import ZOOM_STEP
@@ -85,6 +85,18 @@ class ZoomCommands:
         """Show all visible curves; without points the reference image."""
         self._past.begin_move()
         self._context.central.fit()
+
+    @action(
+        "fitPage", "Fit Page", VIEW_ZOOM, "Ctrl+4", "fit-page", needs=PAGE, keywords="zoom to page artboard"
+    )
+    @also(ZOOM_MENU(22))
+    def _fit_page(self) -> None:
+        """Show the whole page, as large as there is room for."""
+        page = self._context.session.document.page
+        assert page is not None
+        self._past.begin_move()
+        corners = ((page.x, page.y), (page.x + page.width, page.y + page.height))
+        self._canvas.framing.fit_points(np.array(corners))
 
     @action(
         "fitSelection",
