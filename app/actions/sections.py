@@ -158,3 +158,4 @@ VIEW_THEME = VIEW.section()
 
 HELP = Menu("Help")
 HELP_ALL = HELP.section()
+HELP_ABOUT = HELP.section()

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QMenu
 from .. import window
 from ..actions.declaration import action
 from ..actions.mnemonics import plain
-from ..actions.sections import EDIT_PROGRAM
+from ..actions.sections import EDIT_PROGRAM, HELP_ALL
 from ..workbench.context import WindowContext
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ class ProgramCommands:
 
     # Palette
 
-    @action("commandPalette", "Command Palette…", EDIT_PROGRAM, "Ctrl+Shift+P", "search", during_gesture=True)
+    @action("commandPalette", "Command Palette…", HELP_ALL, "Ctrl+Shift+P", "search", during_gesture=True)
     def _toggle_palette(self) -> None:
         """Find anything that can be done, by a few letters of its name."""
         if self._palette is None:
@@ -66,7 +66,7 @@ class ProgramCommands:
 
     # Preferences
 
-    @action("editShortcuts", "Keyboard Shortcuts…", EDIT_PROGRAM, icon="keyboard")
+    @action("editShortcuts", "Keyboard Shortcuts…", HELP_ALL, icon="keyboard")
     def _edit_shortcuts(self) -> None:
         """Choose which keys do what."""
         self._open_dialog().show_shortcuts()

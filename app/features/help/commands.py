@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from ... import __version__
 from ...actions.declaration import action
-from ...actions.sections import HELP_ALL, MENUS
+from ...actions.sections import HELP_ABOUT, HELP_ALL, MENUS
 from ...workbench.context import WindowContext
 from .. import help as help_feature
 
@@ -42,7 +42,7 @@ class HelpCommands:
         )
         self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 
-    @action("about", "About Curvebench", HELP_ALL)
+    @action("about", "About Curvebench", HELP_ABOUT)
     def _about(self) -> None:
         """Version and licence."""
         box = QMessageBox(self._context.window)
