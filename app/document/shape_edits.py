@@ -5,7 +5,8 @@ Pure functions like those of ``edits``; `tidy_shapes` gives what they leave its 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import count
 from typing import NamedTuple
 
@@ -86,20 +87,44 @@ def stepped(document: Document, curves: Collection[int], step: int) -> list[int]
     Each goes past the next thing beside it in the group that it is in, as far as there is one.
     """
     chosen = whole_shapes(document, curves)
-    return list(_stepped(tree_of(document.curves), chosen, step))
+    return list(_arranged(tree_of(document.curves), chosen, partial(_a_step, step=step)))
 
 
-def _stepped(nodes: Sequence[Node], chosen: frozenset[int], step: int) -> Iterator[int]:
-    order = [(node, all(place in chosen for place in node.places)) for node in nodes]
+def at_end(document: Document, curves: Collection[int], end: int) -> list[int]:
+    """Return the order of places in which shapes and groups are in front (1) or behind (−1) all else.
+
+    Each stays in the group that it is in, and they keep their order among each other.
+    """
+    chosen = whole_shapes(document, curves)
+    return list(_arranged(tree_of(document.curves), chosen, partial(_to_end, end=end)))
+
+
+_Order = list[tuple[Node, bool]]
+"""Nodes beside each other, from the back to the front, and whether each is chosen."""
+
+
+def _a_step(order: _Order, step: int) -> None:
     for at in range(len(order) - 1, -1, -1) if step > 0 else range(len(order)):
         to = at + step
         if order[at][1] and 0 <= to < len(order) and not order[to][1]:
             order[at], order[to] = order[to], order[at]
+
+
+def _to_end(order: _Order, end: int) -> None:
+    order.sort(key=lambda each: end * each[1])
+
+
+def _arranged(
+    nodes: Sequence[Node], chosen: frozenset[int], arrange: Callable[[_Order], None]
+) -> Iterator[int]:
+    """Yield the places of nodes, those that are chosen put elsewhere beside those around them."""
+    order = [(node, all(place in chosen for place in node.places)) for node in nodes]
+    arrange(order)
     for node, is_chosen in order:
         if is_chosen or node.kind is not NodeKind.GROUP:
             yield from node.places
         else:
-            yield from _stepped(node.parts, chosen, step)
+            yield from _arranged(node.parts, chosen, arrange)
 
 
 # Shapes

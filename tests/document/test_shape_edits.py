@@ -13,6 +13,7 @@ from app.document.model import Document, make_curve
 from app.document.selection import Choice
 from app.document.several_curves import add_copies, add_curves, add_imported, in_order, named
 from app.document.shape_edits import (
+    at_end,
     broken_apart,
     combined,
     grouped,
@@ -171,6 +172,21 @@ def test_no_group_is_no_group_to_take_apart():
 def test_a_step_goes_past_the_next_thing_in_the_same_group(drawn, chosen, step, made):
     some = document(drawn)
     assert text(in_order(some, stepped(some, places(some, chosen), step))) == made
+
+
+@pytest.mark.parametrize(
+    ("drawn", "chosen", "end", "made"),
+    [
+        ("abcde", "bd", 1, "acebd"),
+        ("abcde", "bd", -1, "bdace"),
+        ("a(bc)de", "b", 1, "ade(bc)"),
+        ("a[bcd]e", "b", 1, "a[cdb]e"),
+        ("a[b(cd)]e", "ec", -1, "ea[(cd)b]"),
+    ],
+)
+def test_the_end_is_that_of_the_same_group(drawn, chosen, end, made):
+    some = document(drawn)
+    assert text(in_order(some, at_end(some, places(some, chosen), end))) == made
 
 
 @pytest.mark.parametrize(

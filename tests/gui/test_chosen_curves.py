@@ -734,6 +734,26 @@ def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
     assert (names(five), chosen(five)) == ("ABCDE", "BD")
 
 
+@pytest.mark.parametrize(
+    ("key", "order", "name"),
+    [
+        (Qt.Key.Key_Home, "ACEBD", "Raise 2 curves to top"),
+        (Qt.Key.Key_End, "BDACE", "Lower 2 curves to bottom"),
+    ],
+)
+def test_chosen_curves_go_to_the_top_and_the_bottom_together(five, key, order, name):
+    five.session.selected.set_curves({1, 3})
+    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    five.key(key, both)
+    assert (names(five), chosen(five), five.curve.name) == (order, "BD", "B")
+    assert step_name(five) == name
+    steps = five.session.undo_stack.count()
+    five.key(key, both)
+    assert five.session.undo_stack.count() == steps, "they are there already"
+    five.trigger("undo")
+    assert (names(five), chosen(five)) == ("ABCDE", "BD")
+
+
 def test_chosen_rows_are_dragged_together(five):
     five.session.selected.set_curves({1, 2}, 1)
     view = five.window.commands[CurveListCommands].panel.view

@@ -201,7 +201,7 @@ class CurveListCommands:
             "a curve that is not chosen yet", lambda now: len(now.selected) < len(now.session.document.curves)
         ),
     )
-    @also(CANVAS_MENU(12), CURVE_LIST_MENU(22))
+    @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
     def _choose_all(self) -> None:
         """Choose all curves, to move, scale, hide, colour or delete them together."""
         session = self._session
@@ -214,7 +214,7 @@ class CurveListCommands:
         EDIT_SELECT,
         needs=Need("several chosen curves", lambda now: len(now.selected) > 1),
     )
-    @also(CURVE_LIST_MENU(23))
+    @also(CURVE_LIST_MENU(25))
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
         self._session.selected.set_curves((self._session.active_index,))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
@@ -13,7 +13,7 @@ from ...document import curve_edits, edits
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
-from ...document.shape_edits import stepped
+from ...document.shape_edits import at_end, stepped
 from ...document.shapes import shape_of
 from ...document.words import count_of, number
 from ...tools.inserting import insert_at
@@ -25,6 +25,12 @@ from ...view_model.splitting import Split, split
 from ...view_model.straight import segments_between
 from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
+
+Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
+"""Returns the order of curves in which some are elsewhere, towards the front (1) or the back (−1)."""
+
+_CURVE_IN_FRONT = Need("a curve in front of this one", lambda now: _has_curve_beside(now, 1))
+_CURVE_BEHIND = Need("a curve behind this one", lambda now: _has_curve_beside(now, -1))
 
 
 class CurveCommands:
@@ -55,12 +61,12 @@ class CurveCommands:
         "Ctrl+Shift+PgUp",
         "move-up",
         full_name="Raise Curve",
-        needs=Need("a curve in front of this one", lambda now: _has_curve_beside(now, 1)),
+        needs=_CURVE_IN_FRONT,
     )
     @also(CURVE_LIST_MENU(20))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
-        self._step("Raise", 1)
+        self._put("Raise {}", stepped, 1, "one step to the front")
 
     @action(
         "lowerCurve",
@@ -69,21 +75,50 @@ class CurveCommands:
         "Ctrl+Shift+PgDown",
         "move-down",
         full_name="Lower Curve",
-        needs=Need("a curve behind this one", lambda now: _has_curve_beside(now, -1)),
+        needs=_CURVE_BEHIND,
     )
     @also(CURVE_LIST_MENU(21))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
-        self._step("Lower", -1)
+        self._put("Lower {}", stepped, -1, "one step to the back")
 
-    def _step(self, verb: str, step: int) -> None:
+    @action(
+        "raiseToTop",
+        "Raise to Top",
+        CURVE_ORDER,
+        "Ctrl+Shift+Home",
+        "move-to-top",
+        full_name="Raise Curve to Top",
+        needs=_CURVE_IN_FRONT,
+        keywords="bring to front order",
+    )
+    @also(CURVE_LIST_MENU(22))
+    def _raise_to_top(self) -> None:
+        """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
+        self._put("Raise {} to top", at_end, 1, "at the top")
+
+    @action(
+        "lowerToBottom",
+        "Lower to Bottom",
+        CURVE_ORDER,
+        "Ctrl+Shift+End",
+        "move-to-bottom",
+        full_name="Lower Curve to Bottom",
+        needs=_CURVE_BEHIND,
+        keywords="send to back order",
+    )
+    @also(CURVE_LIST_MENU(23))
+    def _lower_to_bottom(self) -> None:
+        """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
+        self._put("Lower {} to bottom", at_end, -1, "at the bottom")
+
+    def _put(self, name: str, arrange: Arrange, way: int, where: str) -> None:
+        """Put what is chosen elsewhere in the order, as one step."""
         session, what = self._session, named(self._session.document, self._session.selected.whole)
-        document = in_order(session.document, stepped(session.document, session.selected.curves, step))
-        if session.change(
-            f"{verb} {what}", lambda _: document, active=place_in(document, session.active_curve)
-        ):
-            where = "front" if step > 0 else "back"
-            session.say(f"{what}: one step to the {where}.")
+        document = in_order(session.document, arrange(session.document, session.selected.curves, way))
+        active = place_in(document, session.active_curve)
+        if session.change(name.format(what), lambda _: document, active=active):
+            session.say(f"{what}: {where}.")
 
     @action("nextCurve", "Next Curve", CURVE_WALK, "Ctrl+PgDown", needs=SECOND_CURVE)
     def _go_on(self) -> None:
