@@ -85,7 +85,7 @@ FILE_QUIT = FILE.section()
 
 EDIT = Menu("Edit", interrupts=True)
 EDIT_HISTORY = EDIT.section()
-EDIT_TOOLS = EDIT.section()
+EDIT_TOOLS = EDIT.section("Tools")
 EDIT_PENCIL = EDIT.section("Pencil", is_separated=False)
 EDIT_SELECT = EDIT.section()
 EDIT_TRANSFORM = EDIT.section("Transform", is_separated=False)
