@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from .svg.numbers import number
+
 MILLIMETRES: Final = {
     "µm": 1e-3,
     "mm": 1.0,
@@ -40,10 +42,10 @@ def note_of_unknown(name: str) -> str:
 
 
 def css_length(value: float, unit: str) -> str:
-    """Return a length in one of the units as SVG takes it, with all digits."""
+    """Return a length in one of the units as SVG takes it."""
     if unit not in _IN_CSS:
         value, unit = value * MILLIMETRES[unit], "mm"
-    return f"{repr(value + 0.0).removesuffix('.0')}{unit}"
+    return f"{number(value)}{unit}"
 
 
 def dxf_code(name: str) -> int:

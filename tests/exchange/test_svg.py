@@ -19,6 +19,7 @@ from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
+from app.exchange.svg.numbers import number
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
@@ -97,6 +98,25 @@ def test_a_cubic_hermite_curve_is_written_bit_for_bit():
     (pieces,) = paths(text)
     np.testing.assert_array_equal(upright(pieces), bezier_segments(core(document)))
     assert stated(text)[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (32.29999999999999, "32.3"),
+        (1.4999999999999998, "1.5"),
+        (-0.30000000000000004, "-0.3"),
+        (7.000000000000001e-20, "7e-20"),
+        (120000000000.00002, "120000000000"),
+        (1 / 3, "0.3333333333333333"),
+        (0.1234567890123, "0.1234567890123"),
+        (0.30000000000001, "0.30000000000001"),
+        (-0.0, "0"),
+    ],
+)
+def test_numbers_have_all_digits_but_those_that_rounding_left(value, text):
+    assert number(value) == text
+    assert float(text) == pytest.approx(value, rel=2e-15, abs=0)
 
 
 def test_the_stated_deviation_is_never_rounded_down(sketch):

@@ -411,3 +411,29 @@ def test_lengths_are_the_same_in_another_unit():
     assert there.page == Page(0.0, -25.4, 25.4, 25.4)
     assert in_unit(found, "s") is found
     assert in_unit(replace(found, unit=""), "mm").curves is found.curves
+
+
+def test_guides_of_inkscape_come_in_and_slanted_ones_are_told_of():
+    """As Inkscape 1.2 writes them for the edges of the rectangle: in user units, from the lower left."""
+    guides = "".join(
+        f'<sodipodi:guide position="{place}" orientation="{normal}"/>'
+        for place, normal in [
+            ("20,89.999999", "75.590552,0"),
+            ("20,49.999999", "0,113.38583"),
+            ("80,49.999999", "-75.590552,0"),
+            ("80,89.999999", "0,-113.38583"),
+            ("20,49.999999", "0,1"),
+            ("0,0", "0.7071,-0.7071"),
+            ("nan,1", "1,0"),
+        ]
+    )
+    found = read(
+        f"<sodipodi:namedview>{guides}</sodipodi:namedview>"
+        '<rect id="r" x="20" y="10" width="60" height="40" fill="red"/>',
+        'width="100mm" height="50mm" viewBox="0 0 200 100"',
+    )
+    x, y = zip(*(point.position for point in found.document.curves[0].points), strict=True)
+    drawn = [(guide.axis.value, guide.position) for guide in found.document.guides]
+    assert drawn == [("x", min(x)), ("y", min(y)), ("x", max(x)), ("y", max(y))]
+    assert [each.element for each in found.missed] == ["<guide>"] * 2
+    assert "level or upright" in found.missed[0].sentence

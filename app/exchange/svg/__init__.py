@@ -5,6 +5,7 @@
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
+- ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``cascade``, ``properties``, ``paint``: the style of an element, from attributes and rules.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.

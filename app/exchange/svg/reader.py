@@ -15,6 +15,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ...document.model import Guide
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..drawing.extents import extent_of
@@ -23,6 +24,7 @@ from ..missed import Missed
 from .cascade import Cascade
 from .clips import clip_box
 from .groups import Drawn, Group, settled
+from .guides import SODIPODI, guides_of
 from .lengths import Viewport
 from .matrices import (
     Box,
@@ -48,8 +50,7 @@ from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
 MAX_PATHS = 10_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
-_SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
-_INSENSITIVE = f"{_SODIPODI}insensitive"
+_INSENSITIVE = f"{SODIPODI}insensitive"
 _GROUP_MODE = "{http://www.inkscape.org/namespaces/inkscape}groupmode"
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
 _NO_CURVES = {
@@ -72,6 +73,7 @@ _CUT_OFF = Flaw("the view box around it cuts some of it off", "it comes in whole
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
 _NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", "left out")
+_ODD_GUIDE = Flaw("guides here are level or upright", "left out")
 _ONE_POINT = Flaw("it is a single point", "left out")
 _UNPAINTED = "it has neither a stroke nor a fill"
 
@@ -114,10 +116,10 @@ def _read(data: bytes, tolerance: float | None, *, is_in_groups: bool = False) -
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance, is_in_groups=is_in_groups)
-    paths = reader.all_paths()
+    paths, guides = reader.all_paths(), reader.guides()
     found = imported(paths, missed=tuple(reader.missed))
     sheet = reader.sheet
-    document = msgspec.structs.replace(found.document, unit=sheet.unit, page=sheet.page)
+    document = msgspec.structs.replace(found.document, unit=sheet.unit, page=sheet.page, guides=guides)
     return replace(found, document=document)
 
 
@@ -155,6 +157,16 @@ class _Reader:
         for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
         return settled(seen or [_with_line(each) for each in drawn])
+
+    def guides(self) -> tuple[Guide, ...]:
+        """Return the guides of the file, each once."""
+        found: dict[Guide, None] = {}
+        for element, guide in guides_of(self._root, self.sheet):
+            if guide is None:
+                self._miss(element, _ODD_GUIDE)
+            else:
+                found[guide] = None
+        return tuple(found)
 
     def _drawn(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
         """Yield the paths of an element and those in it."""

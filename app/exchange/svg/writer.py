@@ -28,11 +28,12 @@ _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = False) -> Written:
     """Return a document as SVG.
 
-    Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
-    curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as
-    the tolerance takes; the largest deviation stands in a comment and in the description. The curves of a
-    shape are one path, in their groups and with its style; hidden ones are there, and not displayed. Points
-    are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
+    Coordinates are the document's own with y negated, in full precision but for noise (see `number`): a
+    piece of a cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves
+    become as many cubics as the tolerance takes; the largest deviation stands in a comment and in the
+    description. The curves of a shape are one path, in their groups and with its style; hidden ones are
+    there, and not displayed. Points are discs in a group of their own. Without a width and a unit the longer
+    side is `NOMINAL_SIDE`.
     All curves may lie `in_group`, one without a name.
 
     Raises
