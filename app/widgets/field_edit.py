@@ -64,6 +64,11 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         self.setModified(False)
         self._show_own_text()
 
+    def give_up(self) -> None:
+        """Take back what was typed: the document's text is shown again."""
+        self.revert()
+        self.left.emit()
+
     def _show_own_text(self) -> None:
         text = self._whole if self.hasFocus() else self._short
         if self.text() != text:
@@ -100,8 +105,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         if event.reason() not in PASSING:
-            self.revert()
-            self.left.emit()
+            self.give_up()
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         self._commit()
@@ -130,8 +134,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         if self._passes_on(event):
             event.ignore()
         elif self.claims(event):
-            self.revert()
-            self.left.emit()
+            self.give_up()
         else:
             super().keyPressEvent(event)
 

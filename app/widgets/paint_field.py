@@ -108,7 +108,15 @@ class PaintField(FollowsTheme, QWidget):
 
     def _choose_swatch(self, paint: str) -> None:
         is_for_other = QApplication.keyboardModifiers() & Qt.KeyboardModifier.ShiftModifier
-        (self.chosen_for_other if is_for_other else self.chosen).emit(paint)
+        if is_for_other:
+            self.chosen_for_other.emit(paint)
+        else:
+            self._choose(paint)
+
+    def _choose(self, paint: str) -> None:
+        """Ask for a paint; what was typed is no longer wanted, though the field keeps the cursor."""
+        self.edit.give_up()
+        self.chosen.emit(paint)
 
     # What it shows
 
@@ -149,7 +157,7 @@ class PaintField(FollowsTheme, QWidget):
         begin = self._value if isinstance(self._value, str) else INK
         self._popup = ColourPopup(f"{self.objectName()}Popup", fill_colour(begin, self.theme).name(), self)
         self._popup.colour_changed.connect(self.previewed)
-        self._popup.chosen.connect(self.chosen)
+        self._popup.chosen.connect(self._choose)
         self._popup.cancelled.connect(self.cancelled)
         self._popup.destroyed.connect(self._forget_popup)
         self._popup.open_below(self._button)

@@ -235,6 +235,20 @@ def test_what_cannot_be_is_refused_in_the_form_and_stays_to_be_mended(editor, pa
     assert child(panel, QLabel, "styleProblem").isHidden()
 
 
+def test_what_is_wrong_moves_no_row_and_goes_with_a_swatch(editor, panel):
+    rows = [child(panel, QWidget, name) for name in ("fillPaint_Blue", "strokeWidth", "styleOpacity")]
+    before = [row.mapTo(panel, QPoint()) for row in rows]
+    enter(editor, panel, "fillPaintHex", "no colour")
+    editor.settle()
+    assert not child(panel, QLabel, "styleProblem").isHidden()
+    assert [row.mapTo(panel, QPoint()) for row in rows] == before
+    click(panel, "fillPaint_Blue")
+    editor.settle()
+    assert styles(editor)[1].fill == BLUE
+    assert text_of(panel, "fillPaintHex") == BLUE
+    assert child(panel, QLabel, "styleProblem").isHidden()
+
+
 def test_a_unit_needs_a_document_that_has_one(editor, panel):
     begin(editor, square(0, 0, 1, "Leaf"))
     enter(editor, panel, "strokeWidth", "5 mm")

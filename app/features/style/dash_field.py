@@ -18,9 +18,9 @@ from ...widgets.percent_field import MIXED
 _PRESETS: dict[str, tuple[float, ...]] = {
     "Solid": (),
     "Dots": (0.0, 2.0),
-    "Short dashes": (2.0, 2.0),
+    "Short": (2.0, 2.0),
     "Dashes": (4.0, 2.0),
-    "Long dashes": (8.0, 3.0),
+    "Long": (8.0, 3.0),
     "Dash-dot": (5.0, 2.5, 0.0, 2.5),
 }
 """Dashes and gaps in multiples of the width; one of length 0 is a dot where line ends are round."""

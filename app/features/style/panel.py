@@ -27,7 +27,7 @@ from .dash_field import DashField
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
 
-_NARROW = 40
+_NARROW = 50
 
 _LEAST_WIDTH = 1e-9
 """Width of a line that counts as none: the first step from there is a tenth of the unit."""
@@ -126,9 +126,10 @@ class StylePanel(FieldForm):
         )
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        # What is wrong comes below all else: the rows must not move away under the pointer.
         below = row_of(*(action_button(action, beside=True) for action in buttons), 1)
         column_of(
-            self._subject, self._note, self.problem, self._form, below, 1, margins=12, spacing=8, parent=self
+            self._subject, self._note, self._form, below, self.problem, 1, margins=12, spacing=8, parent=self
         )
 
     def _connect(self) -> None:
