@@ -158,16 +158,16 @@ def add_curves(
 def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     """Return the document with the curves of another, and the place of the first of them.
 
-    A lone curve without points is what a new document begins with; it gives way, and with it the unit and
-    the page. The other's picture to trace comes along where there is none yet.
+    A lone curve without points is what a new document begins with; it gives way, and with it unit, page and
+    guides. The other's picture to trace comes along where there is none yet.
     """
     begun = document.curves if not is_blank(document) else ()
     curves = (*begun, *with_own_names(new.curves, replace(document, curves=begun)))
     image = document.image or new.image
     if begun:
         return replace(document, curves=curves, image=image), len(begun)
-    unit, page = new.unit or document.unit, new.page or document.page
-    return replace(document, curves=curves, image=image, unit=unit, page=page), 0
+    unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
+    return replace(document, curves=curves, image=image, unit=unit, page=page, guides=guides), 0
 
 
 def is_blank(document: Document) -> bool:

@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, Page, make_curve
+from app.document.model import Document, Page, empty_document, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange.options import Options
 from app.exchange.rescaled import in_unit
 from app.exchange.svg.matrices import fitted_box
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
+from app.features.import_export.intake import intake
 from app.storage.validation import validate
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -435,5 +436,6 @@ def test_guides_of_inkscape_come_in_and_slanted_ones_are_told_of():
     x, y = zip(*(point.position for point in found.document.curves[0].points), strict=True)
     drawn = [(guide.axis.value, guide.position) for guide in found.document.guides]
     assert drawn == [("x", min(x)), ("y", min(y)), ("x", max(x)), ("y", max(y))]
+    assert intake(empty_document(), found.document).document.guides == found.document.guides
     assert [each.element for each in found.missed] == ["<guide>"] * 2
     assert "level or upright" in found.missed[0].sentence

@@ -24,7 +24,7 @@ def points_of(document: Document) -> int:
 def intake(document: Document, new: Document, told: Callable[[float], object] | None = None) -> Arrival:
     """Return a document with the curves of another in front, and views of them if somebody is `told`.
 
-    What is an inch there is an inch here; to an empty document they bring their unit and their page.
+    What is an inch there is an inch here; to an empty document they bring their unit, page and guides.
     """
     if not is_blank(document):
         new = exchange.rescaled.in_unit(new, document.unit)
