@@ -566,7 +566,7 @@ def test_text_makes_a_curve_of_its_own(wave):
     assert wave.curve.name == "Curve 1"
     assert wave.curve.family is HERMITE
     assert len(wave.curve.points) == 3
-    assert wave.session.active_index == 1
+    assert wave.curve is wave.session.document.curves[-1]
     wave.trigger("undo")
     assert wave.curve.name == "Wave"
     wave.paste_text("0 0 5\n1 1 6\n4 2 5")
