@@ -78,6 +78,8 @@ class Action(msgspec.Struct, frozen=True):
         where empty.
     needs
         What must be there before it can be used.
+    key_needs
+        What its keys need besides, where a slip of the finger would do more than a click means.
     checked
         Whether it is on; makes it a switch.
     field
@@ -104,6 +106,7 @@ class Action(msgspec.Struct, frozen=True):
     tip: str = ""
     full_name: str = ""
     needs: Need = NOTHING
+    key_needs: Need = NOTHING
     checked: Callable[[Situation], bool] | None = None
     group: str = ""
     title: Callable[[Situation], str] | None = None

@@ -13,6 +13,7 @@ from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..view_model.curve_view import CurveView
 from .declaration import Action, Declared, Sight, all_declared
+from .key_gate import KeyGate
 from .keymap import (
     Binding,
     Keymap,
@@ -24,7 +25,7 @@ from .keymap import (
     set_keywords,
     tool_tip,
 )
-from .needs import Need
+from .needs import NOTHING, Need
 from .sections import Menu, Section
 from .situation import Situation
 from .strips import Strip
@@ -50,6 +51,7 @@ class Actions(QObject):
         super().__init__()
         self.keymap = Keymap(window)
         self._window, self._now = window, now
+        self._gate = KeyGate(now)
         self._command_sets = command_sets
         self._bound: dict[type, tuple[object, _Run]] = {}
         self._theme: Theme | None = None
@@ -79,6 +81,8 @@ class Actions(QObject):
             self._groups[each.group].addAction(action)
         name = full_name_of(action).removesuffix("…")
         self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key)))
+        if each.key_needs is not NOTHING:
+            self._gate.guard(action, each.key_needs)
         return action
 
     def bind(self, commands: object, run: _Run) -> None:

@@ -84,3 +84,20 @@ def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(
     assert not editor.session.selected.marked
     editor.key(Qt.Key.Key_3)
     assert editor.curve.family.name == "quintic_hermite"
+
+
+def test_a_digit_leaves_curves_that_are_chosen_as_wholes_and_the_toolbar_changes_them(none):
+    none.session.selected.choose((0, 2))
+    before = none.session.document
+    none.key(Qt.Key.Key_5)
+    assert none.session.document is before
+    assert none.status == (
+        "Enter edits “A”; then the same key makes it septic Hermite. The toolbar changes all that are chosen."
+    )
+    none.trigger("familySepticHermite")
+    families = [curve.family.name for curve in none.session.document.curves]
+    assert families == ["septic_hermite", "hermite", "septic_hermite"]
+    none.trigger("undo")
+    none.session.selected.activate(2)
+    none.key(Qt.Key.Key_5)
+    assert none.curve.family.name == "septic_hermite"

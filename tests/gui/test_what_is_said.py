@@ -274,7 +274,7 @@ def test_a_family_for_several_curves_is_told(waves):
     editor = waves("ABC")
     count = editor.session.undo_stack.count()
     editor.session.selected.choose((0, 1, 2))
-    editor.key(Qt.Key.Key_3)
+    editor.trigger("familyQuinticHermite")
     families = [curve.family for curve in editor.session.document.curves]
     assert families == [QUINTIC_HERMITE] * 3
     assert editor.status == "3 curves are quintic Hermite now · Ctrl+Z: undo"

@@ -51,6 +51,17 @@ def _place_of(family: Family) -> Place:
     return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
 
 
+def _edited(family: Family) -> Need:
+    """Return what the digit of a family needs: pressed by habit, it would rewrite what was drawn."""
+
+    def why(now: Situation) -> str:
+        name = now.view.source.name
+        then = f"then the same key makes it {family.title}"
+        return f"Enter edits “{name}”; {then}. The toolbar changes all that are chosen."
+
+    return Need("an edited curve", lambda now: now.session.selected.is_editing or now.is_blank, why=why)
+
+
 class RuleCommands:
     """Choice of the family and of the parameters, in menus and in the toolbar."""
 
@@ -99,6 +110,7 @@ class RuleCommands:
             keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda now: now.view.source.family == family,
             group="family",
+            key_needs=_edited(family),
         ),
     )
     @also_for_each(lambda family: (_place_of(family),))
