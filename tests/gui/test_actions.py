@@ -17,7 +17,12 @@ def in_menu(menu: QMenu):
             yield action.objectName()
 
 
-def test_every_action_stands_in_one_menu_once(editor):
+def test_every_action_stands_in_one_menu_once(editor, tmp_path):
+    # With a recent file, which there is something to do about.
+    path = tmp_path / "a.curve.json"
+    path.touch()
+    editor.window.preferences.add_recent_file(path)
+    editor.window.menus.recent.aboutToShow.emit()
     bar = editor.window.menuBar()
     shown = [name for entry in bar.actions() for name in in_menu(entry.menu())]
     names = [each.name for each in all_actions()]
