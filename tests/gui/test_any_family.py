@@ -21,6 +21,7 @@ from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.families.family_file import families_in
+from app.tools.tool import TOOLS
 from app.view_model.nearest import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 
@@ -390,13 +391,14 @@ def test_it_is_saved_and_opened_as_it_was(drawn, name, tmp_path):
 def switches(editor):
     """Every action that switches something on and off, but for those that change the curve or the window."""
     others = {family.action_name for family in FAMILIES} | {
+        *(tool.action for tool in TOOLS),
         *NO_FILM,
         "closeCurve",
         "presentation",
         "toggleLessons",
     }
     # Lessons open another document; an explanation takes the next click for itself.
-    kinds = ("curve", "parameters", "tangent", "theme", "add", "select", "measure", "lessons", "explain")
+    kinds = ("curve", "parameters", "tangent", "theme", "lessons", "explain")
     found = [each for each in editor.window.findChildren(QAction) if each.isCheckable() and each.isEnabled()]
     names = {action.objectName() for action in found} - others - {""}
     return sorted(name for name in names if not name.startswith(kinds))
