@@ -229,6 +229,12 @@ class Selection:
         self._chosen = frozenset(indices)
         self._session.selected_curves_changed.emit(self.curves)
 
+    def settle(self) -> None:
+        """Take what a gesture showed as selected, and which was dropped, for what is: as far as it may be."""
+        if not self.is_editing and self._chosen and self._chosen != self.curves:
+            self._take(self._chosen, is_editing=False)
+        self.keep_group(self.group)
+
     def set_curves(self, indices: Collection[int], active: int | None = None) -> None:
         """Select curves to work on together, those that exist.
 
@@ -257,8 +263,8 @@ class Selection:
             self.enter(wanted)
             self.keep_scrub()
             session.active_changed.emit(wanted)
-        if self.chosen or not is_editing:
-            self.set_points([])
+        # No point stays selected of a curve that is not edited any more.
+        self.keep_group(NO_POINTS if self.chosen or not is_editing else self.group)
         self.last = max(existing - before.curves, default=self.last if self.last in existing else wanted)
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
             self.set_turns(False)

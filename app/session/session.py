@@ -278,6 +278,7 @@ class Session(QObject):
         was_previewing = self.is_previewing
         self.interrupted.emit()
         self.cancel()
+        self.selected.settle()
         return was_previewing
 
     def _refused(self, reason: str, by: str) -> Change:

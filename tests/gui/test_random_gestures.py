@@ -92,7 +92,7 @@ class Gestures(RuleBasedStateMachine):
         assert bool(selected.points) == bool(selected.group.parts)
         for curve, indices in selected.group.parts:
             assert 0 <= min(indices) <= max(indices) < len(curves[curve].points)
-        assert {self.session.active_index} <= selected.curves <= {0, 1}
+        assert {self.session.active_index} <= selected.curves <= {*range(len(curves))}
         if selected.is_editing:
             assert selected.chosen == (selected.curves if len(selected.curves) > 1 else set())
         else:
