@@ -199,6 +199,17 @@ def test_lines_fonts_and_sizes_are_seen_at_once(drawing):
     assert slanted.points[1].x > upper.points[1].x + 1
     QTest.mouseClick(field(drawing).bold, Qt.MouseButton.LeftButton)
     drawing.settle()
+    # A font that is pointed at in the list is seen, and forgotten with the list.
+    box, shown = field(drawing).font_box, letters(drawing)
+    box.setFocus()
+    box.showPopup()
+    QTest.keyClick(box.view(), Qt.Key.Key_Up)
+    drawing.settle()
+    assert field(drawing).face.family != FAMILY
+    QTest.keyClick(box.view(), Qt.Key.Key_Escape)
+    drawing.settle()
+    assert field(drawing).face.family == FAMILY
+    assert letters(drawing) == shown
     remark = field(drawing).findChild(QLabel, "textRemark")
     assert remark.text() == f"⚠ “{FAMILY}” has no bold letters."
     type_size(drawing, "0")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from PySide6.QtCore import QRect, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
 from PySide6.QtGui import QFont, QKeyEvent
 from PySide6.QtWidgets import QApplication, QFontComboBox, QPlainTextEdit, QToolButton, QWidget
 
@@ -63,6 +63,45 @@ class WordsEdit(Guarded, QPlainTextEdit):
         self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + around)
 
 
+class FontBox(Guarded, QFontComboBox):
+    """Fonts with outlines: of the list, while it is open, the one pointed at counts.
+
+    Signals
+    -------
+    pointed_at
+        Another one counts.
+    """
+
+    pointed_at = Signal()
+
+    def __init__(self, family: str) -> None:
+        super().__init__()
+        tip = "Font of the text; point at one in the list to see the text in it"
+        named(self, "textFont", "Font", tip)
+        # Those made of pixels have none.
+        self.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
+        self.setCurrentFont(QFont(family))
+        self._pointed_at = ""
+        self.textHighlighted.connect(self._point_at)
+        self.activated.connect(lambda: self._point_at(""))
+        # Not told of in other ways: Escape puts the list away.
+        self.view().installEventFilter(self)
+
+    @property
+    def family(self) -> str:
+        """Family of the font that counts."""
+        return self._pointed_at or self.currentFont().family()
+
+    def _point_at(self, family: str) -> None:
+        self._pointed_at = family
+        self.pointed_at.emit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Hide:
+            self._point_at("")
+        return super().eventFilter(watched, event)
+
+
 class TextField(ClaimsKeys, OverlayFrame):
     """A small frame beside a text on the canvas, in which the text is typed.
 
@@ -99,7 +138,9 @@ class TextField(ClaimsKeys, OverlayFrame):
         self._area: Callable[[], QRect] = QRect
         self.words = WordsEdit()
         self.words.textChanged.connect(self._follow_words)
-        self._make_font_box(face.family)
+        self.font_box = FontBox(face.family)
+        self.font_box.setMinimumWidth(_FONT_WIDTH)
+        self.font_box.pointed_at.connect(self.changed)
         self.bold = self._letter("textBold", "B", "Bold", face.bold)
         self.italic = self._letter("textItalic", "I", "Italic", face.italic)
         self._make_size_edit()
@@ -108,18 +149,6 @@ class TextField(ClaimsKeys, OverlayFrame):
         column_of(self.words, row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self)
         self.hide()
         self.follow_theme()
-
-    def _make_font_box(self, family: str) -> None:
-        tip = "Font of the text; point at one in the list to see the text in it"
-        self.font_box = named(QFontComboBox(), "textFont", "Font", tip)
-        # Those made of pixels have no outlines.
-        self.font_box.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
-        self.font_box.setCurrentFont(QFont(family))
-        self.font_box.setMinimumWidth(_FONT_WIDTH)
-        self.font_box.setMaximumWidth(_WIDTH)
-        self._pointed_at = ""
-        self.font_box.activated.connect(self._take_font)
-        self.font_box.textHighlighted.connect(self._try_font)
 
     def _make_size_edit(self) -> None:
         tip = "Size of the text, the length of an em: a number or an expression, with a unit if you like"
@@ -152,9 +181,8 @@ class TextField(ClaimsKeys, OverlayFrame):
 
     @property
     def face(self) -> Face:
-        """The font: of a list that is open, the one pointed at."""
-        family = self._pointed_at or self.font_box.currentFont().family()
-        return Face(family, self.bold.isChecked(), self.italic.isChecked())
+        """The font."""
+        return Face(self.font_box.family, self.bold.isChecked(), self.italic.isChecked())
 
     def remark(self, text: str) -> None:
         """Say what is to be said of the text; nothing where that is empty."""
@@ -185,8 +213,10 @@ class TextField(ClaimsKeys, OverlayFrame):
             self.words.clear()
 
     def _follow_focus(self, _before: QWidget | None, now: QWidget | None) -> None:
-        # Without any another window has it, or a list of the field's own.
-        if now is not None and now is not self and not self.isAncestorOf(now):
+        # Without any another window has it; a menu, or the list of fonts, only borrows it.
+        if now is None or now.window().windowType() is Qt.WindowType.Popup:
+            return
+        if now is not self and not self.isAncestorOf(now):
             self.left.emit()
 
     def claims(self, event: QKeyEvent) -> bool:
@@ -210,14 +240,6 @@ class TextField(ClaimsKeys, OverlayFrame):
         if not self.isHidden():
             self.place()
             self.changed.emit()
-
-    def _take_font(self) -> None:
-        self._pointed_at = ""
-        self.changed.emit()
-
-    def _try_font(self, family: str) -> None:
-        self._pointed_at = family
-        self.changed.emit()
 
     def _read_size(self, text: str) -> float:
         return typed_length(text, self._unit, self.text_size, decimal_mark())
