@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -198,6 +198,15 @@ class PointTable(FollowsTheme, QWidget):
         self.view.select_rows(selection)
         self._rendering = False
         self._render_footer()
+
+    def type_place(self, row: int) -> None:
+        """Have x of a point typed; Tab goes on to y."""
+        column = next(place for place, each in enumerate(self.model.columns) if each.order == POSITION)
+        index = self.model.index(row, column)
+        self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.view.selectionModel().setCurrentIndex(index, QItemSelectionModel.SelectionFlag.NoUpdate)
+        self.view.scrollTo(index)
+        self.view.edit(index)
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
