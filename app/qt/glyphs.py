@@ -75,6 +75,10 @@ class Outlines(msgspec.Struct, frozen=True, eq=False):
     lacks_bold: bool = False
 
 
+NO_OUTLINES = Outlines((), 1)
+"""Outlines of no text."""
+
+
 class _Placed(NamedTuple):
     """A glyph of a font, and where it stands from the beginning of the baseline, y downwards."""
 
@@ -118,7 +122,7 @@ def outlines_of(text: str, face: Face) -> Outlines:
     """
     font = _in_its_own_units(face)
     if font is None:
-        return Outlines((), 1)
+        return NO_OUTLINES
     glyphs, missing = list[Glyph](), dict[str, None]()
     spacing = QFontMetricsF(font).lineSpacing()
     for number, line in enumerate(text.split("\n")):

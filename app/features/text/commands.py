@@ -17,7 +17,7 @@ from ...qt.glyphs import Face, Outlines
 from ...workbench.context import WindowContext
 from .. import text
 
-_LONGEST = 1000
+_LONGEST = 300
 _SHARE = 1 / 8
 """Of the height of the view, for the size of the first text."""
 _ASCENT, _DESCENT, _LINE = 0.8, 0.3, 1.2
@@ -35,8 +35,7 @@ class TextCommands:
         self._before = self._session.selected.choice
         # The size that was used last in this document; None before.
         self._size: float | None = None
-        # What is shown now, and the places of its curves; None where there is nothing to be made.
-        self._shown: tuple[Document, range] | None = None
+        self._outlines = glyphs.NO_OUTLINES
         self._canvas.text_placed.connect(self._open)
         self._session.opened.connect(self._forget_size)
 
@@ -67,7 +66,7 @@ class TextCommands:
         if not glyphs.has_fonts():
             self._session.refuse("There are no fonts on this computer, and so no letters.")
             return
-        self._place, self._shown = place, None
+        self._place = place
         self._before = self._session.selected.choice
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
@@ -96,29 +95,27 @@ class TextCommands:
 
     def _show(self) -> None:
         """Show the text as it is typed."""
-        field, self._shown = self.field, None
-        self._size = field.text_size
-        outlines = glyphs.outlines_of(field.text[:_LONGEST], field.face)
-        field.remark(_remark(field, outlines))
-        if outlines.glyphs:
-            session = self._session
-            try:
-                document, places = text.letters.with_text(
-                    session.committed,
-                    session.active_curve,
-                    field.text,
-                    outlines,
-                    self._place,
-                    field.text_size,
-                )
-                self._shown = _with_curves_of(document, session.document), places
-            except (ExchangeError, EditError) as reason:
-                field.remark(str(reason))
-        if self._shown is None:
-            self._session.cancel()
+        field, session = self.field, self._session
+        self._size, self._outlines = field.text_size, glyphs.outlines_of(field.text[:_LONGEST], field.face)
+        field.remark(_remark(field, self._outlines))
+        try:
+            # Under one name all the while, so that the letters before the one that is typed stay the same.
+            shown, _ = self._written("Text") if self._outlines.glyphs else (None, range(0))
+        except (ExchangeError, EditError) as reason:
+            self._outlines, shown = glyphs.NO_OUTLINES, None
+            field.remark(str(reason))
+        if shown is None:
+            session.cancel()
         else:
-            self._session.preview(self._shown[0])
-            self._session.selected.show_choice(())
+            session.preview(_with_curves_of(shown, session.document))
+            session.selected.show_choice(())
+
+    def _written(self, name: str) -> tuple[Document, range]:
+        """Return the document with the text, and the places of its curves."""
+        session, size = self._session, self.field.text_size
+        return text.letters.with_text(
+            session.committed, session.active_curve, name, self._outlines, self._place, size
+        )
 
     # The end
 
@@ -129,14 +126,14 @@ class TextCommands:
 
     def _make(self) -> None:
         """Make the text, if there is any."""
-        words, face, shown = self.field.text, self.field.face, self._shown
+        name, face = text.letters.name_of_text(self.field.text), self.field.face
+        made = self._written(name) if self._outlines.glyphs else None
         self._close()
-        if shown is None:
+        if made is None:
             self._session.selected.restore(self._before)
             return
-        document, places = shown
-        name = f"Add Text “{text.letters.name_of_text(words)}”"
-        if not self._session.change(name, lambda _: document, active=places.start):
+        document, places = made
+        if not self._session.change(f"Add Text “{name}”", lambda _: document, active=places.start):
             return
         self._session.selected.choose(places)
         self._session.say(
@@ -162,7 +159,7 @@ class TextCommands:
 
     def _close(self, *, keeps_words: bool = False) -> None:
         self.field.close_field(keeps_words=keeps_words)
-        self._shown = None
+        self._outlines = glyphs.NO_OUTLINES
 
 
 def _remark(field: text.field.TextField, outlines: Outlines) -> str:

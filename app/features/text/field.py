@@ -25,7 +25,7 @@ from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
 
 _WIDTH, _FONT_WIDTH, _SIZE_WIDTH = 360, 140, 60
-_MOST_LINES = 4
+_MOST_LINES, _LEAST = 4, 1e-9
 _GAP = 10
 """Pixels between the field and the text."""
 
@@ -245,7 +245,7 @@ class TextField(ClaimsKeys, OverlayFrame):
         return typed_length(text, self._unit, self.text_size, decimal_mark())
 
     def _take_size(self, size: float) -> None:
-        if not size > 0:
+        if size < _LEAST:
             self.size_edit.keep()
             self.remark("A size is greater than 0.")
             return

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import unicodedata
+from functools import lru_cache
+from itertools import repeat
 
 import numpy as np
 from msgspec.structs import replace
@@ -13,14 +15,17 @@ from ...document.shape_edits import names_of
 from ...document.style import NO_PAINT, FillRule, Style
 from ...exchange.cubics_in import ImportedPath, Look, imported
 from ...exchange.naming import Names, numbered
-from ...qt.glyphs import Glyph, Outlines
+from ...qt.glyphs import Outlines
 
 _LONGEST_NAME = 40
+_NO_LETTERS = ("Cc", "Cs")
+"""Categories of control characters and of halves of letters."""
 
 
 def name_of_text(text: str) -> str:
-    """Return a text in a line, short enough for a name."""
-    name = " ".join(text.split())
+    """Return a text in a line, short enough for a name, without what no file could hold."""
+    words = "".join(each if unicodedata.category(each) not in _NO_LETTERS else " " for each in text).split()
+    name = " ".join(words)
     return name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1]}…"
 
 
@@ -34,7 +39,7 @@ def filled(style: Style) -> Style:
 
 
 def with_text(
-    document: Document, model: Curve, text: str, outlines: Outlines, place: Vector, size: float
+    document: Document, model: Curve, name: str, outlines: Outlines, place: Vector, size: float
 ) -> tuple[Document, range]:
     """Return the document with a text in front of all else, and the places of its curves; there must be some.
 
@@ -42,24 +47,36 @@ def with_text(
     ----------
     model
         The curve whose style the letters take.
+    name
+        Of the group that they are in, where there are several.
     place
         Where the baseline begins.
     size
         What an em is long.
+
+    Raises
+    ------
+    ExchangeError
+        If the numbers are beyond what a document may hold.
     """
     names = Names(names_of(document.curves))
     is_one = len(outlines.glyphs) == 1
-    look = Look(filled(model.style), groups=() if is_one else (names.different(name_of_text(text)),))
-    scale = size / outlines.em
-    paths = [path for glyph in outlines.glyphs for path in _paths(glyph, look, names, place, scale)]
-    new, first = add_imported(document, imported(paths).document)
+    groups, style = () if is_one else (names.different(name),), filled(model.style)
+    curves = list[Curve]()
+    for glyph in outlines.glyphs:
+        shape = names.different(glyph.letters) if len(glyph.contours) > 1 else ""
+        contours = tuple(each.tobytes() for each in glyph.contours)
+        curves += _letter(glyph.letters, contours, Look(style, shape, groups), place, size / outlines.em)
+    new, first = add_imported(document, Document(tuple(curves)))
     return new, range(first, len(new.curves))
 
 
-def _paths(glyph: Glyph, look: Look, names: Names, place: Vector, scale: float) -> Iterator[ImportedPath]:
-    """Yield the contours of a letter, which are one shape where there are several."""
-    count = len(glyph.contours)
-    shape = names.different(glyph.letters) if count > 1 else ""
-    own = Look(look.style, shape, look.groups)
-    for name, contour in zip(numbered([glyph.letters] * count), glyph.contours, strict=True):
-        yield ImportedPath(name, own, np.array(place) + contour * scale, closed=True)
+@lru_cache(maxsize=1000)
+def _letter(
+    letters: str, contours: tuple[bytes, ...], look: Look, place: Vector, scale: float
+) -> tuple[Curve, ...]:
+    """Return the curves of a letter, one shape; those of letters before the one that is typed are kept."""
+    pieces = [np.array(place) + np.frombuffer(each).reshape(-1, 4, 2) * scale for each in contours]
+    names = numbered([letters] * len(pieces))
+    paths = [ImportedPath(*each, closed=True) for each in zip(names, repeat(look), pieces, strict=False)]
+    return imported(paths).document.curves
