@@ -24,7 +24,8 @@ from ...widgets.number_text import decimal_mark
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
 
-_WIDTH, _FONT_WIDTH, _SIZE_WIDTH = 360, 140, 60
+_WIDTH, _FONT_WIDTH = 360, 140
+_LONGEST_SIZE = "00000.000"
 _MOST_LINES, _LEAST = 4, 1e-9
 _GAP = 10
 """Pixels between the field and the text."""
@@ -81,6 +82,9 @@ class FontBox(Guarded, QFontComboBox):
         # Those made of pixels have none.
         self.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
         self.setCurrentFont(QFont(family))
+        if (line := self.lineEdit()) is not None:
+            # Of a long name the beginning is seen.
+            line.home(False)
         self._pointed_at = ""
         self.textHighlighted.connect(self._point_at)
         self.activated.connect(lambda: self._point_at(""))
@@ -153,7 +157,7 @@ class TextField(ClaimsKeys, OverlayFrame):
     def _make_size_edit(self) -> None:
         tip = "Size of the text, the length of an em: a number or an expression, with a unit if you like"
         self.size_edit = NumberEdit("textSize", "Size", tip, self._read_size, _stepped)
-        self.size_edit.setFixedWidth(_SIZE_WIDTH)
+        self.size_edit.setFixedWidth(self.fontMetrics().horizontalAdvance(_LONGEST_SIZE))
         self.size_edit.entered.connect(self._take_size)
         self.size_edit.stepped.connect(self._take_size)
         self.size_edit.refused.connect(self.remark)
@@ -258,13 +262,15 @@ class TextField(ClaimsKeys, OverlayFrame):
     def place(self) -> None:
         if (layout := self.layout()) is not None:
             layout.activate()
-        height, below, area = self.heightForWidth(_WIDTH), self.below.size(), self._area()
+        # Large type takes more.
+        width = max(_WIDTH, self.minimumSizeHint().width())
+        height, below, area = self.heightForWidth(width), self.below.size(), self._area()
         height = height if height > 0 else self.sizeHint().height()
         y = area.bottom() + _GAP
         if y + height > below.height():
             y = area.top() - _GAP - height
-        x = max(min(area.left(), below.width() - _WIDTH), 0)
-        self.setGeometry(x, max(min(y, below.height() - height), 0), _WIDTH, height)
+        x = max(min(area.left(), below.width() - width), 0)
+        self.setGeometry(x, max(min(y, below.height() - height), 0), width, height)
 
     def set_theme(self, theme: Theme) -> None:
         self.set_sheet(choice_style(theme))
