@@ -40,12 +40,12 @@ HANDLE_SIZES = (4.0, 5.5, 5.5)
 """Half the sizes of marks of handles in pixels, by the order of their derivatives."""
 
 
-class Shade(enum.Enum):
+class Shade(enum.IntEnum):
     """What handles are drawn in: ink, ink with paper in it, or the paper beneath both."""
 
-    STRONG = "strong"
-    FAINT = "faint"
-    PAPER = "paper"
+    STRONG = 0
+    FAINT = 1
+    PAPER = 2
 
 
 class HandleLook(NamedTuple):
