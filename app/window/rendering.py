@@ -68,7 +68,7 @@ class Rendering(QObject):
             self._panels_due.start()
 
     def _rests_but_for_edited(self) -> bool:
-        """Whether nothing but points of the curve that is edited are others than are drawn, as under a drag."""
+        """Whether only points of the curve that is edited are others than are drawn, as under a drag."""
         document, active = self._session.document, self._session.active_index
         drawn, self._drawn = self._drawn, (document, active)
         if drawn is None or drawn[1] != active:
