@@ -134,7 +134,7 @@ class TransformTarget:
     @property
     def pivot(self) -> Vector | None:
         """The pivot that was chosen, where it is by now; None for the middle."""
-        pivot = self._pivot()
+        pivot = self._pivot() if self._host.selected.pivot is not None else None
         return pivot.place if pivot is not None else None
 
     @pivot.setter

@@ -52,12 +52,13 @@ class Rendering(QObject):
 
     def _render_document(self) -> None:
         session = self._session
-        view = self._rendered = session.active_view
+        views = session.views
+        view = self._rendered = views[session.active_index]
         if not session.is_previewing:
             view.settle()
         self._canvas.drawing.render_view(view)
         if self._rests_but_for_edited():
-            self._canvas.drawing.follow(session.views)
+            self._canvas.drawing.follow(views)
         else:
             self._render_others()
             self._commands.show_document()
