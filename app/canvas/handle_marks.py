@@ -125,11 +125,11 @@ class ShownHandles:
             # As plain numbers: there are few, and in every frame of a drag each step through NumPy counts.
             for arm, given in zip(_arms(handles, shown), handles.explicit.tolist(), strict=True):
                 sizes = mark_sizes(arm, ink.scale)
-                for order, (start, tip) in enumerate(pairwise(arm)):
-                    if all(abs(each) < _FAR for each in (*start, *tip)):
-                        lines.setdefault((shade, order), []).append(QLineF(*start, *tip))
+                for order, ((x0, y0), (x, y)) in enumerate(pairwise(arm)):
+                    if abs(x0) + abs(y0) + abs(x) + abs(y) < _FAR:
+                        lines.setdefault((shade, order), []).append(QLineF(x0, y0, x, y))
                         look = HandleLook(order, _stepped(sizes[order]), given[order], shade)
-                        marks.append((look, tip[0], tip[1]))
+                        marks.append((look, x, y))
         if ink.over_picture:
             # Paper under handles and their lines.
             painter.setPen(ink.beneath)

@@ -33,30 +33,33 @@ class WideLine:
         if self._shown[0] is points and self._shown[1] is shown and self._shown[2] == width:
             return
         self._shown, self._crowd = (points, shown, width), None
-        segments = _segments_near(shown.points(points), shown)
+        pixels = shown.points(points)
+        segments = self._segments.room_for(max(len(pixels) - 1, 0))
+        if not len(segments):
+            return
+        segments[:, :2], segments[:, 2:] = pixels[:-1], pixels[1:]
+        if not _are_inside(pixels, shown):
+            near = cut_segments(segments, shown.width, shown.height)
+            self._segments.fill(near)
+            segments = self._segments.room_for(len(near))
         if is_crowd(segments):
             self._crowd = Crowd()
             self._crowd.fill(segments, shown.width, shown.height)
         else:
             overlap(segments, width)
-            self._segments.fill(segments)
 
     def draw(self, painter: QPainter) -> None:
         """Draw with the painter's pen."""
         (self._crowd or self._segments).draw(painter)
 
 
-def _segments_near(pixels: FloatArray, shown: PixelMap) -> FloatArray:
-    """Return the segments (m, 4) of a polyline (k, 2) in pixels that lie near the area."""
-    segments = np.empty((max(len(pixels) - 1, 0), 4))
-    if not len(segments):
-        return segments
-    segments[:, :2], segments[:, 2:] = pixels[:-1], pixels[1:]
+def _are_inside(pixels: FloatArray, shown: PixelMap) -> bool:
     # As plain numbers: in every frame of a drag each step through NumPy counts.
     left, top = np.minimum.reduce(pixels).tolist()
     right, bottom = np.maximum.reduce(pixels).tolist()
-    is_inside = min(left, top) >= -MARGIN and right - shown.width <= MARGIN >= bottom - shown.height
-    return segments if is_inside else cut_segments(segments, shown.width, shown.height)
+    return bool(
+        min(left, top) >= -MARGIN and right <= shown.width + MARGIN and bottom <= shown.height + MARGIN
+    )
 
 
 def overlap(segments: FloatArray, width: float) -> None:
@@ -70,11 +73,13 @@ def overlap(segments: FloatArray, width: float) -> None:
     steps *= (_OVERLAP / np.maximum(lengths, 1e-9))[:, None]
     segments[:, :2] -= steps
     segments[:, 2:] += steps
-    dots = steps[1:] * steps[:-1]
-    cosines = (dots[:, 0] + dots[:, 1]) / _OVERLAP**2
+    products = steps[1:] * steps[:-1]
+    # The cosines of the turns, times the square of the overlap.
+    dots = products[:, 0] + products[:, 1]
     share = (2 * _OVERLAP / width) ** 2
     # By a turn of θ the sides meet half a width times tan θ/2 beyond the joint.
-    if len(cosines) and cosines.min() < (1 - share) / (1 + share):
+    if len(dots) and dots.min() < (1 - share) / (1 + share) * _OVERLAP**2:
+        cosines = dots / _OVERLAP**2
         half_turns = np.sqrt(np.maximum(1 - cosines, 0) / np.maximum(1 + cosines, 1e-9))
         most = max(width / 2, _OVERLAP)
         further = np.clip(half_turns * (width / 2), _OVERLAP, most)[:, None] / _OVERLAP - 1
