@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import SignalInstance
 from PySide6.QtWidgets import QFileDialog
 
 from ... import exchange
@@ -69,9 +70,6 @@ class ExchangeCommands:
         context.files.open_foreign = self._open
         self._work.jobs.ended.connect(self._series.go_on)
         context.session.opened.connect(self._count_document)
-        context.session.document_changed.connect(self._show_in_dialog)
-        context.session.active_changed.connect(self._show_in_dialog)
-        context.session.selected_curves_changed.connect(self._show_in_dialog)
 
     # In
 
@@ -254,6 +252,8 @@ class ExchangeCommands:
             )
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._release_dialog)
+            for changed in self._shown_in_dialog:
+                changed.connect(self._show_in_dialog)
         self._show_in_dialog()
         self._dialog.bring_up()
 
@@ -264,8 +264,16 @@ class ExchangeCommands:
         usual = usual or remembered.choice_from(self._preferences.export_choice)
         return usual.of_chosen() if session.selected.chosen else usual
 
+    @property
+    def _shown_in_dialog(self) -> tuple[SignalInstance, ...]:
+        """What tells that the dialog shows something else from now on."""
+        session = self._session
+        return (session.document_changed, session.active_changed, session.selected_curves_changed)
+
     def _release_dialog(self) -> None:
         self._dialog = None
+        for changed in self._shown_in_dialog:
+            changed.disconnect(self._show_in_dialog)
 
     def _show_in_dialog(self) -> None:
         if self._dialog is not None:
