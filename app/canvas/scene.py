@@ -106,8 +106,7 @@ class CanvasScene:
         """Show the curve that is edited; a ghost of the old one fades when a rule has changed."""
         self._show_ghost_of_other_rules(view)
         self.view = view
-        if self.polygon.is_visible or view.source.family.has_control_points:
-            self.polygon.render(view)
+        self.polygon.render(view)
         self.curve.render(view)
         self._show_weights()
         self.points.render(view)

@@ -65,11 +65,12 @@ class PlotCommands:
 
     def follow(self, view: CurveView) -> None:
         """Plot `view`; during a drag the scales only grow."""
-        if not self._count:
+        pane = self._shown
+        if pane is None:
             return
         calm = self._session.is_previewing
         if not (self._shows_same(view) and calm == self._was_calm):
-            self._plot(self._panel.pane, view, calm=calm)
+            self._plot(pane, view, calm=calm)
 
     def _shows_same(self, view: CurveView) -> bool:
         """Whether only points have moved, and nothing but the Lebesgue function is plotted."""
