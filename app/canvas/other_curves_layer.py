@@ -317,7 +317,7 @@ def _box_of(view: CurveView) -> FloatArray:
     if view.known_box is None:
         return _ANYWHERE
     box, off = view.known_box
-    return box + np.array([[-off], [off]])
+    return np.array([box[0] - off, box[1] + off])
 
 
 def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
