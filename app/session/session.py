@@ -237,6 +237,7 @@ class Session(QObject):
             return False
         if self._home is None:
             self._home = self.selected.choice
+            self._views.leave()
         if active is not None and active != self.active_index:
             self.selected.enter(active)
         self._show(document)
@@ -322,6 +323,8 @@ class Session(QObject):
 
     def _restore(self, state: State, views: Sequence[CurveView] | None = None) -> None:
         self.history.end_run()
+        if not self.is_previewing:
+            self._views.leave()
         self._home = None
         self.interrupted.emit()
         if state.active != self.active_index:

@@ -28,9 +28,6 @@ from ...exchange.formats import (
     is_document,
     with_ending,
 )
-from ...exchange.options import Options
-from ...exchange.reading import import_file
-from ...exchange.writing import export
 from ...storage.files import StorageError, read
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
@@ -42,6 +39,7 @@ from .import_series import ImportSeries
 if TYPE_CHECKING:
     from ...exchange.choice import ExportChoice
     from ...exchange.cubics_in import Imported
+    from ...exchange.options import Options
     from ...exchange.table.prepared import PreparedTable
     from ...exchange.table.source import TableSource
     from ...exchange.table.table import Preview
@@ -104,11 +102,11 @@ class ExchangeCommands:
         def work(report: Report) -> Imported | _OpenTable:
             form = format_of(path, FORMATS.read)
             if form.kind is not ContentKind.TABLE:
-                return import_file(path, report=report)
+                return exchange.reading.import_file(path, report=report)
             report(0.0, "Reading")
             data = read(path)
             if is_document(data):
-                return import_file(path, report=report)
+                return exchange.reading.import_file(path, report=report)
             source = table.source.TableSource(data, ending_in(path, form))
             return _OpenTable(source, source.preview())
 
@@ -314,10 +312,10 @@ class ExchangeCommands:
     def export(self, path: Path, options: Options | None = None, document: Document | None = None) -> None:
         """Write the document, or a part of it, in the format that the ending names; say how exactly."""
         document = document or self._session.document
-        options = options or Options(unit=document.unit)
+        options = options or exchange.options.Options(unit=document.unit)
 
         def work(report: Report) -> Written:
-            return export(document, path, options.reporting(report))
+            return exchange.writing.export(document, path, options.reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
