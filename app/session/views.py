@@ -47,7 +47,7 @@ class Views:
         return self._views
 
     def _only_moved(self, curves: tuple[Curve, ...]) -> int | None:
-        """Return the place of the one curve that is other, with other points, as under most drags; else None."""
+        """Return the place of the one curve that has other points, as under most drags; None otherwise."""
         if self._ahead or len(curves) != len(self._curves):
             return None
         others = list(compress(range(len(curves)), map(is_not, curves, self._curves)))
