@@ -33,6 +33,31 @@ from .strips import Strip
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
 
+class _Alike:
+    """Actions that need the same: they can be used, or cannot for one reason, together.
+
+    Parameters
+    ----------
+    first
+        The declaration of any of them.
+    """
+
+    def __init__(self, first: Action) -> None:
+        self._first = first
+        self._told: tuple[bool, str] | None = None
+        self.actions: list[QAction] = []
+
+    def render(self, now: Situation, is_met: Callable[[Need], bool]) -> None:
+        """Enable or disable them, where that is news."""
+        missing = self._first.missing(is_met)
+        told = missing is None, missing.reason(now) if missing is not None else ""
+        if told != self._told:
+            self._told = told
+            for action in self.actions:
+                action.setEnabled(told[0])
+                say_reason(action, told[1])
+
+
 class Actions(QObject):
     """The QActions of one window, by name.
 
@@ -59,6 +84,7 @@ class Actions(QObject):
         self._handlers = all_declared(command_sets)
         self._declared = {each.action.name: each.action for each in self._handlers}
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
+        self._alike = self._find_alike()
         self._on = set[str]()
         self._seen: dict[str, Sight] = {}
         self._seen_of: CurveView | None = None
@@ -84,6 +110,13 @@ class Actions(QObject):
         if each.key_needs is not NOTHING:
             self._gate.guard(action, each.key_needs)
         return action
+
+    def _find_alike(self) -> list[_Alike]:
+        found: dict[tuple[int, int], _Alike] = {}
+        for name, each in self._declared.items():
+            needs = id(each.section.needs), id(each.needs)
+            found.setdefault(needs, _Alike(each)).actions.append(self._actions[name])
+        return list(found.values())
 
     def bind(self, commands: object, run: _Run) -> None:
         """Let the actions that a command set declares be carried out by it, each through `run`."""
@@ -114,6 +147,7 @@ class Actions(QObject):
             self._window.addAction(action)
         if self._theme is not None:
             self.set_theme(self._theme)
+        self._alike = self._find_alike()
         self.render()
         self.redeclared.emit()
 
@@ -193,18 +227,16 @@ class Actions(QObject):
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
         now, on = self._now, set[str]()
-        # Many actions need the same: it is asked once.
         is_met = _remembering(now)
+        for alike in self._alike:
+            alike.render(now, is_met)
         for name, each in self._declared.items():
-            action, missing = self._actions[name], each.missing(is_met)
-            action.setEnabled(missing is None)
-            say_reason(action, missing.reason(now) if missing is not None else "")
             if each.checked is not None:
                 is_on = each.checked(now)
-                action.setChecked(is_on)
+                self._actions[name].setChecked(is_on)
                 on |= {name} if is_on else set()
             if each.title is not None:
-                action.setText(each.title(now))
+                self._actions[name].setText(each.title(now))
         if now.view is not self._seen_of:
             for name in self._seen:
                 self._show(name, Sight(self._declared[name].text, self._declared[name].tip))

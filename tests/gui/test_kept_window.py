@@ -110,7 +110,7 @@ def test_what_a_person_does_is_put_away(editor, kept_editor, way):
 
 
 def test_it_is_not_painted_to_find_out_that_it_is_as_new(editor, kept_editor):
-    """What the drawing keeps of a frame was told of: each test had its window painted once more, for 30 ms."""
+    """What the drawing keeps of a frame was told of: each test had its window painted once more."""
     paints = []
 
     def count():
