@@ -54,8 +54,9 @@ class _Alike:
         if told != self._told:
             self._told = told
             for action in self.actions:
-                action.setEnabled(told[0])
                 say_reason(action, told[1])
+                action.setEnabled(told[0])
+                action.setToolTip(tool_tip(action))
 
 
 class Actions(QObject):
@@ -75,7 +76,8 @@ class Actions(QObject):
     def __init__(self, window: QWidget, command_sets: Sequence[type], now: Situation) -> None:
         super().__init__()
         self.keymap = Keymap(window)
-        self._window, self._now = window, now
+        self._window = self._hearer = window
+        self._now = now
         self._gate = KeyGate(now)
         self._command_sets = command_sets
         self._bound: dict[type, tuple[object, _Run]] = {}
@@ -98,7 +100,6 @@ class Actions(QObject):
             set_keywords(action, each.keywords)
         if each.needs.words:
             say_needs(action, each.needs.words)
-            action.enabledChanged.connect(lambda _on: action.setToolTip(tool_tip(action)))
         action.setStatusTip(each.tip or each.text)
         action.setCheckable(each.checked is not None)
         if each.group:
@@ -144,7 +145,7 @@ class Actions(QObject):
         for name in [each for each in self._declared if each in new]:
             action = self._actions[name] = self._make(self._declared[name])
             self._connect(after[name])
-            self._window.addAction(action)
+            self._hearer.addAction(action)
         if self._theme is not None:
             self.set_theme(self._theme)
         self._alike = self._find_alike()
@@ -158,7 +159,7 @@ class Actions(QObject):
         # Gone from all menus at once, and found by nobody until it is deleted.
         action.setVisible(False)
         action.setObjectName("")
-        self._window.removeAction(action)
+        self._hearer.removeAction(action)
         action.deleteLater()
 
     def _rename(self, name: str, before: Action) -> None:
@@ -170,12 +171,14 @@ class Actions(QObject):
             action.setStatusTip(now.tip or now.text)
             action.setToolTip(tool_tip(action))
 
-    def attach(self, window: QWidget) -> None:
-        """Let the window hear the keys: of actions in menus alone they are dead while the menu bar is hidden.
+    def attach(self, hearer: QWidget) -> None:
+        """Let `hearer`, which is always shown, hear the keys: in menus alone they die while these are hidden.
 
-        Late: from then on every change of an action is an event for the window.
+        Late: from then on every change of an action is an event for it, hundreds with each document. So it is
+        not the window, whose events we look through.
         """
-        window.addActions(list(self._actions.values()))
+        self._hearer = hearer
+        hearer.addActions(list(self._actions.values()))
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
