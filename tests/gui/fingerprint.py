@@ -55,7 +55,13 @@ PASSING = {
         "PointLayer._roles_of",
         "PointLayer.numbers",
     ),
-    *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),
+    *(
+        "DiskCommands._shown",
+        "FamilyButton._shown",
+        "MotionStage._courses",
+        "MotionStage._rivals",
+        "MotionStage._rivals_of",
+    ),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
