@@ -93,7 +93,7 @@ class MainWindow(Guarded, QMainWindow):
         restore_layout(self, self.splitter, self.preferences)
         self._render_theme()
         self._rendering = Rendering(self.context, self.commands)
-        self.actions_by_name.attach(self)
+        self.actions_by_name.attach(self.splitter)
         self.central.fit()
         # Not what is usual: a lesson may be open, which has chosen what is shown.
         when_first_shown(self, self.central.fit_again)

@@ -30,7 +30,7 @@ PASSING = {
     *("_axes", "_ghost_drawn", "_ground", "Curve.has_derivatives", "Rulers._band", "_is_due"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
-    *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
+    *("_in_sight", "_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
     *("Cardinals._key", "Cardinal.growth", "FunctionLines._shown"),
     *("PixelMap._corner_and_scales", "PointLayer._kinds_of", "Actions._seen_of"),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
@@ -59,7 +59,13 @@ PASSING = {
         "Rulers._marks_of",
         "CurveLayer._line",
     ),
-    *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),
+    *(
+        "DiskCommands._shown",
+        "FamilyButton._shown",
+        "MotionStage._courses",
+        "MotionStage._rivals",
+        "MotionStage._rivals_of",
+    ),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
