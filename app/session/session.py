@@ -184,6 +184,11 @@ class Session(QObject):
         return self.views[self.active_index]
 
     @property
+    def meant_view(self) -> CurveView | None:
+        """The view-model of the active curve; None while no curve is edited and none chosen."""
+        return self.active_view if self.selected.means_curve else None
+
+    @property
     def undo_stack(self) -> QUndoStack:
         """The steps of the history, as Qt has them."""
         return self.history.stack
