@@ -190,7 +190,7 @@ class Session(QObject):
 
     @property
     def undo_stack(self) -> QUndoStack:
-        """The steps of the history, as Qt has them."""
+        """The steps of the history in Qt."""
         return self.history.stack
 
     @property
@@ -370,8 +370,7 @@ class Session(QObject):
     def offer(self, text: str, action: str, at: float | None = None) -> None:
         """Show a sentence above the canvas, and beside it a button for the action of this name.
 
-        `at` is the parameter that the action is about; the next step of the history makes it void, and so
-        does another curve to edit.
+        `at` is the parameter that the action is about; another step or curve makes it void.
         """
         self.offered_at = at
         self.message.emit(Message(MessageKind.OFFER, text, action))

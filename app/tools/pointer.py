@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import Enum, auto
 
 import msgspec
+from msgspec.structs import replace
 
 from ..document.model import Vector
 from ..document.transforms import clean_step, decimal_product
@@ -41,7 +42,7 @@ class Hit(msgspec.Struct, frozen=True):
         The point it belongs to; for the curve, the point before which a new one would be inserted; for
         another curve and a guide, its place in the document.
     curve
-        For a point of another curve that is edited: that curve.
+        For a point or a handle of another curve that is edited: that curve.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead
@@ -69,6 +70,11 @@ class Hit(msgspec.Struct, frozen=True):
     knot: int = -1
     over: int = -1
     inside: bool = False
+
+    @property
+    def as_own(self) -> Hit:
+        """The same point or handle, once its curve is the active one."""
+        return replace(self, part=Part.POINT if self.part is Part.OTHER_POINT else self.part, curve=-1)
 
 
 class Pointer(msgspec.Struct, frozen=True):
