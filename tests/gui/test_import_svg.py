@@ -128,6 +128,45 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
     assert (document.curves[0].name, document.unit, document.page) == ("Sketch", "", None)
 
 
+GUIDED = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="48mm" height="48mm" viewBox="0 0 48 48" '
+    'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><sodipodi:namedview>'
+    '<sodipodi:guide position="3,0" orientation="1,0"/><sodipodi:guide position="0,5" orientation="0,1"/>'
+    '</sodipodi:namedview><path d="M0 0L4 0" stroke="#ff0000"/></svg>'
+)
+
+
+@pytest.mark.parametrize(
+    ("unit", "said"),
+    [
+        ("", "Its page, its unit mm and 2 guides stay behind."),
+        ("in", "Lengths are converted from mm to in. Its page and 2 guides stay behind."),
+    ],
+)
+def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_path, unit, said):
+    """Page, unit and guides were dropped without a word."""
+    blank(editor)
+    path = tmp_path / "guided.svg"
+    path.write_text(GUIDED, encoding="utf-8")
+    dialog = opened(editor, path)
+    # To a document without curves all of it comes along.
+    assert dialog.rest.isHidden()
+    dialog.close()
+    curve = make_curve(((0, 0), (1, 1), (2, 0)))
+    editor.session.commit(Document((curve,), unit=unit), "Begin")
+    dialog = opened(editor, path)
+    assert (dialog.rest.isVisible(), dialog.rest.text()) == (True, said)
+    QTest.keyClick(dialog.into, Qt.Key.Key_Down)
+    assert dialog.rest.isHidden()
+    QTest.keyClick(dialog.into, Qt.Key.Key_Up)
+    assert dialog.rest.isVisible()
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.status == f"Imported guided.svg: 1 curve, 2 points, exact. {said}"
+    document = editor.session.document
+    assert (document.unit, document.page, document.guides) == (unit, None, ())
+
+
 def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeypatch):
     editor.session.files.begin(editor.session.document)
     editor.drag_point(0, to=(0.0, 0.0))

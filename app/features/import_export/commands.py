@@ -172,7 +172,9 @@ class ExchangeCommands:
                 path.name, path.stem, found.source, found.preview, parent
             )
         else:
-            dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(path.name, found, parent)
+            dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(
+                path.name, found, partial(self._words_about_rest, found.document), parent
+            )
         dialog.chosen.connect(partial(self._take_in, path))
         if path == self._opened:
             dialog.into.setCurrentText(dialogs.form_parts.A_NEW_DOCUMENT)
@@ -186,7 +188,7 @@ class ExchangeCommands:
             self._end_turn()
             return
         new, begins = taken.document, anew or session.files.is_untouched
-        target = session.files.blank() if begins else session.committed
+        target, rest = self._target(anew), self._words_about_rest(new, anew)
 
         def work(report: Report) -> Arrival:
             return intake.intake(target, new, lambda share: report(share, "Computing curves"))
@@ -200,7 +202,7 @@ class ExchangeCommands:
                     arrival = intake.intake(session.committed, new)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
                 if self._put(path, arrival, begins=begins, anew=anew):
-                    self._show_added(path, arrival, taken.deviation * factor)
+                    self._show_added(path, arrival, taken.deviation * factor, rest)
             finally:
                 self._end_turn()
 
@@ -209,6 +211,14 @@ class ExchangeCommands:
             done(intake.intake(target, new))
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
+
+    def _target(self, anew: bool) -> Document:
+        """Return the document that curves go to."""
+        files = self._session.files
+        return files.blank() if anew or files.is_untouched else self._session.committed
+
+    def _words_about_rest(self, new: Document, anew: bool) -> str:
+        return import_export.intake.words_about_rest(self._target(anew), new)
 
     def _end_turn(self) -> None:
         # What comes next of the series goes where this one went.
@@ -228,7 +238,7 @@ class ExchangeCommands:
             return False
         return True
 
-    def _show_added(self, path: Path, arrival: Arrival, deviation: float) -> None:
+    def _show_added(self, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
         """Show and choose what has come in, and say what it is."""
         added, curves = arrival.places, arrival.document.curves[arrival.places.start :]
         if added.start > 0 or len(curves) > 1:
@@ -241,7 +251,7 @@ class ExchangeCommands:
         count = sum(len(curve.points) for curve in curves)
         what = f"{count_of(len(curves), 'curve')}, {count_of(count, 'point')}"
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
-        self._session.say(f"Imported {path.name}: {what}, {exact}.")
+        self._session.say(f"Imported {path.name}: {what}, {exact}. {rest}".rstrip())
 
     # Out
 
