@@ -176,9 +176,9 @@ class Files:
         while self.beginning is here and here.before is not None and stack.canUndo():
             stack.undo()
 
-    def restore(self, document: Document, path: Path | None) -> None:
+    def restore(self, document: Document, path: Path | None, beginning: Beginning | None = None) -> None:
         """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
-        self.replace(plain(document), path)
+        self.replace(plain(document), path, beginning=beginning)
         self._session.undo_stack.resetClean()
 
     def replace(
