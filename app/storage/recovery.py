@@ -45,6 +45,7 @@ class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     document: str
     title: str = ""
     file_stem: str = ""
+    foreign: bytes | None = None
 
 
 _RECORDS = msgspec.json.Decoder(_Record)
@@ -61,12 +62,15 @@ class Origin(msgspec.Struct, frozen=True):
         What it was when it was last read or written; None where that is not known.
     title, file_stem
         Its name until it is saved, and the one that its file would get; empty for none in particular.
+    foreign
+        The file of another format that it was opened from.
     """
 
     path: Path | None = None
     stamp: Stamp | None = None
     title: str = ""
     file_stem: str = ""
+    foreign: Path | None = None
 
     @property
     def is_unchanged(self) -> bool:
@@ -209,15 +213,24 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
             format="curvebench snapshot",
             version=2,
             written=time.time(),
-            # Bytes, because a file's name need not be text.
-            path=os.fsencode(origin.path.absolute()) if origin.path is not None else None,
+            path=_bytes_of(origin.path),
             stamp=origin.stamp,
             checksum=_checksum(text),
             document=text.decode(),
             title=shown(origin.title),
             file_stem=shown(origin.file_stem),
+            foreign=_bytes_of(origin.foreign),
         )
     )
+
+
+def _bytes_of(path: Path | None) -> bytes | None:
+    """Return a path as bytes, for a file's name need not be text."""
+    return os.fsencode(path.absolute()) if path is not None else None
+
+
+def _path_of(name: bytes | None) -> Path | None:
+    return Path(os.fsdecode(name)) if name is not None else None
 
 
 def _checksum(text: bytes) -> str:
@@ -235,8 +248,9 @@ def _load(file: Path, lock: ProcessLock) -> Snapshot:
     text = record.document.encode()
     if _checksum(text) != record.checksum or not math.isfinite(record.written):
         raise ValueError("the checksum is another one")
-    path = Path(os.fsdecode(record.path)) if record.path is not None else None
-    origin = Origin(path, record.stamp, record.title, record.file_stem)
+    origin = Origin(
+        _path_of(record.path), record.stamp, record.title, record.file_stem, _path_of(record.foreign)
+    )
     return Snapshot(decode(text), origin, record.written, file, lock)
 
 

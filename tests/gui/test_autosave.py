@@ -24,6 +24,7 @@ from app.features.recovery.offers import age_in_words
 from app.session import MessageKind, Session
 from app.settings.preferences import Preferences
 from app.storage.files import load, save
+from app.storage.foreign import Foreign
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
@@ -368,15 +369,17 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
 
 def test_what_never_had_a_file_keeps_its_name(kept):
     """A drawing that had been imported was called “Untitled” after a crash."""
-    kept.session.files.begin_imported(SKETCH, "icon")
+    opened_from = Foreign(Path("/nowhere/icon.svg"))
+    kept.session.files.begin_imported(SKETCH, "icon", foreign=opened_from)
     move_point(kept, (2.0, 3.0))
     assert kept.autosave.write_now()
     leave_behind(origin=origin_of(kept.session))
     kept.session.files.begin(SKETCH)
     kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert "icon" in [each.text() for each in bar(kept).findChildren(QLabel)]
+    assert "icon (from icon.svg)" in [each.text() for each in bar(kept).findChildren(QLabel)]
     press(kept, "restoreWork0")
-    assert kept.window.windowTitle() == "icon[*] – Curvebench"
+    assert kept.window.windowTitle() == "icon (from icon.svg)[*] – Curvebench"
+    assert kept.session.files.foreign == opened_from
     assert (kept.session.files.path, file_stem(kept.session)) == (None, "icon")
 
 

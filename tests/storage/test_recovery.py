@@ -45,13 +45,14 @@ def test_what_was_written_comes_back_bit_for_bit(tmp_path):
 
 
 def test_names_come_back_and_a_snapshot_of_before_has_none(tmp_path):
-    named = Origin(title=os.fsdecode(b"no\xfftext"), file_stem="icon")
+    svg = tmp_path / os.fsdecode(b"no\xfftext.svg")
+    named = Origin(title=os.fsdecode(b"no\xfftext"), file_stem="icon", foreign=svg)
     file = left_behind(tmp_path, origin=named)
     (snapshot,) = list_snapshots(tmp_path).snapshots
-    assert (snapshot.origin.title, snapshot.origin.file_stem) == ("no?text", "icon")
+    assert snapshot.origin == Origin(title="no?text", file_stem="icon", foreign=svg)
     snapshot.leave()
     record = json.loads(file.read_bytes())
-    del record["title"], record["file_stem"]
+    del record["title"], record["file_stem"], record["foreign"]
     file.write_text(json.dumps(record | {"version": 1}), encoding="utf-8")
     (snapshot,) = list_snapshots(tmp_path).snapshots
     assert (snapshot.document, snapshot.origin) == (THIRDS, Origin())

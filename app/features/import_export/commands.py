@@ -21,6 +21,7 @@ from ...exchange.formats import (
     FORMATS,
     ContentKind,
     Written,
+    can_write_back,
     ending_in,
     file_filters,
     format_of,
@@ -31,12 +32,14 @@ from ...exchange.options import Options
 from ...exchange.reading import import_file
 from ...exchange.writing import export
 from ...storage.files import StorageError, read
+from ...storage.foreign import Foreign
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from ...workbench.document_files import file_stem
 from .. import import_export
 from .copy_commands import CopyCommands
 from .import_series import ImportSeries
+from .overwrite_commands import OverwriteCommands
 
 if TYPE_CHECKING:
     from ...exchange.choice import ExportChoice
@@ -227,12 +230,18 @@ class ExchangeCommands:
 
     def _put(self, path: Path, arrival: Arrival, *, begins: bool, anew: bool) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
-        session, step = self._session, f"Import {path.name}"
+        session, step, is_opened = self._session, f"Import {path.name}", anew or path == self._opened
         if not begins:
             session.expect(arrival.views)
             return bool(session.change(step, lambda _: arrival.document, active=arrival.places.start))
         try:
-            session.files.begin_imported(arrival.document, path.stem, "" if anew else step, arrival.views)
+            session.files.begin_imported(
+                arrival.document,
+                path.stem,
+                "" if anew else step,
+                arrival.views,
+                Foreign(path.absolute()) if is_opened and can_write_back(path) else None,
+            )
         except EditError as reason:
             session.refuse(str(reason))
             return False
@@ -327,12 +336,7 @@ class ExchangeCommands:
 
     def _say_written(self, path: Path, written: Written) -> None:
         self._preferences.last_folder = path.parent
-        away = written.deviation
-        what = f"at most {number(away, 2)} from the true curve" if away else "exact"
-        if written.pixels is not None:
-            # Pixels are not exact, whatever they were painted from.
-            what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
-        self._session.say(f"Wrote {path.name}, {what}.")
+        self._session.say(f"Wrote {path.name}, {written.words}.")
         self._work.warn_of(written.remarks)
 
 
@@ -344,4 +348,4 @@ class _OpenTable:
     preview: Preview
 
 
-COMMAND_SETS = (ExchangeCommands, CopyCommands)
+COMMAND_SETS = (ExchangeCommands, CopyCommands, OverwriteCommands)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from ...document.model import Document
 from ...session import Beginning, Session
+from ...storage.foreign import Foreign
 from ...storage.reasons import shown
 from ...storage.recovery import Origin, SnapshotFile
 from ...tasks.task import Task
@@ -168,7 +169,8 @@ def origin_of(session: Session) -> Origin:
     """Return where the document of a session came from, and what it is called."""
     files, beginning = session.files, session.files.beginning
     stamp = files.file.stamp if files.file is not None else None
-    return Origin(files.path, stamp, beginning.title, beginning.file_stem)
+    foreign = files.foreign.path if files.foreign is not None else None
+    return Origin(files.path, stamp, beginning.title, beginning.file_stem, foreign)
 
 
 def beginning_of(origin: Origin, path: Path | None) -> Beginning:
@@ -179,7 +181,8 @@ def beginning_of(origin: Origin, path: Path | None) -> Beginning:
     if path is None and origin.path is not None:
         stem = shown(origin.path.name).removesuffix(SUFFIX)
         return Beginning(title=stem, file_stem=stem)
-    return Beginning(title=origin.title, file_stem=origin.file_stem)
+    foreign = Foreign(origin.foreign) if origin.foreign is not None else None
+    return Beginning(title=origin.title, file_stem=origin.file_stem, foreign=foreign)
 
 
 def _written(file: SnapshotFile, document: Document, origin: Origin, committed: Document) -> str:
