@@ -266,7 +266,6 @@ class Selection:
         if wanted != session.active_index:
             session.interrupted.emit()
             session.cancel()
-            session.offered_at = None
             self.enter(wanted)
             self.keep_scrub()
             session.active_changed.emit(wanted)
