@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from enum import Enum, auto
 
 import msgspec
@@ -108,10 +109,18 @@ class Pointer(msgspec.Struct, frozen=True):
     ripple: bool = False
     is_double: bool = False
 
+    @property
+    def is_there(self) -> bool:
+        """Whether it is anywhere: not once it has left."""
+        return math.isfinite(self.position[0])
+
     def way_from(self, place: Vector) -> Vector:
         """Return the way from a place of the plane."""
         return (self.position[0] - place[0], self.position[1] - place[1])
 
+
+ELSEWHERE = Pointer((math.inf, math.inf), (math.inf, math.inf))
+"""The pointer once it has left."""
 
 ORIGIN = Pointer((0.0, 0.0), (0.0, 0.0))
 """The pointer of what is done with no mouse: of keys."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit
 
 from app.actions.sections import ANALYSIS, CURVE, EDIT
 from app.widgets.live_slider import LiveSlider
@@ -102,6 +102,17 @@ def test_the_bar_and_the_form_show_that_there_is_no_curve_and_take_nothing(none)
     name.selectAll()
     none.type_text(name, "Leaf\r")
     assert session.document.curves[1].name == "Leaf"
+
+
+def test_enter_edits_what_was_chosen_also_when_the_pointer_has_left(none):
+    """It sought a point below a pointer at infinity, and warned of numbers that are none."""
+    none.hover(none.point(1))
+    QApplication.sendEvent(none.window.canvas, QEvent(QEvent.Type.Leave))
+    none.session.selected.choose((1,))
+    none.window.canvas.setFocus()
+    none.key(Qt.Key.Key_Return)
+    assert (none.session.selected.edited, none.session.selection) == ({1}, frozenset())
+    assert none.status == "Editing “B” now."
 
 
 def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(editor):
