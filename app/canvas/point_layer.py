@@ -209,7 +209,9 @@ class PointLayer(Layer):
         # By identity: weights are other arrays when they change, and so are the points in sight.
         made_of = (self.selection, self.hovered, count, crowded, id(visible), id(self.weights))
         if made_of != self._roles_of:
-            self._roles_of, self._roles_for = made_of, (visible, self.weights)
+            self._roles_of = made_of
+            # Kept, so that no other array is given the numbers of these.
+            self._roles_for = (visible, self.weights)
             self._roles = self._told_apart(count, visible, crowded=crowded)
         return self._roles
 
