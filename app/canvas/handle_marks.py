@@ -29,6 +29,8 @@ from .point_ink import HANDLE_SIZES, HandleLook, PointInk, Shade
 MOST_POINTS = 100
 """Points up to which handles are shown: those of more hide the curve, and each other."""
 
+LEFT_AWAY = f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
+
 _LEAST = 2.0
 _SHARE = 0.42
 """Part of the way to the next mark that half a mark takes at most: a gap is left between the two."""
@@ -114,7 +116,7 @@ class ShownHandles:
         """Return the sentence about handles that are left away; empty where all are shown."""
         if len(self._own.indices) <= 2 * MOST_POINTS or len(self.of_selected(shown)):
             return ""
-        return f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
+        return LEFT_AWAY
 
     def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk) -> None:
         """Draw them: the fainter ones below the others."""
