@@ -2,7 +2,8 @@
 
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.
-- ``style``: stroke and fill of a curve.  ``shapes``: neighbouring curves that are drawn as one.
+- ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
+- ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.

@@ -15,9 +15,8 @@ from .export import NEVER_EXPORTED, Export
 from .fields import Requirement, above, at_least, between, printed
 from .style import PLAIN_STYLE, Style
 from .value import Value
+from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
-
-Vector = tuple[float, float]
 
 LONGEST_UNIT = 12
 """Characters of a unit's name."""

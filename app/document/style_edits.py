@@ -25,7 +25,7 @@ def with_style(document: Document, curves: Collection[int], **fields: object) ->
     return with_each(
         document,
         whole_shapes(document, curves),
-        lambda curve: replace(curve, style=replace(curve.style, **fields)),
+        lambda curve: replace(curve, style=curve.style.with_fields(fields)),
     )
 
 

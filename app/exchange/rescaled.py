@@ -38,7 +38,7 @@ def _sides(page: Page) -> tuple[float, float, float, float]:
 
 def _scaled_curve(curve: Curve, factor: float) -> Curve:
     points = tuple(_scaled_point(point, factor) for point in curve.points)
-    style = curve.style
+    style = curve.style.mapped(lambda place: (place[0] * factor, place[1] * factor))
     if style.width is not None:
         style = replace(style, width=style.width * factor)
     return replace(curve, points=points, style=style)

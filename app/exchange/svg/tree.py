@@ -12,6 +12,7 @@ from curvecore.arrays import FloatArray
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
+from .gradient_elements import GradientElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
@@ -23,26 +24,27 @@ _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
 
 
 class Tree:
-    """Lines of SVG for shapes, one after the other; each opens and closes the groups that it has to.
-
-    Attributes
-    ----------
-    lines
-        What was written so far.
-    """
+    """Lines of SVG for shapes, one after the other; each opens and closes the groups that it has to."""
 
     def __init__(self, style: PictureStyle, usual_width: float) -> None:
         self._style, self._usual_width = style, usual_width
         self._open: tuple[str, ...] = ()
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
-        self.lines: list[str] = []
+        self._gradients = GradientElements(style, self._ids)
+        self._lines: list[str] = []
+
+    @property
+    def lines(self) -> list[str]:
+        """What was written so far, and before it the gradients that paint it."""
+        gradients = self._gradients.lines
+        return [*(["  <defs>", *gradients, "  </defs>"] if gradients else []), *self._lines]
 
     def add(self, shape: tuple[Outline, ...]) -> None:
         """Write the outlines of a shape as one path."""
         first = shape[0]
         self._go_into(first.groups)
         data = path_data(shape)
-        style = style_attributes(first.style, self._style, self._usual_width)
+        style = style_attributes(first.style, self._style, self._usual_width, self._gradients)
         unseen = "" if first.visible else ' display="none"'
         self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{unseen}/>')
 
@@ -62,7 +64,7 @@ class Tree:
             self._open = (*self._open, name)
 
     def _write(self, element: str) -> None:
-        self.lines.append("  " * (len(self._open) + 1) + element)
+        self._lines.append("  " * (len(self._open) + 1) + element)
 
     def _called(self, name: str) -> str:
         """Return a name as an id of its own and, where that is another word, as Inkscape's label."""
