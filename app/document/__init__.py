@@ -16,7 +16,7 @@
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``box_curves``: curves that fill a box: rectangles, ellipses.
-- ``style_edits``: how curves look, and what several have in common.
+- ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
 - ``image_edits``, ``plane_edits``, ``guide_edits``: of the picture to trace; of unit and grid; of the guides.

@@ -16,6 +16,9 @@ from .words import NamedEnum
 MOST_STOPS: Final = 256
 """Stops that a gradient may have."""
 
+Box = tuple[Vector, Vector]
+"""Lower left and upper right corner."""
+
 _COLOUR = matching("#[0-9a-f]{6}|", 'be written as "#rrggbb" in lower case, or be empty for the ink')
 _SHARE = between(0, 1)
 _FEW = few(MOST_STOPS, f"hold at most {MOST_STOPS} stops")
@@ -120,6 +123,47 @@ class Gradient(Value, frozen=True):
         )
         return "#" + "".join(f"{min(level, 255):02x}" for level in mixed)
 
+    def at(self, offset: float) -> Stop:
+        """Return the stop that would change nothing at an offset."""
+        after = next((index for index, stop in enumerate(self.stops) if stop.offset >= offset), None)
+        if not after:
+            return replace(self.stops[0 if after == 0 else -1], offset=offset)
+        one, other = self.stops[after - 1], self.stops[after]
+        share = (offset - one.offset) / (other.offset - one.offset)
+        opacity = one.opacity + share * (other.opacity - one.opacity)
+        if not (one.colour and other.colour):
+            # The ink is no colour that could be mixed.
+            return Stop(offset, (one if share < 0.5 else other).colour, opacity)
+        levels = zip(bytes.fromhex(one.colour[1:]), bytes.fromhex(other.colour[1:]), strict=True)
+        mixed = (f"{round(a + share * (b - a)):02x}" for a, b in levels)
+        return Stop(offset, f"#{''.join(mixed)}", opacity)
+
 
 _LEAST_AREA = 1e-12
 """Share of the area of a square: axes that enclose less lie on a line."""
+
+
+def filling(box: Box, kind: GradientKind, stops: tuple[Stop, ...], spread: Spread = Spread.PAD) -> Gradient:
+    """Return a gradient from the left to the right of a box, or from its middle to its sides."""
+    (left, bottom), (width, height) = box[0], size_of(box)
+    middle, level = left + width / 2, bottom + height / 2
+    if kind is GradientKind.LINEAR:
+        places = (left, level), (left + width, level), (left, level + width)
+    else:
+        places = (middle, level), (left + width, level), (middle, bottom + height)
+    return Gradient(stops, kind, *places, spread=spread)
+
+
+def size_of(box: Box) -> Vector:
+    """Return width and height of a box; of one without either, the other, or 1."""
+    (left, bottom), (right, top) = box
+    width, height = right - left, top - bottom
+    return width or height or 1.0, height or width or 1.0
+
+
+def with_stop_at(stops: tuple[Stop, ...], index: int, offset: float) -> tuple[Stop, ...]:
+    """Return stops of which one lies elsewhere, as far as those beside it let it."""
+    least = stops[index - 1].offset if index else 0.0
+    most = stops[index + 1].offset if index + 1 < len(stops) else 1.0
+    new = replace(stops[index], offset=min(max(offset, least), most))
+    return (*stops[:index], new, *stops[index + 1 :])

@@ -29,11 +29,6 @@ def with_style(document: Document, curves: Collection[int], **fields: object) ->
     )
 
 
-def with_whole_style(document: Document, curves: Collection[int], style: Style) -> Document:
-    """Give curves a style."""
-    return with_each(document, whole_shapes(document, curves), lambda curve: replace(curve, style=style))
-
-
 def common_values(styles: Iterable[Style]) -> dict[str, object]:
     """Return the values that all of the styles have, by their fields; what differs is left out.
 
