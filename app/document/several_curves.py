@@ -18,7 +18,6 @@ from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
-from .style import Style
 from .transforms import Affine, decimal_sum, step_points, transform_points
 
 
@@ -64,18 +63,23 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
     """Let gradients go with those shapes of a group that are in it with all their points."""
-    shapes = _whole_shapes(document, group, lambda style: style.is_placed)
-    if not shapes:
+    curves = document.curves
+    # At every move of a drag: what has none costs no call.
+    for curve, _ in group.parts:
+        style = curves[curve].style
+        if style.fill_gradient is not None or style.stroke_gradient is not None:
+            break
+    else:
         return document
+    shapes = {curve for curve in _whole_shapes(document, group) if curves[curve].style.is_placed}
     return with_each(document, shapes, lambda curve: replace(curve, style=curve.style.mapped(place)))
 
 
-def _whole_shapes(document: Document, group: PointGroup, is_meant: Callable[[Style], bool]) -> set[int]:
-    """Return the curves of a style whose shapes are in a group with all their points."""
+def _whole_shapes(document: Document, group: PointGroup) -> set[int]:
+    """Return the curves whose shapes are in a group with all their points."""
     curves = document.curves
     whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
-    meant = {curve for curve in whole if is_meant(curves[curve].style)}
-    return {curve for curve in meant if whole.issuperset(shape_of(document, curve))}
+    return {curve for curve in whole if whole.issuperset(shape_of(document, curve))}
 
 
 def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:
@@ -84,7 +88,8 @@ def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) ->
     Their widths grow by the mean of the factors along x and y, as if nothing but the area had changed.
     """
     factor = math.sqrt(abs(x * y))
-    styled = _whole_shapes(document, group, lambda style: style.width is not None)
+    curves, shapes = document.curves, _whole_shapes(document, group)
+    styled = {curve for curve in shapes if curves[curve].style.width is not None}
     if not styled or not factor:
         return document
     return with_each(document, styled, lambda curve: _with_stroke_scaled(curve, factor))

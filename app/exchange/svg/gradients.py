@@ -17,6 +17,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.gradient import MOST_STOPS, Gradient, GradientKind, Spread, Stop
 from ...document.model import MAX_MAGNITUDE, Vector
+from ..drawing.extents import extent_of
 from ..errors import ExchangeError
 from .lengths import Viewport, length
 from .matrices import combined, moved, transform_of
@@ -43,13 +44,18 @@ class Ground:
         (2, 3), from its user units to the document's plane.
     viewport
         What percentages are parts of.
-    box
-        Of the shape in its user units, the lower and the upper corner, (2, 2).
+    outlines
+        Of the shape in its user units, as cubic pieces.
     """
 
     matrix: FloatArray
     viewport: Viewport
-    box: FloatArray
+    outlines: Sequence[FloatArray]
+
+    @property
+    def box(self) -> FloatArray:
+        """The lower and the upper corner of the shape, (2, 2)."""
+        return extent_of(np.concatenate(self.outlines))
 
 
 class UnplacedError(Exception):
@@ -126,7 +132,8 @@ def _units(said: Mapping[str, str], ground: Ground) -> tuple[FloatArray, Viewpor
     """Return the matrix from the units of a gradient to the plane, and what percentages are parts of."""
     if said.get("gradientUnits", _BOX) != _BOX:
         return ground.matrix, ground.viewport
-    (x, y), (width, height) = ground.box[0], np.ptp(ground.box, axis=0)
+    box = ground.box
+    (x, y), (width, height) = box[0], np.ptp(box, axis=0)
     if not (width > 0 and height > 0):
         raise UnplacedError
     return combined(ground.matrix, np.array([[width, 0.0, x], [0.0, height, y]])), Viewport(1.0, 1.0)

@@ -96,7 +96,8 @@ class StyleCommands:
             self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
         for name, gradient in panel.gradients.items():
             self._follow_sliders(name, gradient)
-        for paint in (panel.fill, panel.stroke, *panel.gradients.values()):
+            self._session.interrupted.connect(gradient.abandon)
+        for paint in (panel.fill, panel.stroke):
             self._session.interrupted.connect(paint.abandon)
         return panel
 

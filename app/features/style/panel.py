@@ -153,9 +153,9 @@ class StylePanel(FieldForm):
     def _connect(self) -> None:
         numbers = (self._width, self._limit, self._offset, self._dash.edit)
         shares = [field.edit for field in self.opacities.values()]
-        for paint, field in self.gradients.items():
-            shares += [field.offset.edit, field.opacity.edit]
-            self._connect_gradient(paint, field)
+        for name, gradient in self.gradients.items():
+            shares += [gradient.offset.edit, gradient.opacity.edit]
+            self._connect_gradient(name, gradient)
         self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
         for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
             other = "stroke" if name == "fill" else "fill"
@@ -220,8 +220,8 @@ class StylePanel(FieldForm):
         self._subject.setText(subject)
         self._subject.setToolTip(tip_of(subject))
         self._values = values
-        for field in self.gradients.values():
-            field.render_styles(styles)
+        for gradient in self.gradients.values():
+            gradient.render_styles(styles)
         self._render_colours()
         self._rule.render_value(values.get("fill_rule"))
         self._cap.render_value(values.get("cap"))
