@@ -78,8 +78,10 @@ class DrawnCurves:
         if any(place != active for place in compress(range(len(now)), map(is_not, now, views))):
             return False
         new, old = now[active], views[active]
+        style, other = new.source.style, old.source.style
         return (
-            new.source.style is old.source.style
+            # A gradient goes with what is dragged, and leaves the order of the layers as it is.
+            (style is other or (style.is_placed and other.is_placed))
             and new.source.visible is old.source.visible
             and new.source.shape == old.source.shape
             and is_faint(new) is is_faint(old)

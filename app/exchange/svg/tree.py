@@ -24,20 +24,26 @@ _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
 
 
 class Tree:
-    """Lines of SVG for shapes, one after the other; each opens and closes the groups that it has to."""
+    """Lines of SVG for shapes, one after the other; each opens and closes the groups that it has to.
+
+    Attributes
+    ----------
+    lines
+        What was written so far.
+    """
 
     def __init__(self, style: PictureStyle, usual_width: float) -> None:
         self._style, self._usual_width = style, usual_width
         self._open: tuple[str, ...] = ()
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
-        self._lines: list[str] = []
+        self.lines: list[str] = []
 
     @property
-    def lines(self) -> list[str]:
-        """What was written so far, and before it the gradients that paint it."""
+    def definitions(self) -> list[str]:
+        """The gradients that paint what was written, in an element of their own."""
         gradients = self._gradients.lines
-        return [*(["  <defs>", *gradients, "  </defs>"] if gradients else []), *self._lines]
+        return ["  <defs>", *gradients, "  </defs>"] if gradients else []
 
     def add(self, shape: tuple[Outline, ...]) -> None:
         """Write the outlines of a shape as one path."""
@@ -64,7 +70,7 @@ class Tree:
             self._open = (*self._open, name)
 
     def _write(self, element: str) -> None:
-        self._lines.append("  " * (len(self._open) + 1) + element)
+        self.lines.append("  " * (len(self._open) + 1) + element)
 
     def _called(self, name: str) -> str:
         """Return a name as an id of its own and, where that is another word, as Inkscape's label."""

@@ -80,7 +80,8 @@ class StyleCommands:
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
-        panel = self._panel = style.panel.StylePanel(buttons, parent)
+        tool = self._context.actions["gradientTool"]
+        panel = self._panel = style.panel.StylePanel(buttons, tool, parent)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
@@ -88,6 +89,7 @@ class StyleCommands:
         panel.stops_wanted.connect(self._change_stops)
         panel.stops_looked_at.connect(self._look_at_stops)
         panel.spread_wanted.connect(self._choose_spread)
+        panel.coloured.connect(self._remember)
         panel.given_up.connect(self._give_up)
         panel.shown.connect(self._render)
         panel.refused.connect(self._session.refuse)
@@ -156,7 +158,7 @@ class StyleCommands:
     # Changes
 
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
-        self._remember(fields)
+        self._remember(*(fields[name] for name in GRADIENTS if name in fields))
         self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
 
     def _choose_kind(self, paint: str, kind: PaintKind) -> None:
@@ -222,9 +224,8 @@ class StyleCommands:
     def _recent(self) -> list[str]:
         return re.findall("#[0-9a-f]{6}", self._context.preferences.recent_colours)
 
-    def _remember(self, fields: dict[str, object]) -> None:
-        used = [value for name, value in fields.items() if name in ("fill", "stroke")]
-        codes = [code for code in used if isinstance(code, str) and code.startswith("#")]
+    def _remember(self, *paints: object) -> None:
+        codes = [code for code in paints if isinstance(code, str) and code.startswith("#")]
         if codes:
             found = list(dict.fromkeys([*codes, *self._recent()]))[:_MOST_REMEMBERED]
             self._context.preferences.recent_colours = " ".join(found)

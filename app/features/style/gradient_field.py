@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
 from ...document.gradient import Spread, Stop, with_stop_at
@@ -14,14 +15,15 @@ from ...document.style import Style
 from ...widgets.boxes import column_of, row_of
 from ...widgets.choice_row import ChoiceRow
 from ...widgets.percent_field import PercentField
-from ...widgets.tool_buttons import tool_button
+from ...widgets.tool_buttons import action_button, tool_button
 from .stop_bar import StopBar
 
 
 class GradientField(QWidget):
     """Shows a paint of several styles, "fill" or "stroke", and asks for others.
 
-    Its fields are about one stop, the chosen one; the colour of it is chosen elsewhere.
+    Its fields are about one stop, the chosen one; the colour of it is chosen elsewhere. A button has the
+    `tool` that drags gradients on the canvas.
 
     Signals
     -------
@@ -51,7 +53,7 @@ class GradientField(QWidget):
     spread_chosen = Signal(object)
     picked = Signal()
 
-    def __init__(self, paint: str, label: str) -> None:
+    def __init__(self, paint: str, label: str, tool: QAction) -> None:
         super().__init__()
         self._paint, self._chosen = paint, 0
         self._stops: tuple[Stop, ...] = ()
@@ -67,9 +69,10 @@ class GradientField(QWidget):
         self._reverse = tool_button(
             f"{paint}StopsReverse", f"{label}, reverse the gradient", "Reverse the stops", text="⇄"
         )
+        on_canvas = action_button(tool, name=f"{paint}GradientTool")
         self._gradient = QWidget()
         column_of(
-            row_of((self.bar, 1), self._reverse, margins=0, spacing=4),
+            row_of((self.bar, 1), self._reverse, on_canvas, margins=0, spacing=4),
             row_of("at", (self.offset, 1), margins=0, spacing=6),
             row_of("seen", (self.opacity, 1), margins=0, spacing=6),
             self._spread,
@@ -78,9 +81,9 @@ class GradientField(QWidget):
             parent=self._gradient,
         )
         column_of(self._kind, self._gradient, margins=0, spacing=4, parent=self)
-        self._connect()
 
-    def _connect(self) -> None:
+    def connect_fields(self) -> None:
+        """Tell what is wanted; whoever has to watch the fields does so before."""
         self._kind.chosen.connect(self.kind_chosen)
         self._spread.chosen.connect(self.spread_chosen)
         self._reverse.clicked.connect(self._turn_round)

@@ -51,6 +51,8 @@ class StylePanel(FieldForm):
         Gradients of "fill" or "stroke" shall have other stops, or are to be seen with them.
     spread_wanted
         Likewise, what lies beyond their stops.
+    coloured
+        A colour was chosen for a stop.
     given_up
         What was looked at is not wanted.
     shown
@@ -71,10 +73,11 @@ class StylePanel(FieldForm):
     stops_wanted = Signal(str, object)
     stops_looked_at = Signal(str, object)
     spread_wanted = Signal(str, object)
+    coloured = Signal(str)
     given_up = Signal()
     shown = Signal()
 
-    def __init__(self, buttons: Sequence[QAction], parent: QWidget | None = None) -> None:
+    def __init__(self, buttons: Sequence[QAction], tool: QAction, parent: QWidget | None = None) -> None:
         super().__init__("stylePanel", "styleProblem", parent)
         self._unit = ""
         self._subject = Label(name="styleSubject")
@@ -82,8 +85,8 @@ class StylePanel(FieldForm):
         self.fill = PaintField("fillPaint", "Fill", "stroke")
         self.stroke = PaintField("strokePaint", "Stroke", "fill")
         self.gradients = {
-            "fill": GradientField("fill", "Fill"),
-            "stroke": GradientField("stroke", "Stroke"),
+            "fill": GradientField("fill", "Fill", tool),
+            "stroke": GradientField("stroke", "Stroke", tool),
         }
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
@@ -153,13 +156,13 @@ class StylePanel(FieldForm):
     def _connect(self) -> None:
         numbers = (self._width, self._limit, self._offset, self._dash.edit)
         shares = [field.edit for field in self.opacities.values()]
-        for name, gradient in self.gradients.items():
+        for gradient in self.gradients.values():
             shares += [gradient.offset.edit, gradient.opacity.edit]
-            self._connect_gradient(name, gradient)
         self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
         for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
             other = "stroke" if name == "fill" else "fill"
             self._connect_paint(paint, name, other)
+            self._connect_gradient(name, self.gradients[name])
         parts = ((self._rule, "fill_rule"), (self._cap, "cap"), (self._join, "join"), (self._dash, "dash"))
         for part, name in parts:
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
@@ -176,6 +179,7 @@ class StylePanel(FieldForm):
         paint.cancelled.connect(self.given_up)
 
     def _connect_gradient(self, paint: str, field: GradientField) -> None:
+        field.connect_fields()
         field.kind_chosen.connect(lambda kind: self.kind_wanted.emit(paint, kind))
         field.stops_wanted.connect(lambda stops: self.stops_wanted.emit(paint, stops))
         field.stops_looked_at.connect(lambda stops: self.stops_looked_at.emit(paint, stops))
@@ -187,6 +191,7 @@ class StylePanel(FieldForm):
         """Ask for a colour, of the chosen stop where there is one; there is no stop of nothing."""
         field = self.gradients[paint]
         if field.stop is not None and colour != NO_PAINT:
+            self.coloured.emit(colour)
             self.stops_wanted.emit(paint, field.seen_as(colour=colour))
         else:
             self.wanted.emit({paint: colour})
