@@ -76,6 +76,8 @@ def number_array(values: ArrayLike, name: str) -> FloatArray:
 
 def _check_masks(values: ArrayLike, name: str) -> None:
     """Raise for the first masked entry: what a masked array hides would count like any other value."""
+    if type(values) is np.ndarray:
+        return
     # Without the module, which takes long to import, there is no masked array; nor while another thread is in
     # the middle of importing it.
     masked_arrays = sys.modules.get("numpy.ma")

@@ -40,11 +40,14 @@ class Canvas(ToolPlot):
         A press on a ruler draws a guide from now on.
     guide_opened
         A guide, by its place in the document, shall be given a place; or a new one, by its axis.
+    text_placed
+        A text shall begin at a place.
     """
 
     menu_requested = Signal(object, QPoint)
     guide_drawn = Signal()
     guide_opened = Signal(object)
+    text_placed = Signal(object)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(tools, parent)
@@ -58,6 +61,7 @@ class Canvas(ToolPlot):
         self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self._move_again)
         tools.curves_at = self.drawing.curves_at
+        tools.write_at = self.text_placed.emit
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
 

@@ -43,12 +43,14 @@ class OtherPointsLayer(Layer):
         self._stamps = _SelectedStamps(self._stamp, _REACH)
         self._kinds: IntArray = np.arange(len(POINT_KINDS))
         self._places: PixelPoints | None = None
+        self.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
         """Show and find the points of those of `views` at these places from the next paint on."""
         found = [(place, views[place]) for place in places]
         if found != self._views:
             self._views, self._places = found, None
+            self.set_visible(bool(found))
             self.update()
 
     def set_group(self, group: PointGroup) -> None:

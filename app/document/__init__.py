@@ -6,6 +6,7 @@
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
+- ``steps``: what has changed from one value to the next.
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.

@@ -124,6 +124,11 @@ class Style(Value, frozen=True):
         return self.fill_gradient is not None or self.stroke_gradient is not None
 
     @property
+    def flat(self) -> Style:
+        """The style with colours in place of gradients, for curves elsewhere."""
+        return replace(self, fill_gradient=None, stroke_gradient=None) if self.is_placed else self
+
+    @property
     def gradients(self) -> dict[str, Gradient]:
         """What paints in place of colours, by the field."""
         found = {"fill_gradient": self.fill_gradient, "stroke_gradient": self.stroke_gradient}

@@ -17,6 +17,7 @@ FEATURES = (
     "import_export",
     "curves",
     "shapes",
+    "text",
     "tangents",
     "rules",
     "own_families",

@@ -109,12 +109,15 @@ def _stroke(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, sh
     if style.dash and not is_dashed:
         opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)
     pen = pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
+    is_opaque = opacity == 1.0
     if style.stroke_gradient is not None:
+        # Its stops may let through what pieces that overlap have twice.
+        is_opaque = False
         pen.setBrush(_brush(style.stroke_gradient, ink, opacity, shown))
     reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
     if is_dashed:
         _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
-    elif opacity == 1.0 and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
+    elif is_opaque and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
         painter.setPen(pen)
         for part in parts:
             stroke = Stroke(reach)

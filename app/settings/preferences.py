@@ -142,6 +142,15 @@ class Preferences:
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 
+    text_font = SavedText("text/font")
+    """The family of the font that text was last written in; empty for none."""
+
+    text_bold = SwitchOfAction("text/bold", default=False)
+    """Whether it was bold."""
+
+    text_italic = SwitchOfAction("text/italic", default=False)
+    """Whether it was italic."""
+
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""
 

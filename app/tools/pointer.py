@@ -145,6 +145,7 @@ class Cursor(Enum):
 
     ARROW = "ArrowCursor"
     CROSS = "CrossCursor"
+    TEXT = "IBeamCursor"
     HAND = "PointingHandCursor"
     MOVE = "SizeAllCursor"
     WIDER = "SizeHorCursor"

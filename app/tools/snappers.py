@@ -15,6 +15,8 @@ from .snapping import (
     Snapper,
     Snapping,
     Targets,
+    lines_of_guides,
+    lines_of_page,
     targets_of,
     targets_of_handle,
     targets_of_side,
@@ -72,14 +74,16 @@ class Snappers:
         return self._make(lambda: targets_of_side(host.views, host.active_index, moving, self._kinds))
 
     def for_guide(self) -> Snapper:
-        """Return the snapper of a guide: points that it meets, and the grid."""
+        """Return the snapper of a guide: points that it meets, the page and the grid."""
         host = self._host
         return self._make(lambda: targets_of_side(host.views, host.active_index, {}, self._kinds), guides=())
 
     def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
-        # The guides as they are at the press.
-        guides = self._host.document.guides if guides is None else guides
-        self.now = Snapper(self._settings, self._grid, collect, guides)
+        # Guides and page as they are at the press.
+        document = self._host.document
+        guides = document.guides if guides is None else guides
+        drawn = (*lines_of_guides(guides), *lines_of_page(document.page))
+        self.now = Snapper(self._settings, self._grid, collect, drawn)
         return self.now
 
     @property

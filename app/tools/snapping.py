@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
 import msgspec
@@ -12,7 +12,8 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..document.guide_edits import place_words
-from ..document.model import Axis, Guide, Vector
+from ..document.model import Axis, Guide, Page, Vector
+from ..document.transforms import decimal_sum
 from ..document.words import NamedEnum
 from ..view_model.curve_view import CurveView
 from ..view_model.nearest import NearestPoint
@@ -27,6 +28,7 @@ class SnapKind(NamedEnum):
 
     GRID = "grid", "The grid"
     GUIDES = "guides", "Guides"
+    PAGE = "page", "The page"
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
     LEVEL = "level", "Level or plumb with the neighbours"
@@ -51,8 +53,8 @@ class Snap(msgspec.Struct, frozen=True):
     position
         The exact place.
     label
-        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "guide x = 20", "level
-        with point 2".
+        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "guide x = 20", "page
+        left", "level with point 2".
     guides
         The points that the place is level with or straight above; a line is drawn from each.
     axes
@@ -100,8 +102,44 @@ class _Line(msgspec.Struct, frozen=True):
     is_grid: bool = False
 
 
+class DrawnLine(msgspec.Struct, frozen=True):
+    """A level or upright line of the drawing: a guide, an edge or a middle of the page.
+
+    Attributes
+    ----------
+    kind
+        What is snapped to with it.
+    axis, value
+        The coordinate that its points have in common, 0 or 1, and its value.
+    label
+        Its name.
+    """
+
+    kind: SnapKind
+    axis: int
+    value: float
+    label: str
+
+
+def lines_of_guides(guides: Sequence[Guide]) -> Iterator[DrawnLine]:
+    """Yield the lines of guides."""
+    for guide in guides:
+        axis = list(Axis).index(guide.axis)
+        yield DrawnLine(SnapKind.GUIDES, axis, guide.position, f"guide {place_words(guide)}")
+
+
+def lines_of_page(page: Page | None) -> Iterator[DrawnLine]:
+    """Yield the edges and the middles of a page: where two meet are its corners and its centre."""
+    if page is None:
+        return
+    of_axes = ((page.x, page.width, ("left", "right")), (page.y, page.height, ("bottom", "top")))
+    for axis, (start, size, (first, last)) in enumerate(of_axes):
+        for name, way in ((first, 0.0), ("middle", size / 2), (last, size)):
+            yield DrawnLine(SnapKind.PAGE, axis, decimal_sum(start, way), f"page {name}")
+
+
 class Targets(msgspec.Struct, frozen=True):
-    """Targets of snapping besides grid and guides.
+    """Targets of snapping besides the grid and the lines of the drawing.
 
     Attributes
     ----------
@@ -226,9 +264,9 @@ class Snapper:
         settings: Callable[[], Snapping],
         grid: Callable[[], float],
         collect: Callable[[], Targets],
-        guides: Sequence[Guide] = (),
+        drawn: Iterable[DrawnLine] = (),
     ) -> None:
-        self._settings, self._grid, self._collect, self._guides = settings, grid, collect, guides
+        self._settings, self._grid, self._collect, self._drawn = settings, grid, collect, tuple(drawn)
         self._targets: Targets | None = None
         self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
@@ -276,15 +314,16 @@ class Snapper:
         return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line)
 
     def _line(self, targets: Targets, position: Vector, reach: float, axis: int) -> _Line | None:
-        """Return the coordinate to snap to along one axis: a guide's, then a neighbour's, then the grid's."""
+        """Return the coordinate to snap to along one axis: of a drawn line, of a neighbour, of the grid."""
         value, kinds = position[axis], self._settings().kinds
-        of_guides = [each for each in self._guides if each.axis is tuple(Axis)[axis]]
-        drawn = [_Line(each.position, f"guide {place_words(each)}") for each in of_guides]
+        drawn = [
+            _Line(line.value, line.label) for line in self._drawn if line.axis == axis and line.kind in kinds
+        ]
         level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
         if SnapKind.GRID in kinds:
             grid = [_Line(grid_value(value, self._grid()), f"grid {'xy'[axis]}", is_grid=True)]
-        for lines in (drawn if SnapKind.GUIDES in kinds else [], level, grid):
+        for lines in (drawn, level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:
                 return min(near, key=lambda line: abs(line.value - value))

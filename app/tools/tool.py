@@ -74,6 +74,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
     background
         Does what takes longer than a moment.
+    write_at
+        Asks for the words of a text whose baseline begins at a place.
     """
 
     pointer: Pointer
@@ -86,6 +88,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     hit_test: Callable[[Pointer], Hit | None]
     curves_at: Callable[[Pointer], Sequence[int]]
     background: Background
+    write_at: Callable[[Vector], object]
 
     @property
     def hit(self) -> Hit | None:

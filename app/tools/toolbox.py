@@ -40,6 +40,8 @@ class Toolbox:
         Tells the spacing of the grid at the present zoom; whoever shows the plot sets it.
     background
         Does what takes longer than a moment, whichever tool is in use by then.
+    write_at
+        Asks for the words of a text that begins at a place; whoever shows the plot sets it.
     """
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
@@ -48,6 +50,7 @@ class Toolbox:
         self.curves_at: Callable[[Pointer], Sequence[int]] = lambda _pointer: ()
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
+        self.write_at: Callable[[Vector], object] = lambda _place: None
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
         self._host = host
         self._drags = DragMachine(host)
@@ -82,6 +85,7 @@ class Toolbox:
             lambda pointer: self.hit_test(pointer, self.tool),
             self.curves_at,
             self.background,
+            self.write_at,
         )
 
     @property

@@ -3,8 +3,9 @@
 import pytest
 from msgspec.structs import replace
 
+from app.document.curve_edits import fresh_curve
 from app.document.gradient import Gradient, GradientKind, Stop
-from app.document.model import Document, make_curve
+from app.document.model import Document, Parametrization, make_curve
 from app.document.point_group import points_of
 from app.document.several_curves import mapped, moved, stepped, whole_curves
 from app.document.style import NO_PAINT, Style
@@ -66,6 +67,8 @@ def test_a_colour_takes_the_place_of_a_gradient_and_stands_for_it():
     assert flat.style.stroke_gradient == STYLE.stroke_gradient
     assert not with_style(document, [0], fill=NO_PAINT).curves[0].style.has_fill
     assert flat.style.in_colour("#123456").gradients == {}
+    # What is drawn next lies elsewhere.
+    assert fresh_curve(document, drawn(), Parametrization()).style == Style(fill="#aa0055", stroke="#aa0055")
 
 
 @pytest.mark.parametrize(

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton
 
-from app.document.model import Document, Page, make_curve
+from app.document.model import Axis, Document, Guide, Page, make_curve
 from app.document.style import Style
 from app.families import HERMITE
 from app.features.import_export.commands import ExchangeCommands
+from app.tools.snapping import SnapKind
 
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]
 
@@ -81,6 +82,34 @@ def test_fit_page_shows_all_of_it_and_little_else(drawn):
     assert -26.0 < top < -14.0
     drawn.trigger("previousView")
     assert drawn.window.canvas.pixel_map.box[0] < 8.0
+
+
+def test_points_and_guides_snap_to_its_edges_corners_and_centre(drawn):
+    drawn.session.change("Page", lambda document: replace(document, page=Page(0.1, -0.7, 6.2, 3.4)))
+    drawn.window.preferences.snap_kinds = {SnapKind.PAGE}
+    drawn.trigger("toggleSnap")
+    off = 4 * drawn.pixel
+    drawn.drag_point(1, (6.3 + off, 2.7 - off))
+    # 0.1 + 6.2 is no 6.3 of floats.
+    assert drawn.point(1) == (6.3, 2.7)
+    drawn.press((6.3, 2.7))
+    drawn.move((3.2 - off, 1.0 + off))
+    assert drawn.status.endswith("snapped to: page middle · page middle")
+    drawn.release((3.2 - off, 1.0 + off))
+    assert drawn.point(1) == (3.2, 1.0)
+    canvas = drawn.window.canvas
+    ruler = QPoint(int(canvas.camera.origin.x()) - 20, canvas.to_pixel(0.0, 1.0).y())
+    drawn.drag_pixels(canvas, ruler, canvas.to_pixel(0.1 + off, 0.0))
+    assert drawn.session.document.guides == (Guide(Axis.X, 0.1),)
+    # A point snaps to it no more where that is not wanted.
+    drawn.window.preferences.snap_kinds = frozenset(SnapKind) - {SnapKind.PAGE, SnapKind.GRID}
+    drawn.trigger("toggleSnap")
+    drawn.trigger("toggleSnap")
+    drawn.drag((3.2, 1.0), (6.3 + off, 2.7 - off))
+    assert drawn.point(1) != (6.3, 2.7)
+    drawn.trigger("toggleSnap")
+    drawn.window.preferences.snap_kinds = frozenset(SnapKind)
+    drawn.window.store.read_preferences()
 
 
 def line(editor, name):

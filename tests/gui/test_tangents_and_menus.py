@@ -8,6 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QLocale, QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit
 
 from app.actions.clipboard_watch import DERIVATIVES
 from app.document import edits
@@ -334,6 +335,19 @@ def test_the_menu_of_a_point(wave):
     assert found["deleteSelection"]
     wave.choose("tangentCorner")
     assert wave.curve.points[2].corner
+
+
+def test_x_and_y_of_a_point_are_typed_by_its_menu(wave):
+    wave.open_menu(wave.point(2))
+    wave.choose("typePoint")
+    for text, key in (("2.25", Qt.Key.Key_Tab), ("-1/8", Qt.Key.Key_Return)):
+        edit = QApplication.focusWidget()
+        assert isinstance(edit, QLineEdit)
+        edit.selectAll()
+        QTest.keyClicks(edit, text)
+        QTest.keyClick(edit, key)
+        wave.settle()
+    assert wave.point(2) == (2.25, -0.125)
 
 
 def test_the_menu_keeps_a_selection_that_the_point_belongs_to(wave):

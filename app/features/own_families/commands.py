@@ -39,7 +39,8 @@ class OwnFamilyCommands(QObject):
         self._asked: Path | None = None
         self._news = ""
         self._dismissed = ""
-        self._show()
+        if self._sentence()[0]:
+            self._show()
 
     # What can be done
 

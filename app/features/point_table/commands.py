@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from ...actions.strips import POINT_BUTTONS
+from ...actions.declaration import action, also
+from ...actions.needs import Need
+from ...actions.sections import CURVE_POINTS
+from ...actions.strips import POINT_BUTTONS, POINT_MENU
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
@@ -38,6 +41,20 @@ class PointTableCommands:
     def follow(self, view: CurveView) -> None:
         """Show the points of `view`, as soon as the table's pace allows."""
         self.panel.render_view(view, streaming=self._session.is_previewing)
+
+    @action(
+        "typePoint",
+        "Type x and y…",
+        CURVE_POINTS,
+        full_name="Type x and y of the Point…",
+        needs=Need("a selected point", lambda now: bool(now.session.selection)),
+        keywords="exact coordinates position place numbers node",
+    )
+    @also(POINT_MENU(18))
+    def _type_place(self) -> None:
+        """Type where the selected point lies, in the table of points; Tab goes from x to y."""
+        self._context.docks["pointsDock"].bring_up()
+        self.panel.type_place(min(self._session.selection))
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -87,7 +87,7 @@ class PointTable(FollowsTheme, QWidget):
             icon_size=ICON,
             flat=True,
         )
-        self._timer = QTimer(self, singleShot=True, interval=INTERVAL_MS)
+        self._timer = QTimer(self, singleShot=True)
         self._add_actions()
         self._lay_out()
         self._connect()
@@ -163,14 +163,19 @@ class PointTable(FollowsTheme, QWidget):
         While the previews of a gesture are `streaming`, the columns keep their widths.
         """
         self._pending = view, streaming
-        self._clear_message()
-        if self.isVisible() and not self._timer.isActive():
+        if self._said:
+            self._clear_message()
+        if self._timer.isActive() or not self.isVisible():
+            return
+        if streaming:
+            # The eye is on the curve: the table is filled once that has been painted.
+            self._timer.start(0)
+        else:
             self._show_pending()
-            self._timer.start()
 
     def _show_pending(self) -> None:
         if self._pending is not None:
-            self._timer.start()
+            self._timer.start(INTERVAL_MS)
             view, streaming = self._pending
             self.show_now(view, streaming=streaming)
 
@@ -198,6 +203,15 @@ class PointTable(FollowsTheme, QWidget):
         self.view.select_rows(selection)
         self._rendering = False
         self._render_footer()
+
+    def type_place(self, row: int) -> None:
+        """Have x of a point typed; Tab goes on to y."""
+        column = next(place for place, each in enumerate(self.model.columns) if each.order == POSITION)
+        index = self.model.index(row, column)
+        self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.view.selectionModel().setCurrentIndex(index, QItemSelectionModel.SelectionFlag.NoUpdate)
+        self.view.scrollTo(index)
+        self.view.edit(index)
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""

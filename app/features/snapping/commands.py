@@ -27,7 +27,7 @@ class SnapCommands:
     @action("toggleSnap", "Snap", VIEW_DRAWING, "%", "magnet", checked=lambda now: now.state.snap_on)
     @also(TOOLBAR(62), CANVAS_MENU(32))
     def _toggle(self) -> None:
-        """Snap to grid, points and curves; Ctrl while dragging turns it round."""
+        """Snap to grid, guides, page, points and curves; Ctrl while dragging turns it round."""
         store = self._context.store
         # Another window may have remembered other ones meanwhile.
         store.read_preferences()

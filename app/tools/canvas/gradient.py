@@ -241,7 +241,7 @@ GRADIENT = ToolRecord(
         GestureRow("Shift+drag the middle", "pull the focus of a radial gradient out"),
         GestureRow("Click a curve", "choose it"),
     ),
-    place=28,
+    place=29,
     action="gradientTool",
     title="Gradient",
     full_name="Gradient Tool",

@@ -223,8 +223,8 @@ class SelectTool(Tool):
     @staticmethod
     def _box(context: ToolContext) -> TransformBox | None:
         target = context.target
-        is_shown = context.settings.shows_box and not target.refusal_of(target.group)
-        return target.box if is_shown else None
+        box = target.box if context.settings.shows_box else None
+        return box if box is not None and not target.refusal_of(target.group) else None
 
     def _inside(self, context: ToolContext) -> PointGroup | None:
         """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""

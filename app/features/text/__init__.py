@@ -1,0 +1,9 @@
+"""Text as curves: words are typed on the canvas, and the outlines of their letters become shapes.
+
+- ``commands``: the field, the preview and the step of the history.  ``field``: what is typed into.
+- ``letters``: outlines as curves of the document.
+"""
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

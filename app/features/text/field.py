@@ -1,0 +1,289 @@
+"""The field on the canvas into which a text is typed, with its font and its size."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
+from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtWidgets import QApplication, QFontComboBox, QPlainTextEdit, QToolButton, QWidget
+
+from ...appearance.theme import Theme
+from ...document.transforms import decimal_sum
+from ...exchange.lengths import typed_length
+from ...qt.glyphs import Face
+from ...qt.keys import ENTER, ClaimsKeys
+from ...qt.labels import Label
+from ...qt.overrides import Guarded
+from ...widgets.boxes import column_of, row_of
+from ...widgets.choice_style import choice_style
+from ...widgets.controls import named
+from ...widgets.field_edit import NumberEdit
+from ...widgets.number_text import decimal_mark
+from ...widgets.overlay_frame import OverlayFrame
+from ...widgets.tool_buttons import tool_button
+
+_WIDTH, _FONT_WIDTH = 360, 140
+_LONGEST_SIZE = "00000.000"
+_MOST_LINES, _LEAST = 4, 1e-9
+_GAP = 10
+"""Pixels between the field and the text."""
+
+
+class WordsEdit(Guarded, QPlainTextEdit):
+    """Lines to type into, as high as they are many; Shift+Enter begins another."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "textWords", "Words", "Enter makes outlines of it, Shift+Enter begins another line")
+        self.setPlaceholderText("Type; Enter makes outlines of it")
+        self.setTabChangesFocus(True)
+        self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.fit_height()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() not in ENTER:
+            super().keyPressEvent(event)
+        elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.insertPlainText("\n")
+        else:
+            # It belongs to the frame.
+            event.ignore()
+
+    def fit_height(self) -> None:
+        """Be as high as the lines are many, up to some."""
+        lines, policy = self.blockCount(), Qt.ScrollBarPolicy
+        # One with little room for a single line would show its bar there.
+        self.setVerticalScrollBarPolicy(
+            policy.ScrollBarAlwaysOff if lines <= _MOST_LINES else policy.ScrollBarAsNeeded
+        )
+        lines = min(lines, _MOST_LINES)
+        around = 2 * (self.frameWidth() + round(self.document().documentMargin()))
+        self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + around)
+
+
+class FontBox(Guarded, QFontComboBox):
+    """Fonts with outlines: of the list, while it is open, the one pointed at counts.
+
+    Signals
+    -------
+    pointed_at
+        Another one counts.
+    """
+
+    pointed_at = Signal()
+
+    def __init__(self, family: str) -> None:
+        super().__init__()
+        tip = "Font of the text; point at one in the list to see the text in it"
+        named(self, "textFont", "Font", tip)
+        # Those made of pixels have none.
+        self.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
+        self.setCurrentFont(QFont(family))
+        if (line := self.lineEdit()) is not None:
+            # Of a long name the beginning is seen.
+            line.home(False)
+        self._pointed_at = ""
+        self.textHighlighted.connect(self._point_at)
+        self.activated.connect(lambda: self._point_at(""))
+        # Not told of in other ways: Escape puts the list away.
+        self.view().installEventFilter(self)
+
+    @property
+    def family(self) -> str:
+        """Family of the font that counts."""
+        return self._pointed_at or self.currentFont().family()
+
+    def _point_at(self, family: str) -> None:
+        self._pointed_at = family
+        self.pointed_at.emit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Hide:
+            self._point_at("")
+        return super().eventFilter(watched, event)
+
+
+class TextField(ClaimsKeys, OverlayFrame):
+    """A small frame beside a text on the canvas, in which the text is typed.
+
+    Attributes
+    ----------
+    words
+        The lines that are typed into.
+    font_box, bold, italic, size_edit
+        The widgets of font and size.
+    text_size
+        What an em is long.
+
+    Signals
+    -------
+    changed
+        Another text, font or size was typed or chosen.
+    entered
+        It is to be made.
+    given_up
+        It is not: Escape.
+    left
+        The person has gone on to something else in the window.
+    """
+
+    changed = Signal()
+    entered = Signal()
+    given_up = Signal()
+    left = Signal()
+
+    def __init__(self, below: QWidget, face: Face) -> None:
+        super().__init__("textField", below)
+        self.setAccessibleName("Text")
+        self.text_size, self._unit = 1.0, ""
+        self._area: Callable[[], QRect] = QRect
+        self.words = WordsEdit()
+        self.words.textChanged.connect(self._follow_words)
+        self.font_box = FontBox(face.family)
+        self.font_box.setMinimumWidth(_FONT_WIDTH)
+        self.font_box.pointed_at.connect(self.changed)
+        self.bold = self._letter("textBold", "B", "Bold", face.bold)
+        self.italic = self._letter("textItalic", "I", "Italic", face.italic)
+        self._make_size_edit()
+        self._suffix, self._remark = Label(), Label(name="textRemark", wordWrap=True)
+        row = row_of(self.font_box, self.bold, self.italic, self.size_edit, self._suffix, spacing=6)
+        column_of(self.words, row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self)
+        self.hide()
+        self.follow_theme()
+
+    def _make_size_edit(self) -> None:
+        tip = "Size of the text, the length of an em: a number or an expression, with a unit if you like"
+        self.size_edit = NumberEdit("textSize", "Size", tip, self._read_size, _stepped)
+        self.size_edit.setFixedWidth(self.fontMetrics().horizontalAdvance(_LONGEST_SIZE))
+        self.size_edit.entered.connect(self._take_size)
+        self.size_edit.stepped.connect(self._take_size)
+        self.size_edit.refused.connect(self.remark)
+        self.size_edit.left.connect(lambda: self.remark(""))
+
+    def _letter(self, name: str, letter: str, title: str, is_on: bool) -> QToolButton:
+        button = tool_button(name, title, f"{title} letters", text=letter)
+        font = button.font()
+        font.setBold(letter == "B")
+        font.setItalic(letter == "I")
+        button.setFont(font)
+        button.setCheckable(True)
+        button.setChecked(is_on)
+        # Else a click on it would give the focus to the canvas.
+        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        button.clicked.connect(self.changed)
+        return button
+
+    # What is asked for
+
+    @property
+    def text(self) -> str:
+        """The text."""
+        return self.words.toPlainText()
+
+    @property
+    def face(self) -> Face:
+        """The font."""
+        return Face(self.font_box.family, self.bold.isChecked(), self.italic.isChecked())
+
+    def remark(self, text: str) -> None:
+        """Say what is to be said of the text; nothing where that is empty."""
+        self._remark.setText(f"⚠ {text}" if text else "")
+        self._remark.setVisible(bool(text))
+        self.place()
+
+    # Opened and closed
+
+    def open_beside(self, area: Callable[[], QRect], size: float, unit: str) -> None:
+        """Ask for a text of a size, beside the area on the canvas that it takes."""
+        self._area, self.text_size, self._unit = area, size, unit
+        self.size_edit.show_number(size, 6)
+        self._suffix.setText(unit)
+        self._suffix.setVisible(bool(unit))
+        self.remark("")
+        self.show()
+        self.raise_()
+        self.words.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.words.selectAll()
+        _application().focusChanged.connect(self._follow_focus)
+
+    def close_field(self, *, keeps_words: bool = False) -> None:
+        """Put it away; words that are kept are there when it is opened again."""
+        _application().focusChanged.disconnect(self._follow_focus)
+        self.hide()
+        if not keeps_words:
+            self.words.clear()
+
+    def _follow_focus(self, _before: QWidget | None, now: QWidget | None) -> None:
+        # Without any another window has it; a menu, or the list of fonts, only borrows it.
+        if now is None or now.window().windowType() is Qt.WindowType.Popup:
+            return
+        if now is not self and not self.isAncestorOf(now):
+            self.left.emit()
+
+    def claims(self, event: QKeyEvent) -> bool:
+        return event.key() in (*ENTER, Qt.Key.Key_Escape)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.given_up.emit()
+        elif event.key() not in ENTER:
+            super().keyPressEvent(event)
+        elif self.words.hasFocus():
+            self.entered.emit()
+        elif not self.size_edit.isModified():
+            # What was typed beside them was taken; one that cannot be used is mended first.
+            self.words.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    # Changes
+
+    def _follow_words(self) -> None:
+        self.words.fit_height()
+        if not self.isHidden():
+            self.place()
+            self.changed.emit()
+
+    def _read_size(self, text: str) -> float:
+        return typed_length(text, self._unit, self.text_size, decimal_mark())
+
+    def _take_size(self, size: float) -> None:
+        if size < _LEAST:
+            self.size_edit.keep()
+            self.remark("A size is greater than 0.")
+            return
+        self.text_size = size
+        self.size_edit.show_number(size, 6)
+        self.changed.emit()
+
+    # Look
+
+    def place(self) -> None:
+        if (layout := self.layout()) is not None:
+            layout.activate()
+        # Large type takes more.
+        width = max(_WIDTH, self.minimumSizeHint().width())
+        height, below, area = self.heightForWidth(width), self.below.size(), self._area()
+        height = height if height > 0 else self.sizeHint().height()
+        y = area.bottom() + _GAP
+        if y + height > below.height():
+            y = area.top() - _GAP - height
+        x = max(min(area.left(), below.width() - width), 0)
+        self.setGeometry(x, max(min(y, below.height() - height), 0), width, height)
+
+    def set_theme(self, theme: Theme) -> None:
+        self.set_sheet(choice_style(theme))
+        self._remark.setStyleSheet(f"color: {theme.warning.name()}")
+
+
+def _application() -> QApplication:
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    return application
+
+
+def _stepped(size: float, count: int) -> float:
+    """Return a size so many steps larger, of which it has 10 to 99."""
+    step = 10.0 ** (math.floor(math.log10(size)) - 1) if size > 0 else 1.0
+    return decimal_sum(size, count * step) if size + count * step > 0 else size

@@ -1,0 +1,263 @@
+"""The Text tool: a click, words typed on the canvas, and the outlines of their letters as curves."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel
+
+from app.document.lines import is_line
+from app.document.model import Document, make_curve
+from app.document.style import NO_PAINT, PLAIN_STYLE, FillRule
+from app.families import HERMITE
+from app.features.text.commands import TextCommands
+from app.view_model.curve_view import view_of
+
+FONT = Path(__file__).parents[1] / "data" / "fonts" / "blocks.ttf"
+FAMILY = "Curvebench Blocks"
+RED = replace(PLAIN_STYLE, stroke="#aa0000", width=2.0)
+AT = (1.0, 1.0)
+
+
+@pytest.fixture
+def drawing(editor, qapp):
+    """A red line, millimetres, a font whose letters are known; the text tool is in use and nothing snaps."""
+    assert QFontDatabase.applicationFontFamilies(QFontDatabase.addApplicationFont(str(FONT))) == [FAMILY]
+    commands = editor.window.commands[TextCommands]
+    line = replace(make_curve([(0, 3), (1, 4), (2, 3)]), style=RED)
+    editor.session.commit(Document((line,), unit="mm"), "Begin")
+    editor.window.canvas.camera.show_box((-1, 9), (-3, 5))
+    editor.settle()
+    face = commands.field.face
+    editor.trigger("textTool")
+    yield editor
+    if commands.field.isVisible():
+        press(editor, Qt.Key.Key_Escape)
+    # As a new window would have them.
+    choose_font(commands.field, face.family)
+    for button in (commands.field.bold, commands.field.italic):
+        button.setChecked(False)
+    preferences = editor.window.preferences
+    preferences.text_font, preferences.text_bold, preferences.text_italic = "", False, False
+    # The size is that of this document.
+    editor.new()
+
+
+def field(editor):
+    return editor.window.commands[TextCommands].field
+
+
+def choose_font(shown, family):
+    line = shown.font_box.lineEdit()
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClicks(line, family)
+    QTest.keyClick(line, Qt.Key.Key_Return)
+
+
+def type_size(editor, text):
+    edit = field(editor).size_edit
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, text)
+    press(editor, Qt.Key.Key_Return)
+
+
+def begin(editor, place=AT, size="2"):
+    """Click at a place, and take the font and a size; return where exactly the baseline begins."""
+    editor.click(place)
+    choose_font(field(editor), FAMILY)
+    type_size(editor, size)
+    canvas = editor.window.canvas
+    return canvas.to_plane(canvas.to_pixel(*place))
+
+
+def write(editor, text):
+    QTest.keyClicks(QApplication.focusWidget(), text)
+    editor.settle()
+
+
+def press(editor, key, keys=Qt.KeyboardModifier.NoModifier):
+    QTest.keyClick(QApplication.focusWidget(), key, keys)
+    editor.settle()
+
+
+def letters(editor):
+    return [curve for curve in editor.session.document.curves if curve.style.has_fill]
+
+
+def places(curve, start, size=2.0):
+    """The points of a curve in units of the font, of which the size has 1000."""
+    return [((p.x - start[0]) * 1000 / size, (p.y - start[1]) * 1000 / size) for p in curve.points]
+
+
+def close_to(points):
+    return [pytest.approx(point, abs=1e-9) for point in points]
+
+
+def test_typed_words_become_filled_shapes_of_true_size_in_one_step(drawing):
+    before, steps = drawing.session.document, drawing.session.undo_stack.count()
+    start = begin(drawing)
+    assert drawing.session.document == before
+    write(drawing, "I")
+    assert [curve.name for curve in letters(drawing)] == ["I"]  # live
+    write(drawing, "o I fi")
+    press(drawing, Qt.Key.Key_Return)
+    assert (drawing.session.undo_stack.undoText(), drawing.session.undo_stack.count()) == (
+        "Add Text “Io I fi”", steps + 1
+    )  # fmt: skip
+    made = letters(drawing)
+    assert [curve.name for curve in made] == ["I", "o (1)", "o (2)", "I", "fi (1)", "fi (2)", "fi (3)"]
+    assert [curve.shape for curve in made] == ["", "o", "o", "", "fi", "fi", "fi"]
+    style = replace(RED, stroke=NO_PAINT, fill="#aa0000", fill_rule=FillRule.NONZERO)
+    assert all(curve.family is HERMITE and curve.is_closed for curve in made)
+    assert {(curve.groups, curve.style) for curve in made} == {(("Io I fi",), style)}
+    upright, ring, hole, *_, stem, _, dot = made
+    assert places(upright, start) == close_to([(100, 0), (100, 700), (300, 700), (300, 0)])
+    assert all(point.corner for point in upright.points)
+    assert all(is_line(upright, segment) for segment in range(4))
+    # Kerned: "I" takes 400 units, 100 less before an "o"; smooth wherever the font is.
+    assert max(x for x, _ in places(ring, start)) == pytest.approx(300 + 550, abs=1e-9)
+    assert max(x for x, _ in places(hole, start)) == pytest.approx(300 + 450, abs=1e-9)
+    assert not any(point.corner for point in (*ring.points, *hole.points))
+    # A ligature is one shape: the dot lies where that of the font does.
+    offset = 300 + 600 + 300 + 400 + 300
+    assert places(stem, start)[0] == pytest.approx((offset + 50, 0), abs=1e-9)
+    assert places(dot, start)[0] == pytest.approx((offset + 350, 600), abs=1e-9)
+    assert drawing.session.selected.chosen == frozenset(range(1, 8))
+    assert not field(drawing).isVisible()
+    drawing.trigger("undo")
+    assert drawing.session.document == before
+
+
+def test_a_round_letter_is_the_curve_of_the_font(drawing):
+    start = begin(drawing)
+    write(drawing, "o")
+    press(drawing, Qt.Key.Key_Return)
+    ring, _ = letters(drawing)
+    assert ring.groups == ()
+    view = view_of(ring)
+    found = (view.curve.evaluate(np.linspace(*view.curve.domain, 801)) - start) * 500 - (300, 250)
+    # The parabolas of the outline, by their control points; two of them end halfway between each two.
+    corners = np.array([(250, 102), (102, 250), (-102, 250), (-250, 102)])
+    corners = np.vstack([corners, -corners])
+    ends, s = (corners + np.roll(corners, -1, axis=0)) / 2, np.linspace(0, 1, 400)[:, None]
+    own = np.vstack([
+        (1 - s) ** 2 * ends[i - 1] + 2 * s * (1 - s) * corners[i] + s**2 * ends[i] for i in range(8)
+    ])  # fmt: skip
+    far = np.hypot(*(found[:, None] - own[None]).transpose(2, 0, 1)).min(axis=1)
+    # Between two of the 400 places of a parabola of some 200 units there lie 0.5.
+    assert far.max() < 0.3
+
+
+def test_escape_gives_it_up_and_a_click_elsewhere_makes_it(drawing):
+    before, steps = drawing.session.document, drawing.session.undo_stack.count()
+    choice = drawing.session.selected.choice
+    begin(drawing)
+    write(drawing, "Io")
+    assert len(drawing.session.document.curves) == 4
+    press(drawing, Qt.Key.Key_Escape)
+    assert (drawing.session.document, drawing.session.undo_stack.count()) == (before, steps)
+    assert drawing.session.selected.choice == choice
+    assert drawing.window.canvas.hasFocus()
+    assert drawing.action("textTool").isChecked()
+    drawing.click(AT)
+    assert field(drawing).text == ""
+    write(drawing, "I")
+    drawing.click((5.0, -1.0))
+    assert drawing.session.undo_stack.undoText() == "Add Text “I”"
+    assert field(drawing).isVisible()
+    # Nothing typed makes nothing.
+    press(drawing, Qt.Key.Key_Return)
+    assert drawing.session.undo_stack.count() == steps + 1
+    # The last font and size are those of the next text.
+    assert field(drawing).face.family == FAMILY
+    assert field(drawing).text_size == 2.0
+
+
+def test_lines_fonts_and_sizes_are_seen_at_once(drawing):
+    start = begin(drawing, size="1 in")
+    write(drawing, "I")
+    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    write(drawing, "I")
+    upper, lower = letters(drawing)
+    assert upper.points[1].y - start[1] == pytest.approx(0.7 * 25.4, abs=1e-12)
+    # The font is 1200 high.
+    assert places(lower, start, 25.4)[0] == pytest.approx((100, -1200), abs=1e-9)
+    QTest.mouseClick(field(drawing).italic, Qt.MouseButton.LeftButton)
+    drawing.settle()
+    slanted = letters(drawing)[0]
+    assert slanted.points[1].x > upper.points[1].x + 1
+    QTest.mouseClick(field(drawing).bold, Qt.MouseButton.LeftButton)
+    drawing.settle()
+    # A font that is pointed at in the list is seen, and forgotten with the list.
+    box, shown = field(drawing).font_box, letters(drawing)
+    box.setFocus()
+    box.showPopup()
+    QTest.keyClick(box.view(), Qt.Key.Key_Up)
+    drawing.settle()
+    assert field(drawing).face.family != FAMILY
+    QTest.keyClick(box.view(), Qt.Key.Key_Escape)
+    drawing.settle()
+    assert field(drawing).face.family == FAMILY
+    assert letters(drawing) == shown
+    remark = field(drawing).findChild(QLabel, "textRemark")
+    assert remark.text() == f"⚠ “{FAMILY}” has no bold letters."
+    type_size(drawing, "0")
+    assert remark.text() == "⚠ A size is greater than 0."
+    assert field(drawing).text_size == 25.4
+    # The field stays in sight, whatever the size.
+    type_size(drawing, "400")
+    assert drawing.window.canvas.viewport().rect().contains(field(drawing).geometry())
+    press(drawing, Qt.Key.Key_Return)
+    assert drawing.session.undo_stack.undoText() == "Add Text “I I”"
+
+
+def test_words_wait_when_something_else_changes_the_document(drawing):
+    begin(drawing)
+    write(drawing, "Io")
+    drawing.session.change("Unit", lambda document: replace(document, unit="cm"))
+    drawing.settle()
+    assert not letters(drawing)
+    assert not field(drawing).isVisible()
+    drawing.click(AT)
+    assert field(drawing).text == "Io"
+    assert len(letters(drawing)) == 3
+    drawing.trigger("undo")
+    assert not letters(drawing)
+    assert drawing.session.document.unit == "cm"
+
+
+def test_an_empty_curve_gives_way(editor, drawing):
+    editor.new()
+    editor.trigger("textTool")
+    begin(editor)
+    write(editor, "I I")
+    press(editor, Qt.Key.Key_Return)
+    assert [curve.name for curve in editor.session.document.curves] == ["I", "I"]
+    editor.trigger("undo")
+    assert len(editor.session.document.curves) == 1
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere the fonts are those of the system")
+def test_without_fonts_there_are_no_letters_and_no_crash(tmp_path):
+    none = tmp_path / "fonts.conf"
+    none.write_text('<?xml version="1.0"?><!DOCTYPE fontconfig SYSTEM "fonts.dtd"><fontconfig></fontconfig>')
+    code = (
+        "from PySide6.QtWidgets import QApplication; QApplication([]); from app.qt import glyphs; "
+        "print(glyphs.has_fonts(), len(glyphs.outlines_of('Io', glyphs.Face('Sans', bold=True)).glyphs))"
+    )
+    environment = {**os.environ, "FONTCONFIG_FILE": str(none), "QT_QPA_PLATFORM": "offscreen"}
+    run = subprocess.run(  # noqa: PLW1510 - the code is asked for below
+        [sys.executable, "-c", code], env=environment, cwd=FONT.parents[3], capture_output=True, text=True
+    )
+    assert (run.returncode, run.stdout) == (0, "False 0\n"), run.stderr
