@@ -54,6 +54,7 @@ PASSING = {
         "PointLayer._roles_for",
         "PointLayer._roles_of",
         "PointLayer.numbers",
+        "ShownHandles._in_sight",
         "Rulers._marks",
         "Rulers._marks_of",
         "CurveLayer._line",
