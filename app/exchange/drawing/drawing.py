@@ -13,7 +13,7 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
-from ...document.model import Curve, Document
+from ...document.model import Curve, Document, Vector
 from ...document.style import Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
@@ -167,7 +167,7 @@ class Drawing(msgspec.Struct, frozen=True):
                 outline,
                 control_points=moved(outline.control_points),
                 points=moved(outline.points),
-                style=_scaled(outline.style, scale),
+                style=_scaled(outline.style, scale).mapped(lambda place: _pair(moved(np.array(place)))),
             )
             for outline in self.outlines
         )
@@ -247,6 +247,10 @@ def _beyond(outlines: Iterable[Outline], page: Frame) -> list[str]:
     names = [name for name, (least, most) in extents.items() if (least < low).any() or (most > high).any()]
     verb = "reaches" if len(names) == 1 else "reach"
     return [f"{names_of(names)} {verb} beyond the page; pictures end there."] if names else []
+
+
+def _pair(point: FloatArray) -> Vector:
+    return float(point[0]), float(point[1])
 
 
 def _scaled(style: Style, scale: float) -> Style:

@@ -12,6 +12,7 @@ from curvecore.arrays import FloatArray
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
+from .gradient_elements import GradientElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
@@ -35,14 +36,21 @@ class Tree:
         self._style, self._usual_width = style, usual_width
         self._open: tuple[str, ...] = ()
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
+        self._gradients = GradientElements(style, self._ids)
         self.lines: list[str] = []
+
+    @property
+    def definitions(self) -> list[str]:
+        """The gradients that paint what was written, in an element of their own."""
+        gradients = self._gradients.lines
+        return ["  <defs>", *gradients, "  </defs>"] if gradients else []
 
     def add(self, shape: tuple[Outline, ...]) -> None:
         """Write the outlines of a shape as one path."""
         first = shape[0]
         self._go_into(first.groups)
         data = path_data(shape)
-        style = style_attributes(first.style, self._style, self._usual_width)
+        style = style_attributes(first.style, self._style, self._usual_width, self._gradients)
         unseen = "" if first.visible else ' display="none"'
         self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{unseen}/>')
 
