@@ -94,6 +94,14 @@ from curvecore.parametrization import chebyshev_roots as chebyshev_roots
 from curvecore.parametrization import chord_length as chord_length
 from curvecore.parametrization import power as power
 from curvecore.parametrization import uniform as uniform
+from curvecore.regions.operations import difference as difference
+from curvecore.regions.operations import division as division
+from curvecore.regions.operations import exclusion as exclusion
+from curvecore.regions.operations import intersection as intersection
+from curvecore.regions.operations import simplified as simplified
+from curvecore.regions.operations import union as union
+from curvecore.regions.region import Region as Region
+from curvecore.regions.region import WindingRule as WindingRule
 from curvecore.rounding.evaluation import Method as Method
 from curvecore.rounding.evaluation import Rounding as Rounding
 from curvecore.rounding.evaluation import available_methods as available_methods
