@@ -230,7 +230,7 @@ def division(region: Region, others: Sequence[Region], *, progress: Progress = _
     """
     kinds: list[_Inside] = [_in_first_alone, lambda inside: inside[:, 0] & _in_any(inside[:, 1:])]
     found = _each([region, *others], kinds, progress)
-    return [Region(part) for contours in found for part in connected_parts(contours)]
+    return [Region(part) for parts in found for part in parts]
 
 
 def simplified(region: Region, *, progress: Progress = _unheard) -> Region:
@@ -287,33 +287,40 @@ def _in_first_alone(inside: BoolArray) -> BoolArray:
 
 
 def _combined(regions: Sequence[Region], inside: _Inside, progress: Progress) -> Region:
-    return Region(_each(regions, [inside], progress)[0])
+    parts = _each(regions, [inside], progress)[0]
+    return Region([contour for part in parts for contour in part])
 
 
-def _each(regions: Sequence[Region], kinds: Sequence[_Inside], progress: Progress) -> list[list[FloatArray]]:
-    """Return the contours of what is inside in several ways."""
+_Parts = list[tuple[FloatArray, ...]]
+"""Contours of connected parts, each with its holes."""
+
+
+def _each(regions: Sequence[Region], kinds: Sequence[_Inside], progress: Progress) -> list[_Parts]:
+    """Return the parts of what is inside in several ways."""
     if not any(region.contours for region in regions):
         return [[] for _ in kinds]
     outlines = outlines_of([region.contours for region in regions])
     for factor in _TRIED:
         tolerance = max(_TOLERANCE * factor, outlines.rounding)
         found = arranged(outlines, len(regions), tolerance, progress)
-        results = [_contours(outlines, found, regions, inside, tolerance) for inside in kinds]
+        results = [_parts(outlines, found, regions, inside, tolerance) for inside in kinds]
         closed = [each for each in results if each is not None]
         if len(closed) == len(results):
             return closed
     raise CurveError("the contours lie so close together that nothing tells them apart")
 
 
-def _contours(
+def _parts(
     outlines: Outlines, found: Arrangement, regions: Sequence[Region], inside: _Inside, tolerance: float
-) -> list[FloatArray] | None:
-    """Return the contours of what is inside, to its right; None where they do not close."""
+) -> _Parts | None:
+    """Return the parts of what is inside, to the left of their contours; None where these do not close."""
     left, right = (inside(_insides(regions, each)) for each in (found.left, found.right))
     bounds = left != right
     contours = contours_of(outlines, found.edges.taken(bounds), left[bounds])
     thin = _SLIVER * tolerance * outlines.size
-    return None if contours is None else [each for each in contours if not _is_sliver(each, thin)]
+    if contours is None:
+        return None
+    return connected_parts([each for each in contours if not _is_sliver(each, thin)])
 
 
 def _insides(regions: Sequence[Region], windings: IntArray) -> BoolArray:
