@@ -102,6 +102,10 @@ from curvecore.regions.operations import simplified as simplified
 from curvecore.regions.operations import union as union
 from curvecore.regions.region import Region as Region
 from curvecore.regions.region import WindingRule as WindingRule
+from curvecore.regions.strokes import StrokeCap as StrokeCap
+from curvecore.regions.strokes import StrokeJoin as StrokeJoin
+from curvecore.regions.strokes import offset as offset
+from curvecore.regions.strokes import stroked as stroked
 from curvecore.rounding.evaluation import Method as Method
 from curvecore.rounding.evaluation import Rounding as Rounding
 from curvecore.rounding.evaluation import available_methods as available_methods

@@ -7,7 +7,7 @@ style. Pieces that are not cut keep their handles.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 import msgspec
 import numpy as np
@@ -15,11 +15,11 @@ from msgspec.structs import replace
 
 import curvecore
 from curvecore import CurveError, Region, WindingRule
+from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError
 from ..document.model import Curve, Document, Parametrization, ParametrizationKind
-from ..document.several_curves import remove_curves
-from ..document.shapes import shape_of, tidy_shapes, whole_shapes
+from ..document.shapes import shape_of, shapes, tidy_shapes
 from ..document.style import FillRule
 from ..document.words import names_of
 from ..families import HERMITE
@@ -134,7 +134,7 @@ class Combined(msgspec.Struct, frozen=True):
     """
 
     document: Document
-    places: range
+    places: frozenset[int]
     shapes: int
     deviation: float
 
@@ -146,7 +146,7 @@ def operands(document: Document, curves: Collection[int]) -> list[range]:
 
 def named_shapes(document: Document, curves: Collection[int]) -> str:
     """Return the names of the shapes among some curves, the hindmost first."""
-    return names_of([_name(document, places) for places in operands(document, curves)])
+    return names_of([name_of_shape(document, places) for places in operands(document, curves)])
 
 
 def combined_by(
@@ -166,7 +166,7 @@ def combined_by(
     chosen = operands(document, curves)
     if len(chosen) < operation.least:
         raise EditError(f"Choose two shapes or more for {operation.title.lower()}.")
-    regions, deviation = _regions(document, views, chosen)
+    regions, deviation = regions_of(document, views, chosen)
     told = part(report, 0.1, 0.9)
     try:
         found = operation.combine(regions, lambda share: told(share, operation.title))
@@ -174,23 +174,39 @@ def combined_by(
         raise EditError(f"This could not be computed: {problem}.") from problem
     left = [region for region in found if region.contours]
     if not left:
-        names = names_of([f"“{_name(document, places)}”" for places in chosen])
-        raise EditError(f"Nothing would be left: {operation.title.lower()} of {names} is empty.")
-    model, at = document.curves[chosen[0].start], chosen[0].start
-    taken = whole_shapes(document, curves)
-    own = _Names(_name(document, chosen[0]), {each.name for each in document.curves})
-    new = [curve for region in left for curve in _curves_of(region, model, own.next())]
-    rest = remove_curves(document, taken).curves if len(taken) < len(document.curves) else ()
-    made = tidy_shapes(replace(document, curves=(*rest[:at], *new, *rest[at:])))
-    return Combined(made, range(at, at + len(new)), len(left), deviation)
+        what = names_of([f"“{name_of_shape(document, places)}”" for places in chosen])
+        raise EditError(f"Nothing would be left: {operation.title.lower()} of {what} is empty.")
+    names = Names(name_of_shape(document, chosen[0]), taken_names(document))
+    model = document.curves[chosen[0].start]
+    new = [curve for region in left for curve in curves_of(region, model, names.next())]
+    made = {places: new if places is chosen[0] else [] for places in chosen}
+    return Combined(*replaced(document, made), len(left), deviation)
 
 
-def _name(document: Document, places: range) -> str:
+def replaced(document: Document, made: Mapping[range, Sequence[Curve]]) -> tuple[Document, frozenset[int]]:
+    """Return the document with other curves in the places of shapes, and where these are."""
+    curves, places = list[Curve](), set[int]()
+    for shape in shapes(document.curves):
+        new = made.get(shape)
+        if new is not None:
+            places.update(range(len(curves), len(curves) + len(new)))
+        curves += document.curves[shape.start : shape.stop] if new is None else new
+    after = tidy_shapes(replace(document, curves=tuple(curves)))
+    return after, frozenset(places)
+
+
+def name_of_shape(document: Document, places: range) -> str:
+    """Return the name of a shape, or of the curve that it is."""
     first = document.curves[places.start]
     return first.shape or first.name
 
 
-class _Names:
+def taken_names(document: Document) -> set[str]:
+    """Return the names of all curves and shapes."""
+    return {name for curve in document.curves for name in (curve.name, curve.shape)}
+
+
+class Names:
     """Names of the outcome: that of the hindmost shape, then numbered ones that nobody has."""
 
     def __init__(self, base: str, taken: Collection[str]) -> None:
@@ -205,29 +221,47 @@ class _Names:
         return name
 
 
-def _regions(
+def regions_of(
     document: Document, views: Sequence[CurveView], chosen: Sequence[range]
 ) -> tuple[list[Region], float]:
     """Return the insides of shapes, and how far they are from them at most."""
-    boxes = [views[place].points for places in chosen for place in places if len(views[place].points)]
-    size = float(np.ptp(np.concatenate(boxes), axis=0).max()) if boxes else 1.0
     regions, deviation = list[Region](), 0.0
+    size = _size([views[place] for places in chosen for place in places])
     for places in chosen:
-        contours = []
-        for view in (views[place] for place in places):
-            if not view.is_current or view.curve is None:
-                raise EditError(f"“{view.source.name}” has no outline. {view.problem}")
-            path = curvecore.cubic_path(view.curve, max(RELATIVE_TOLERANCE * size, 1e-300))
-            contour = path.control_points.copy()
-            if view.source.is_closed:
-                contour[-1, 3] = contour[0, 0]
-            contours.append(contour)
-            deviation = max(deviation, float(path.deviation))
+        contours, off = outlines_of([views[place] for place in places], size)
         regions.append(Region(contours, _RULES[document.curves[places.start].style.fill_rule]))
+        deviation = max(deviation, off)
     return regions, deviation
 
 
-def _curves_of(region: Region, model: Curve, name: str) -> list[Curve]:
+def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[FloatArray], float]:
+    """Return curves as cubic pieces, and how far these are from them at most.
+
+    Raises
+    ------
+    EditError
+        If there is no curve.
+    """
+    tolerance = max(RELATIVE_TOLERANCE * (size or _size(views)), 1e-300)
+    outlines, deviation = list[FloatArray](), 0.0
+    for view in views:
+        if not view.is_current or view.curve is None:
+            raise EditError(f"“{view.source.name}” has no outline. {view.problem}")
+        path = curvecore.cubic_path(view.curve, tolerance)
+        outline = path.control_points.copy()
+        if view.source.is_closed:
+            outline[-1, 3] = outline[0, 0]
+        outlines.append(outline)
+        deviation = max(deviation, float(path.deviation))
+    return outlines, deviation
+
+
+def _size(views: Sequence[CurveView]) -> float:
+    points = [view.points for view in views if len(view.points)]
+    return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0
+
+
+def curves_of(region: Region, model: Curve, name: str) -> list[Curve]:
     """Return the contours of a region as closed curves that look like another one, and are one shape."""
     several = len(region.contours) > 1
     return [

@@ -25,7 +25,7 @@ from curvecore.regions.arrangement import Arrangement, arranged
 from curvecore.regions.assembly import contours_of
 from curvecore.regions.nesting import connected_parts
 from curvecore.regions.outlines import Outlines, outlines_of
-from curvecore.regions.region import Region, contour_area
+from curvecore.regions.region import Region, is_sliver
 
 _TOLERANCE = 1e-9
 """Share of the size of everything within which things are together; then what is tried if that fails."""
@@ -41,11 +41,11 @@ _Inside = Callable[[BoolArray], BoolArray]
 """Returns what is inside of a result, (k,), by what is inside of the regions, (k, regions)."""
 
 
-def _unheard(_share: float) -> None:
+def unheard(_share: float) -> None:
     """Report to nobody."""
 
 
-def union(regions: Sequence[Region], *, progress: Progress = _unheard) -> Region:
+def union(regions: Sequence[Region], *, progress: Progress = unheard) -> Region:
     """Return what is inside of any of some regions.
 
     Parameters
@@ -86,7 +86,7 @@ def union(regions: Sequence[Region], *, progress: Progress = _unheard) -> Region
     return _combined(regions, _in_any, progress)
 
 
-def intersection(regions: Sequence[Region], *, progress: Progress = _unheard) -> Region:
+def intersection(regions: Sequence[Region], *, progress: Progress = unheard) -> Region:
     """Return what is inside of all of some regions.
 
     Parameters
@@ -121,7 +121,7 @@ def intersection(regions: Sequence[Region], *, progress: Progress = _unheard) ->
     return _combined(regions, _in_all, progress)
 
 
-def exclusion(regions: Sequence[Region], *, progress: Progress = _unheard) -> Region:
+def exclusion(regions: Sequence[Region], *, progress: Progress = unheard) -> Region:
     """Return what is inside of an odd number of some regions.
 
     Parameters
@@ -156,7 +156,7 @@ def exclusion(regions: Sequence[Region], *, progress: Progress = _unheard) -> Re
     return _combined(regions, _in_odd, progress)
 
 
-def difference(region: Region, others: Sequence[Region], *, progress: Progress = _unheard) -> Region:
+def difference(region: Region, others: Sequence[Region], *, progress: Progress = unheard) -> Region:
     """Return what is inside of a region and of none of some others.
 
     Parameters
@@ -194,7 +194,7 @@ def difference(region: Region, others: Sequence[Region], *, progress: Progress =
     return _combined([region, *others], _in_first_alone, progress)
 
 
-def division(region: Region, others: Sequence[Region], *, progress: Progress = _unheard) -> list[Region]:
+def division(region: Region, others: Sequence[Region], *, progress: Progress = unheard) -> list[Region]:
     """Return the parts into which a region is cut by the contours of the insides of others.
 
     Parameters
@@ -233,7 +233,7 @@ def division(region: Region, others: Sequence[Region], *, progress: Progress = _
     return [Region(part) for parts in found for part in parts]
 
 
-def simplified(region: Region, *, progress: Progress = _unheard) -> Region:
+def simplified(region: Region, *, progress: Progress = unheard) -> Region:
     """Return a region with contours that cross neither themselves nor each other.
 
     Parameters
@@ -320,14 +320,9 @@ def _parts(
     thin = _SLIVER * tolerance * outlines.size
     if contours is None:
         return None
-    return connected_parts([each for each in contours if not _is_sliver(each, thin)])
+    return connected_parts([each for each in contours if not is_sliver(each, thin)])
 
 
 def _insides(regions: Sequence[Region], windings: IntArray) -> BoolArray:
     columns = [region.rule.is_inside(windings[:, place]) for place, region in enumerate(regions)]
     return np.stack(columns, axis=1)
-
-
-def _is_sliver(contour: FloatArray, thin: float) -> bool:
-    length = float(np.hypot(*np.moveaxis(np.diff(contour, axis=1), 2, 0)).sum())
-    return abs(contour_area(contour)) <= thin * length

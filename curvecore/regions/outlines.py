@@ -10,6 +10,11 @@ import numpy as np
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.bernstein_algebra import derivative, sign_changes
+from curvecore.scaling import SMALLEST
+from curvecore.vectors import cross, vector_lengths
+
+_SAME = 1e-10
+"""Share of the size of a contour, and sine, up to which what is straight may be bent by roundings."""
 
 FINEST = 2.0**-44
 """Share of the largest coordinate below which roundings hide what is there."""
@@ -51,8 +56,38 @@ def closed_contour(contour: FloatArray) -> FloatArray:
     start, end = contour[0, 0], contour[-1, 3]
     if (start == end).all():
         return contour
-    steps = np.array([[0.0], [1.0], [2.0], [3.0]]) / 3.0
-    return np.concatenate([contour, [(1.0 - steps) * end + steps * start]])
+    return np.concatenate([contour, [straight_piece(end, start)]])
+
+
+def straight_piece(start: FloatArray, end: FloatArray) -> FloatArray:
+    """Return the straight piece (4, 2) between two places, run through at an even pace."""
+    steps = np.arange(4)[:, None] / 3.0
+    piece: FloatArray = (1.0 - steps) * start + steps * end
+    piece[3] = end
+    return piece
+
+
+def with_whole_lines(contour: FloatArray) -> FloatArray:
+    """Return a closed contour (k, 4, 2) in which straight pieces that go on in one line are one piece."""
+    chord = contour[:, 3] - contour[:, 0]
+    size = float(np.ptp(contour.reshape(-1, 2), axis=0).max())
+    even = np.stack([contour[:, 0] + chord * share for share in (1.0 / 3.0, 2.0 / 3.0)], axis=1)
+    straight = np.abs(contour[:, 1:3] - even).max(axis=(1, 2)) <= _SAME * size
+    following, lengths = np.roll(chord, -1, axis=0), vector_lengths(chord)
+    turn = np.abs(cross(chord, following)) / np.maximum(lengths * np.roll(lengths, -1), SMALLEST)
+    goes_on = straight & np.roll(straight, -1) & (turn <= _SAME) & ((chord * following).sum(axis=1) > 0.0)
+    if not goes_on.any() or goes_on.all():
+        return contour
+    # From a joint that stays.
+    first = int(np.argmin(goes_on)) + 1
+    contour, goes_on = np.roll(contour, -first, axis=0), np.roll(goes_on, -first)
+    last = np.flatnonzero(~goes_on)
+    begin = np.append(0, last[:-1] + 1)
+    whole = [
+        straight_piece(contour[a, 0], contour[b, 3]) if b > a else contour[a]
+        for a, b in zip(begin, last, strict=True)
+    ]
+    return np.stack(whole)
 
 
 def outlines_of(regions: Sequence[Sequence[FloatArray]]) -> Outlines:

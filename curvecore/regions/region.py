@@ -171,6 +171,12 @@ def contour_area(contour: FloatArray) -> float:
     return float(moments.sum()) / 2.0
 
 
+def is_sliver(contour: FloatArray, thin: float) -> bool:
+    """Tell whether a closed contour (k, 4, 2) encloses no more than a line of that width along it."""
+    length = float(np.hypot(*np.moveaxis(np.diff(contour, axis=1), 2, 0)).sum())
+    return abs(contour_area(contour)) <= thin * length
+
+
 def _moments() -> FloatArray:
     """Return the integrals of b_i b_j' over [0, 1] for the cubic Bernstein polynomials, (4, 4)."""
     products = binomials(3)[:, None] * binomials(2) / binomials(5)[np.add.outer(range(4), range(3))] / 6.0

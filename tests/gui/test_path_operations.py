@@ -1,4 +1,4 @@
-"""Union, difference, intersection, exclusion and division of shapes; real clicks and keys."""
+"""Boolean operations on shapes, larger and smaller ones, lines that become shapes; real clicks and keys."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ import math
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtTest import QTest
 
 from app.document.lines import is_line
+from app.document.style import LineJoin, Style
 from app.exchange.svg.reader import read_svg
 from app.view_model.regions import PATH_OPERATIONS
 
+ORANGE, BROWN = "#ff8800", "#663300"
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -48,11 +51,12 @@ def chosen(editor):
     return {editor.session.document.curves[place].name for place in editor.session.selected.chosen}
 
 
-def is_orange(editor, *places):
-    """Whether the canvas has the colour of the disc at places of the plane."""
+def is_painted(editor, *places, colour=ORANGE):
+    """Whether the canvas has a colour, that of the disc, at places of the plane."""
     canvas = editor.window.canvas
+    editor.settle()
     image = canvas.viewport().grab().toImage()
-    return [QColor(image.pixel(canvas.to_pixel(*place))).name() == "#ff8800" for place in places]
+    return [QColor(image.pixel(canvas.to_pixel(*place))).name() == colour for place in places]
 
 
 def press(editor, operation):
@@ -78,7 +82,7 @@ def test_its_key_puts_the_outcome_in_the_place_of_the_hindmost_with_its_style(dr
     press(drawing, operation)
     assert drawing.session.undo_stack.undoText() == f"{operation.title} of Disc and Frame"
     # The whole frame is one shape: its hole is none of the outcome, but where the disc is.
-    assert is_orange(drawing, DISC, FRAME, IN_BOTH, IN_HOLE) == INSIDE[operation.name]
+    assert is_painted(drawing, DISC, FRAME, IN_BOTH, IN_HOLE) == INSIDE[operation.name]
     made = names(drawing)
     assert made[-2:] == ["Speck", "Arch"]
     assert all(name.startswith("Disc") for name in made[:-2])
@@ -122,6 +126,76 @@ def test_why_nothing_happens_is_said(drawing):
     drawing.click((-8.5, 8.5), keys=SHIFT)
     press(drawing, PATH_OPERATIONS[2])
     assert drawing.status == "Nothing would be left: intersection of “Disc” and “Speck” is empty."
+    assert drawing.session.document is before
+
+
+def extent(editor, name):
+    """The box of a curve that is called so, (2, 2)."""
+    (view,) = [view for view in editor.session.views if view.source.name == name]
+    return view.drawn_box
+
+
+@pytest.mark.parametrize(("key", "way"), [("Ctrl+)", 1.0), ("Ctrl+(", -1.0)])
+def test_shapes_grow_and_shrink_by_two_pixels_in_the_unit_of_the_document(drawing, key, way):
+    """2 px are 25.4 / 48 mm; the disc stays a disc of four smooth points, the frame one of straight lines."""
+    drawing.set_unit("mm")
+    step = way * 25.4 / 48.0
+    QTest.keySequence(drawing.window, QKeySequence(key))
+    drawing.wait_for_work()
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-4, -4], [4, 4]]) * (1 + step / 4), abs=4e-3)
+    outer = np.array([[-1.0 - step, -9.0 - step], [9.0 + step, 1.0 + step]])
+    assert extent(drawing, "Frame (1)") == pytest.approx(outer, abs=1e-12)
+    hole = np.array([[2.0 + step, -6.0 + step], [6.0 - step, -2.0 - step]])
+    assert extent(drawing, "Frame (2)") == pytest.approx(hole, abs=1e-12)
+    counts = {curve.name: len(curve.points) for curve in drawing.session.document.curves}
+    assert (counts["Disc"], counts["Frame (1)"], counts["Frame (2)"]) == (4, 4, 4)
+    assert chosen(drawing) == {"Disc", "Frame (1)", "Frame (2)"}
+    name = "Outset" if way > 0 else "Inset"
+    assert drawing.session.undo_stack.undoText() == f"{name} by 0.529 of Disc and Frame"
+
+
+def test_a_line_becomes_a_shape_in_front_of_the_fill(drawing):
+    """What is painted stays the same: the line of the frame, 1 wide, and its fill behind it."""
+    session = drawing.session
+    lined = Style(stroke=BROWN, width=1.0, fill="#0088ff", join=LineJoin.MITER)
+    session.change("Line", lambda document: restyled(document, "Frame", lined))
+    places = ((-1.3, -7.3), (-0.7, -7.3), (-1.7, -7.3), (0.3, -7.3), (1.7, -5.2), (2.3, -5.2))
+    before = is_painted(drawing, *places, colour=BROWN)
+    assert before == [True, True, False, False, True, True]
+    drawing.click(OUTSIDE)
+    drawing.click(FRAME)
+    QTest.keySequence(drawing.window, QKeySequence("Ctrl+Shift+O"))
+    drawing.wait_for_work()
+    drawing.settle()
+    frames = [curve for curve in session.document.curves if "Frame" in curve.shape]
+    assert [curve.style.has_stroke for curve in frames] == [False] * 6
+    assert {curve.style.fill for curve in frames[:2]} == {"#0088ff"}
+    assert {curve.style.fill for curve in frames[2:]} == {BROWN}
+    drawing.click(OUTSIDE)
+    assert is_painted(drawing, *places, colour=BROWN) == before
+
+
+def restyled(document, shape, style):
+    curves = tuple(
+        replace(curve, style=style) if shape in (curve.shape, curve.name) else curve
+        for curve in document.curves
+    )
+    return replace(document, curves=curves)
+
+
+@pytest.mark.parametrize(
+    ("style", "words"),
+    [
+        (Style(stroke="none", fill=ORANGE), "“Disc” has no line."),
+        (Style(), "The line of “Disc” is as wide at every zoom; give it a width first."),
+        (Style(width=1.0, dash=(2.0, 1.0)), "“Disc” has dashes; a shape is made of whole lines only."),
+    ],
+)
+def test_lines_that_make_no_shape(drawing, style, words):
+    drawing.session.change("Style", lambda document: restyled(document, "Disc", style))
+    before = drawing.session.document
+    drawing.trigger("strokeToPath")
+    assert drawing.status == words
     assert drawing.session.document is before
 
 
