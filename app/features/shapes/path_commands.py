@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 
 from ... import exchange
-from ...actions.declaration import Action, action, action_for_each, also, also_for_each
+from ...actions.declaration import Action, action, action_for_each, also_for_each
 from ...actions.needs import Need
 from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
@@ -84,7 +84,6 @@ class PathCommands:
         needs=_A_SHAPE,
         keywords="offset path grow expand bolder larger",
     )
-    @also(CURVE_MENU(45), CURVE_LIST_MENU(56))
     def _outset(self) -> None:
         """Make the chosen shapes larger by 2 px, in the unit of the document."""
         self._offset("Outset", 1.0)
@@ -99,7 +98,6 @@ class PathCommands:
         needs=_A_SHAPE,
         keywords="offset path shrink contract thinner smaller",
     )
-    @also(CURVE_MENU(45), CURVE_LIST_MENU(56))
     def _inset(self) -> None:
         """Make the chosen shapes smaller by 2 px, in the unit of the document."""
         self._offset("Inset", -1.0)
@@ -114,7 +112,6 @@ class PathCommands:
         needs=_A_SHAPE,
         keywords="outline stroke expand line to shape object",
     )
-    @also(CURVE_MENU(45), CURVE_LIST_MENU(56))
     def _outline_strokes(self) -> None:
         """Make shapes of the lines of the chosen shapes, with their corners and ends."""
         self._compute("Stroke to path", strokes_as_shapes)
