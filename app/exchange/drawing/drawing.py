@@ -17,14 +17,12 @@ from ...document.model import Curve, Document, Vector
 from ...document.style import Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
+from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve_view import ParametricCurve, view_of
 from ...view_model.refusals import in_words
 from ..errors import ExchangeError
 from .extents import extent_of
 from .outlines import Outline, by_shape
-
-RELATIVE_TOLERANCE = 1e-5
-"""Default tolerance against the drawing's larger side: a fiftieth of a pixel on a screen of 2000."""
 
 MARGIN = 0.06
 """Free space on every side of the drawing, against its larger side."""
