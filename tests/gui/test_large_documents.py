@@ -176,6 +176,6 @@ def test_what_was_done_to_many_curves_is_undone_and_hidden_without_computing_the
     combined = calls_of(lambda: editor.trigger("combineCurves"))
     # 2,200, 2,130, 1,760 and 9,690 for each curve before.
     assert moved < 1550 * COUNT
-    assert undone < 400 * COUNT
+    assert undone < 450 * COUNT
     assert hidden < 450 * COUNT
     assert combined < 600 * COUNT
