@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from .derivatives import DERIVATIVES
 from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
-from .model import Curve, Document, Parametrization, Point, Vector, empty_document
+from .model import Curve, Document, Parametrization, Point, Vector
 from .style import PLAIN_STYLE
 from .words import enumerated
 
@@ -31,9 +31,9 @@ def replace_curve(document: Document, curve: int, new: Curve) -> Document:
 
 
 def remove_curve(document: Document, curve: int) -> Document:
-    """Remove a curve; the last one leaves an empty curve behind."""
+    """Remove a curve; the last one leaves an empty curve of its family behind."""
     rest = (*document.curves[:curve], *document.curves[curve + 1 :])
-    return replace(document, curves=rest or empty_document().curves)
+    return replace(document, curves=rest or (unstyled_model(document.curves[curve]),))
 
 
 def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
