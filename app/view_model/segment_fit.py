@@ -1,0 +1,90 @@
+"""One segment in the place of a piece of curve: with its directions at the ends, and as near as can be.
+
+The lengths of the handles, and derivatives of higher orders, are unknowns of a linear least-squares problem
+for given parameters of places along the piece; these move to the feet of their perpendiculars, and so on, as
+in P. J. Schneider, "An algorithm for automatically fitting digitized curves", Graphics Gems, Academic Press
+1990, 612-626.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ..families import Family
+from .core_curve import ParametricCurve
+
+_ROUNDS = 24
+_LEAST = 1e-3
+"""Share of the chord below which a length is none: the curve would stop there."""
+
+
+class FittedSegment(NamedTuple):
+    """A segment over [0, 1]: its jets at both ends, (2, R, 2), and how far the farthest place is from it."""
+
+    jets: FloatArray
+    residual: float
+
+
+def segment_near(family: Family, places: FloatArray, directions: FloatArray) -> FittedSegment:
+    """Return the segment from the first of `places` (m, 2) to the last that is nearest to them all.
+
+    `directions` are those at its ends, (2, 2), of length one.
+    """
+    steps = np.hypot(*np.diff(places, axis=0).T)
+    length = float(steps.sum())
+    u = np.concatenate([[0.0], np.cumsum(steps)]) / length
+    best = FittedSegment(_thirds(family, places, directions, length), math.inf)
+    for _ in range(_ROUNDS):
+        jets = _solved(family, places, directions, u, length)
+        curve = family.curve_class.from_jets(jets, np.array([0.0, 1.0]))
+        u = _feet(curve, places, u)
+        away = curve.evaluate(u) - places
+        residual = float(np.hypot(away[:, 0], away[:, 1]).max())
+        if residual < best.residual:
+            best = FittedSegment(jets, residual)
+    return best
+
+
+def _thirds(family: Family, places: FloatArray, directions: FloatArray, length: float) -> FloatArray:
+    """Return jets of a segment that is run through at an even pace."""
+    jets = np.zeros((2, family.derivatives + 1, 2))
+    jets[:, 0], jets[:, 1] = places[[0, -1]], length * directions
+    return jets
+
+
+def _solved(
+    family: Family, places: FloatArray, directions: FloatArray, u: FloatArray, length: float
+) -> FloatArray:
+    """Return the jets of the segment that is nearest to the places at the parameters `u`."""
+    jets = _thirds(family, places, directions, length)
+    functions = family.curve_class.from_jets(jets, np.array([0.0, 1.0])).basis(u)
+    rest = places - functions[:, :, 0] @ jets[:, 0]
+    # Columns: the two speeds, then x and y of each higher derivative at each end; rows: x, then y.
+    speeds = np.stack([np.outer(directions[end], functions[:, end, 1]).ravel() for end in (0, 1)], axis=1)
+    higher = functions[:, :, 2:].reshape(len(u), -1)
+    free = np.kron(np.eye(2), higher)
+    found = np.linalg.lstsq(np.hstack([speeds, free]), rest.T.ravel(), rcond=None)[0]
+    if found[:2].min() < _LEAST * length:
+        return jets
+    jets[:, 1] = found[:2, None] * directions
+    jets[:, 2:] = np.moveaxis(found[2:].reshape(2, 2, -1), 0, -1)
+    return jets
+
+
+def _feet(curve: ParametricCurve, places: FloatArray, u: FloatArray) -> FloatArray:
+    """Return parameters nearer to the feet of the perpendiculars from places to a curve; the ends stay."""
+    away, velocity, bend = curve.evaluate(u) - places, curve.evaluate(u, 1), curve.evaluate(u, 2)
+    slope = (away * velocity).sum(axis=1)
+    rise = (velocity * velocity).sum(axis=1) + (away * bend).sum(axis=1)
+    step = np.divide(slope, rise, out=np.zeros_like(u), where=rise > 0.0)
+    moved = np.clip(u - np.clip(step, -0.1, 0.1), 0.0, 1.0)
+    moved[[0, -1]] = 0.0, 1.0
+    there = curve.evaluate(moved) - places
+    is_nearer = (there * there).sum(axis=1) < (away * away).sum(axis=1)
+    nearer: FloatArray = np.where(is_nearer, moved, u)
+    return nearer
