@@ -30,6 +30,14 @@ def replace_curve(document: Document, curve: int, new: Curve) -> Document:
     return set_points(document.with_curve(curve, new), curve, new.points)
 
 
+def with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:
+    """Put curves in the place of one, one above the other."""
+    document = replace_curve(document, index, first)
+    for offset, curve in enumerate(others, start=1):
+        document = add_curve(document, index + offset, curve)
+    return document
+
+
 def remove_curve(document: Document, curve: int) -> Document:
     """Remove a curve; the last one leaves an empty curve of its family behind."""
     rest = (*document.curves[:curve], *document.curves[curve + 1 :])

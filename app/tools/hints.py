@@ -50,7 +50,8 @@ def on_part(hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps:
     """Return the hint over a point or a handle; see `to_select`."""
     if hit.part is not Part.POINT:
         keys = handle_keys(hit, view, _snap_word(snaps))
-        return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
+        retracts = " · Ctrl+click: retract it" if hit.kind == 1 else ""
+        return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}{retracts}", grab=True)
     if pointer.alt and view.source.family.derivatives:
         text = f"Drag to pull out the velocity of point {hit.index}{_with_snap(pointer, snaps=snaps)}"
         return Hint(text, grab=True)

@@ -24,6 +24,7 @@ A curve:
 A curve changed:
 
 - ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
+- ``cutting_out``: segments deleted.  ``retracting``: handles retracted.
 - ``deleting``: points deleted with the shape kept.  ``segment_fit``: one segment for several.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
   ``pen_corners``: the same with corners.
