@@ -8,7 +8,7 @@ import numpy as np
 
 from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
-from ...actions.sections import CURVE_SHAPE
+from ...actions.sections import CURVE_POINTS, CURVE_SHAPE
 from ...actions.situation import Situation
 from ...actions.strips import CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits
@@ -61,7 +61,7 @@ class JoinCommands:
     @action(
         "mergeEnds",
         "Merge Ends",
-        CURVE_SHAPE,
+        CURVE_POINTS,
         "Shift+J",
         "merge",
         full_name="Merge Ends into One Point",
