@@ -21,7 +21,7 @@ from ..document.lines import is_line
 from ..document.model import Curve, Document, Point, Vector, vectors_of
 from ..document.ties import tied_if_parallel
 from .curve_view import CurveView, view_of
-from .segment_fit import segment_near
+from .segment_fit import farthest, segment_near
 
 _SAMPLES = 24
 """Places along a segment that its successor comes near to."""
@@ -79,21 +79,39 @@ def without_points(view: CurveView, indices: Collection[int]) -> Deletion:
     segments = list(_segments(view, plain, indices)) if _can_keep(view, after) else []
     if not any(each.is_new and _is_set(view, each) for each in segments):
         return Deletion(plain)
-    wanted, residual = dict[tuple[int, bool], Derivatives](), 0.0
+    wanted = dict[tuple[int, bool], Derivatives]()
     for each in segments:
         if each.is_new and not _is_set(view, each):
             continue
         try:
-            jets, away = _jets_of(view, after, each)
+            jets = _jets_of(view, after, each)
         except (CurveError, np.linalg.LinAlgError):
             return Deletion(plain)
-        residual = max(residual, away)
         for point, ahead, jet in ((each.begins, True, jets[0]), (each.ends, False, jets[1])):
             wanted[point, ahead] = [(float(x), float(y)) for x, y in jet[1:]]
     made = plain
     for _ in range(_ROUNDS):
         made = _with_wanted(view_of(made), wanted)
-    return Deletion(made, residual)
+    return Deletion(made, _largest_change(view, view_of(made), segments))
+
+
+def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Segment]) -> float:
+    """Return how far a curve is from what became of it, at most, segment by segment."""
+    assert before.curve is not None
+    assert after.curve is not None
+    same = [(each.start, each.index) for each in segments if not each.is_new]
+    moved = 0.0
+    if same:
+        old, new = (
+            np.linspace(view.parameters[which], view.parameters[which + 1], _SAMPLES + 1).ravel()
+            for view, which in zip((before, after), np.array(same).T, strict=True)
+        )
+        moved = float(np.hypot(*(before.curve.evaluate(old) - after.curve.evaluate(new)).T).max())
+    for each in segments:
+        if each.is_new:
+            between = after.parameters[each.index : each.index + 2]
+            moved = max(moved, farthest(after.curve, _places(before, each), *between.tolist()))
+    return moved
 
 
 def _can_keep(view: CurveView, after: CurveView) -> bool:
@@ -121,15 +139,15 @@ def _is_set(view: CurveView, segment: _Segment) -> bool:
     return is_set or any(any(vectors_of(each)) for each in between[1:-1])
 
 
-def _jets_of(view: CurveView, after: CurveView, segment: _Segment) -> tuple[FloatArray, float]:
-    """Return the jets at both ends of a segment afterwards, (2, R, 2), and how far the curve moves."""
+def _jets_of(view: CurveView, after: CurveView, segment: _Segment) -> FloatArray:
+    """Return the jets that a segment afterwards is to have at both ends, (2, R, 2)."""
     h = float(after.parameters[segment.index + 1] - after.parameters[segment.index])
     powers = h ** -np.arange(view.source.family.derivatives + 1.0)[:, None]
     if not segment.is_new:
         sides = _side(view, segment.start, ahead=True), _side(view, segment.end, ahead=False)
         was = _spacing(view, segment.start)
         scaled = np.array(sides) * (was ** np.arange(len(powers)))[:, None]
-        return scaled * powers, 0.0
+        return scaled * powers
     places = _places(view, segment)
     lines = [
         is_line(view.source, each % len(view.source.points)) for each in range(segment.start, segment.end)
@@ -138,11 +156,8 @@ def _jets_of(view: CurveView, after: CurveView, segment: _Segment) -> tuple[Floa
     if all(lines):
         jets = np.zeros((2, len(powers), 2))
         jets[:, 0], jets[:, 1] = places[[0, -1]], chord
-        offset = places - places[0]
-        across = offset[:, 0] * chord[1] - offset[:, 1] * chord[0]
-        return jets * powers, float(np.abs(across).max() / np.hypot(*chord))
-    fitted = segment_near(view.source.family, places, _directions(view, segment, places))
-    return fitted.jets * powers, fitted.residual
+        return jets * powers
+    return segment_near(view.source.family, places, _directions(view, segment, places)) * powers
 
 
 def _side(view: CurveView, knot: int, *, ahead: bool) -> FloatArray:

@@ -9,45 +9,53 @@ in P. J. Schneider, "An algorithm for automatically fitting digitized curves", G
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
 from curvecore.arrays import FloatArray
 
 from ..families import Family
-from .core_curve import ParametricCurve
+from .curve_view import ParametricCurve
 
 _ROUNDS = 24
+_STEPS = 6
+"""Steps of Newton's to the feet of perpendiculars."""
+
 _LEAST = 1e-3
 """Share of the chord below which a length is none: the curve would stop there."""
 
 
-class FittedSegment(NamedTuple):
-    """A segment over [0, 1]: its jets at both ends, (2, R, 2), and how far the farthest place is from it."""
-
-    jets: FloatArray
-    residual: float
-
-
-def segment_near(family: Family, places: FloatArray, directions: FloatArray) -> FittedSegment:
-    """Return the segment from the first of `places` (m, 2) to the last that is nearest to them all.
+def segment_near(family: Family, places: FloatArray, directions: FloatArray) -> FloatArray:
+    """Return the jets, (2, R, 2), of the segment over [0, 1] that is near to all `places` (m, 2).
 
     `directions` are those at its ends, (2, 2), of length one.
     """
     steps = np.hypot(*np.diff(places, axis=0).T)
     length = float(steps.sum())
     u = np.concatenate([[0.0], np.cumsum(steps)]) / length
-    best = FittedSegment(_thirds(family, places, directions, length), math.inf)
+    best, least = _thirds(family, places, directions, length), math.inf
     for _ in range(_ROUNDS):
         jets = _solved(family, places, directions, u, length)
         curve = family.curve_class.from_jets(jets, np.array([0.0, 1.0]))
-        u = _feet(curve, places, u)
-        away = curve.evaluate(u) - places
-        residual = float(np.hypot(away[:, 0], away[:, 1]).max())
-        if residual < best.residual:
-            best = FittedSegment(jets, residual)
+        u = _feet(curve, places, u, 0.0, 1.0)
+        away = _largest(curve.evaluate(u) - places)
+        if away < least:
+            best, least = jets, away
     return best
+
+
+def farthest(curve: ParametricCurve, places: FloatArray, start: float, end: float) -> float:
+    """Return how far places (m, 2) are from a curve between two parameters, at which first and last lie."""
+    t = np.linspace(start, end, 4 * len(places))
+    apart = places[:, None] - curve.evaluate(t)[None]
+    feet = t[np.argmin(np.einsum("mnd,mnd->mn", apart, apart), axis=1)]
+    for _ in range(_STEPS):
+        feet = _feet(curve, places, feet, start, end)
+    return _largest(curve.evaluate(feet) - places)
+
+
+def _largest(ways: FloatArray) -> float:
+    return float(np.hypot(ways[:, 0], ways[:, 1]).max())
 
 
 def _thirds(family: Family, places: FloatArray, directions: FloatArray, length: float) -> FloatArray:
@@ -76,14 +84,15 @@ def _solved(
     return jets
 
 
-def _feet(curve: ParametricCurve, places: FloatArray, u: FloatArray) -> FloatArray:
+def _feet(curve: ParametricCurve, places: FloatArray, u: FloatArray, start: float, end: float) -> FloatArray:
     """Return parameters nearer to the feet of the perpendiculars from places to a curve; the ends stay."""
     away, velocity, bend = curve.evaluate(u) - places, curve.evaluate(u, 1), curve.evaluate(u, 2)
     slope = (away * velocity).sum(axis=1)
     rise = (velocity * velocity).sum(axis=1) + (away * bend).sum(axis=1)
     step = np.divide(slope, rise, out=np.zeros_like(u), where=rise > 0.0)
-    moved = np.clip(u - np.clip(step, -0.1, 0.1), 0.0, 1.0)
-    moved[[0, -1]] = 0.0, 1.0
+    furthest = 0.1 * (end - start)
+    moved = np.clip(u - np.clip(step, -furthest, furthest), start, end)
+    moved[[0, -1]] = start, end
     there = curve.evaluate(moved) - places
     is_nearer = (there * there).sum(axis=1) < (away * away).sum(axis=1)
     nearer: FloatArray = np.where(is_nearer, moved, u)
