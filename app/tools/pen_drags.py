@@ -60,11 +60,14 @@ class AppendPoint(CurveDrag, frozen=True):
     ----------
     append
         What a press there makes that does not become a drag.
+    corners
+        Whether clicks make corners: then a drag bends what leads to the point, unless Alt is held.
     """
 
     press: Pointer
     snapper: Snapper
     append: Appending = with_point_appended
+    corners: bool = False
     # The velocity when Alt was not held.
     _whole: list[Vector] = msgspec.field(default_factory=list)
 
@@ -86,7 +89,7 @@ class AppendPoint(CurveDrag, frozen=True):
         place = self._place(pointer)
         note = f"{self.name} at {words.vector(place)}"
         if not self._sets_velocity(pointer):
-            return f"{note} · a corner" if self._bends else note
+            return f"{note} · a corner" if self.append is with_corner_appended else note
         x, y = self._displacement(pointer, place)
         note = f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
         if pointer.alt:
@@ -119,14 +122,17 @@ class AppendPoint(CurveDrag, frozen=True):
         place, index = self._place(pointer), len(self.view.source.points)
         if not self._sets_velocity(pointer):
             return self.append(self.document, self.curve, self.view, place)
-        append = with_point_appended if self._bends else self.append
-        document = self._with_handles(append(self.document, self.curve, self.view, place), index, pointer)
-        return with_segment_by_handles(document, self.curve, index - 1) if self._bends and index else document
-
-    @property
-    def _bends(self) -> bool:
-        """Whether a handle that is drawn out makes a curve of what would be a straight line to a corner."""
-        return self.append is with_corner_appended
+        if not self.corners:
+            return self._with_handles(
+                self.append(self.document, self.curve, self.view, place), index, pointer
+            )
+        if self.press.alt and pointer.alt:
+            # The handle ahead alone is drawn out of a corner.
+            document = with_corner_appended(self.document, self.curve, self.view, place)
+            return self._with_handles(document, index, pointer)
+        document = with_point_appended(self.document, self.curve, self.view, place)
+        document = self._with_handles(document, index, pointer)
+        return with_segment_by_handles(document, self.curve, index - 1) if index else document
 
     def _with_handles(self, document: Document, index: int, pointer: Pointer) -> Document:
         """Return the document with the handle of the new point drawn out."""
@@ -137,7 +143,7 @@ class AppendPoint(CurveDrag, frozen=True):
             return self._with_handle_ahead(document, index, velocity)
         self._whole[:] = [velocity]
         document = edits.set_velocity(document, self.curve, index, velocity)
-        return with_own_lengths(document, self.curve, index) if self._bends else document
+        return with_own_lengths(document, self.curve, index) if self.corners else document
 
     def _with_handle_ahead(self, document: Document, index: int, velocity: Vector) -> Document:
         """Return the document with another velocity ahead of the new point alone."""

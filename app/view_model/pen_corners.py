@@ -13,7 +13,7 @@ from ..document.jet_edits import JetValue, with_jet_values
 from ..document.lines import chord_of, ends_of
 from ..document.model import Curve, Document, Point, Vector
 from ..document.straight_edits import why_not_straight
-from ..document.ties import tied
+from ..document.ties import PARALLEL, angle_between, tied
 from .appending import closed_by_pen, with_point_appended
 from .curve_view import CurveView, view_of
 from .smoothness import inner_points, with_corners
@@ -64,10 +64,10 @@ def with_own_lengths(document: Document, curve: int, index: int) -> Document:
 
 
 def with_segment_by_handles(document: Document, curve: int, segment: int) -> Document:
-    """Return the document with a segment straight where no handle lies in it.
+    """Return the document with a segment straight where no handle lies in it, or one along its chord.
 
-    Where one does, the end without one becomes a corner whose handle lies halfway to the tip of the other:
-    the curve sets out that way, and is flat there.
+    Where one leads elsewhere, the end without one becomes a corner whose handle lies halfway to the tip of
+    the other: the curve sets out that way, and is flat there.
     """
     made = document.curves[curve]
     if why_not_straight(made.family):
@@ -75,7 +75,8 @@ def with_segment_by_handles(document: Document, curve: int, segment: int) -> Doc
     start, end = ends_of(made, segment)
     ahead = made.points[start].explicit_sides(1)[1]
     behind = made.points[end].explicit_sides(1)[0]
-    if ahead is None and behind is None:
+    handles = [each for each in (ahead, behind) if each is not None]
+    if len(handles) < 2 and all(_leads_along(each, chord_of(made, segment)) for each in handles):
         made = with_straight_segments(view_of(made), [segment])
     elif ahead is None and behind is not None:
         made = _aimed(made, segment, start, behind)
@@ -93,6 +94,10 @@ def _aimed(made: Curve, segment: int, index: int, other: Vector) -> Curve:
     # Without acceleration at this end, as that of a natural spline: 3 Δp/h = 2 v + w.
     x, y = ((3.0 * way / h - known) / 2.0 for way, known in zip(chord_of(made, segment), other, strict=True))
     return with_jet_values(made, [JetValue(index, 1, index == ends_of(made, segment)[0], (x, y))])
+
+
+def _leads_along(handle: Vector, chord: Vector) -> bool:
+    return any(handle) and angle_between(handle, chord) <= PARALLEL
 
 
 def _with_free_side(point: Point) -> Point:

@@ -133,7 +133,13 @@ class AddTool(Tool):
         index, key = len(context.view.source.points), _key(host)
         snapper = context.snappers.for_new(index)
         append = AppendPoint(
-            host.document, host.active_index, context.view, context.pointer, snapper, _appending(context)
+            host.document,
+            host.active_index,
+            context.view,
+            context.pointer,
+            snapper,
+            _appending(context),
+            _makes_corners(context),
         )
         # Only when it is done: Escape leaves a finished curve finished.
         done = partial(self._finished.discard, key)
@@ -146,7 +152,8 @@ class AddTool(Tool):
         document = add_curve(host.document, place, fresh)
         self._finished.discard((place, fresh.name))
         view, snapper = view_of(fresh), context.snappers.for_new(-1)
-        begin = BeginCurve(document, place, view, context.pointer, snapper, _appending(context))
+        how = _appending(context), _makes_corners(context)
+        begin = BeginCurve(document, place, view, context.pointer, snapper, *how)
         context.drags.press_at_once(context.pointer, begin, active=place, makes=0)
 
     # What a press would do
