@@ -102,8 +102,7 @@ class MarksLayer(Layer):
     # Box and band
 
     def _paint_box(self, painter: QPainter, shown: PixelMap, box: TransformBox, *, has_grips: bool) -> None:
-        low, high = box.padded(shown.sx)
-        frame = _rectangle(shown, low, high)
+        frame = _rectangle(shown, box.low, box.high)
         if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)

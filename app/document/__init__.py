@@ -16,6 +16,7 @@
   several that change together.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
+- ``paper``: documents that are drawn for paper.
 - ``box_curves``: curves that fill a box: rectangles, ellipses.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.

@@ -24,7 +24,10 @@ A curve:
 A curve changed:
 
 - ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
+- ``cutting_out``: segments deleted.  ``retracting``: handles retracted.
+- ``deleting``: points deleted with the shape kept.  ``segment_fit``: one segment for several.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
+  ``pen_corners``: the same with corners.
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.
 - ``reshape``, ``splitting``, ``joining``: other points for the same curve, two curves of one, one of several.
   ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``point_kinds``: the kinds of

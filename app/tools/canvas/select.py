@@ -243,10 +243,8 @@ class SelectTool(Tool):
         """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
         hit, box = context.hit, self._box(context)
         place = self._pivot(context, box)
-        is_plain = hit is None or hit.part in (Part.CURVE, Part.GUIDE)
-        is_free = context.target.pivot is not None or (
-            is_plain and box is not None and is_roomy(box, context.pointer)
-        )
+        is_roomy_box = box is not None and is_roomy(box, context.pointer)
+        is_free = context.target.pivot is not None or (is_roomy_box and _is_below_grips(hit))
         return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
