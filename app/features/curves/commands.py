@@ -9,8 +9,8 @@ from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
-from ...document import curve_edits, edits
-from ...document.model import Curve, Document, Parametrization
+from ...document import curve_edits
+from ...document.model import Document, Parametrization
 from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import at_end, stepped
