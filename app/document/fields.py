@@ -62,6 +62,9 @@ def few(most: int, words: str) -> Requirement:
     return Requirement(lambda values: len(values) <= most, words, of_all=True, shown=len)
 
 
+SHARE = between(0, 1)
+
+
 def matching(pattern: str, words: str) -> Requirement:
     """Return the requirement of a text that a pattern describes."""
     return Requirement(lambda text: re.fullmatch(pattern, text) is not None, words)

@@ -9,7 +9,7 @@ from typing import Annotated, Final
 
 from msgspec.structs import replace
 
-from .fields import LENGTH, Requirement, between, few, matching
+from .fields import LENGTH, SHARE, Requirement, few, matching
 from .value import Value, Vector
 from .words import NamedEnum
 
@@ -20,7 +20,6 @@ Box = tuple[Vector, Vector]
 """Lower left and upper right corner."""
 
 _COLOUR = matching("#[0-9a-f]{6}|", 'be written as "#rrggbb" in lower case, or be empty for the ink')
-_SHARE = between(0, 1)
 _FEW = few(MOST_STOPS, f"hold at most {MOST_STOPS} stops")
 _TWO = Requirement(lambda stops: len(stops) > 1, "hold at least 2 stops", of_all=True, shown=len)
 _ASCENDING = Requirement(
@@ -49,9 +48,9 @@ class Spread(NamedEnum):
 class Stop(Value, frozen=True):
     """A colour at a place of a gradient: from 0, its start, to 1; as `Style` writes it."""
 
-    offset: Annotated[float, _SHARE]
+    offset: Annotated[float, SHARE]
     colour: Annotated[str, _COLOUR] = ""
-    opacity: Annotated[float, _SHARE] = 1.0
+    opacity: Annotated[float, SHARE] = 1.0
 
 
 class Gradient(Value, frozen=True):

@@ -7,7 +7,7 @@ from typing import Annotated, Final
 
 from msgspec.structs import replace
 
-from .fields import LENGTH, Requirement, at_least, between, few, matching
+from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
 from .gradient import Gradient
 from .value import Value, Vector
 from .words import NamedEnum
@@ -25,7 +25,6 @@ GRADIENTS: Final = {"fill": "fill_gradient", "stroke": "stroke_gradient"}
 """The field of a gradient, by that of the paint which it takes the place of."""
 
 _PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
-_SHARE = between(0, 1)
 _DASHES = few(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")
 _SEEN = Requirement(lambda dash: not dash or any(dash), "hold a number greater than 0", of_all=True)
 
@@ -81,11 +80,11 @@ class Style(Value, frozen=True):
     miter_limit: Annotated[float, at_least(1), "Miter limit"] = 4.0
     dash: Annotated[tuple[float, ...], _DASHES, at_least(0), _SEEN, "Dashes"] = ()
     dash_offset: Annotated[float, "Start of the dashes"] = 0.0
-    stroke_opacity: Annotated[float, _SHARE, "Stroke opacity"] = 1.0
+    stroke_opacity: Annotated[float, SHARE, "Stroke opacity"] = 1.0
     fill: Annotated[str, _PAINT, "Fill"] = NO_PAINT
     fill_rule: Annotated[FillRule, "Fill rule"] = FillRule.NONZERO
-    fill_opacity: Annotated[float, _SHARE, "Fill opacity"] = 1.0
-    opacity: Annotated[float, _SHARE, "Opacity"] = 1.0
+    fill_opacity: Annotated[float, SHARE, "Fill opacity"] = 1.0
+    opacity: Annotated[float, SHARE, "Opacity"] = 1.0
     fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
     stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
 

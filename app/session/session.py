@@ -215,8 +215,7 @@ class Session(QObject):
         active
             The curve to edit from then on, where that changes.
         run
-            Changes of the same run that follow each other within a second, with nothing between them, are one
-            step: arrow keys.
+            Changes of one run within a second, with nothing between them, are one step: arrow keys.
         """
         self.interrupt()
         try:
@@ -344,9 +343,8 @@ class Session(QObject):
             self.document_changed.emit(document)
             selected.keep_scrub()
             return
-        before = shown.curves
         self.active_index = min(self.active_index, len(document.curves) - 1)
-        points, has_moved = selected.followed_group(before), selected.follow_curves(before)
+        points, has_moved = selected.followed_group(shown.curves), selected.follow_curves(shown.curves)
         # Nobody who is told of the document finds something named that it does not have.
         selected.keep_group(selected.group)
         selected.set_hovered(selected.hovered)

@@ -8,6 +8,7 @@ style. Pieces that are not cut keep their handles.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import TypeVar
 
 import msgspec
 import numpy as np
@@ -28,6 +29,8 @@ from .cubics import RELATIVE_TOLERANCE, points_of_cubics
 from .curve_view import CurveView
 
 _RULES = {FillRule.NONZERO: WindingRule.NONZERO, FillRule.EVENODD: WindingRule.EVEN_ODD}
+
+Computed = TypeVar("Computed")
 
 Combine = Callable[[Sequence[Region], Callable[[float], object]], Sequence[Region]]
 """Returns what becomes of regions, the hindmost first; tells a share that is done."""
@@ -168,10 +171,7 @@ def combined_by(
         raise EditError(f"Choose two shapes or more for {operation.title.lower()}.")
     regions, deviation = regions_of(document, views, chosen)
     told = part(report, 0.1, 0.9)
-    try:
-        found = operation.combine(regions, lambda share: told(share, operation.title))
-    except CurveError as problem:
-        raise EditError(f"This could not be computed: {problem}.") from problem
+    found = computed(lambda: operation.combine(regions, lambda share: told(share, operation.title)))
     left = [region for region in found if region.contours]
     if not left:
         what = names_of([f"“{name_of_shape(document, places)}”" for places in chosen])
@@ -181,6 +181,14 @@ def combined_by(
     new = [curve for region in left for curve in curves_of(region, model, names.next())]
     made = {places: new if places is chosen[0] else [] for places in chosen}
     return Combined(*replaced(document, made), len(left), deviation)
+
+
+def computed(compute: Callable[[], Computed]) -> Computed:
+    """Return what is computed; raise `EditError` where roundings hide how outlines lie."""
+    try:
+        return compute()
+    except CurveError as problem:
+        raise EditError(f"This could not be computed: {problem}.") from problem
 
 
 def replaced(document: Document, made: Mapping[range, Sequence[Curve]]) -> tuple[Document, frozenset[int]]:
@@ -226,7 +234,7 @@ def regions_of(
 ) -> tuple[list[Region], float]:
     """Return the insides of shapes, and how far they are from them at most."""
     regions, deviation = list[Region](), 0.0
-    size = _size([views[place] for places in chosen for place in places])
+    size = size_of([views[place] for places in chosen for place in places])
     for places in chosen:
         contours, off = outlines_of([views[place] for place in places], size)
         regions.append(Region(contours, _RULES[document.curves[places.start].style.fill_rule]))
@@ -242,7 +250,7 @@ def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[Flo
     EditError
         If there is no curve.
     """
-    tolerance = max(RELATIVE_TOLERANCE * (size or _size(views)), 1e-300)
+    tolerance = max(RELATIVE_TOLERANCE * (size or size_of(views)), 1e-300)
     outlines, deviation = list[FloatArray](), 0.0
     for view in views:
         if not view.is_current or view.curve is None:
@@ -256,7 +264,8 @@ def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[Flo
     return outlines, deviation
 
 
-def _size(views: Sequence[CurveView]) -> float:
+def size_of(views: Sequence[CurveView]) -> float:
+    """Return the longer side of the box around the points of curves; 1 where there are none."""
     points = [view.points for view in views if len(view.points)]
     return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0
 

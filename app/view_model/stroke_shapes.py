@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
 
-import numpy as np
 from msgspec.structs import replace
 
 import curvecore
-from curvecore import CurveError, Region, StrokeCap, StrokeJoin
+from curvecore import StrokeCap, StrokeJoin
 
 from ..document.edits import EditError
 from ..document.model import Curve, Document
@@ -23,12 +22,14 @@ from .curve_view import CurveView
 from .regions import (
     Combined,
     Names,
+    computed,
     curves_of,
     name_of_shape,
     operands,
     outlines_of,
     regions_of,
     replaced,
+    size_of,
     taken_names,
 )
 
@@ -63,7 +64,7 @@ def offset_by(
         model = document.curves[places.start]
         (region,), deviation = regions_of(document, views, [places])
         tolerance = _tolerance([views[place] for place in places])
-        found = _computed(
+        found = computed(
             partial(
                 curvecore.offset,
                 region,
@@ -101,7 +102,7 @@ def strokes_as_shapes(
         width = _width(name, style)
         lines, deviation = outlines_of([views[place] for place in places])
         tolerance = min(_tolerance([views[place] for place in places]), width / 100.0)
-        found = _computed(
+        found = computed(
             partial(
                 curvecore.stroked,
                 lines,
@@ -114,16 +115,11 @@ def strokes_as_shapes(
                 progress=_heard(told, "Stroke"),
             )
         )
-        painted = Style(
-            stroke=NO_PAINT, fill=style.stroke, fill_opacity=style.stroke_opacity, opacity=style.opacity
-        )
-        names = Names(name, taken)
+        names, filled = Names(name, taken), list[Curve]()
         if style.has_fill:
             filled = [replace(curve, style=replace(style, stroke=NO_PAINT)) for curve in own]
             names.next()
-        else:
-            filled = []
-        made[places] = [*filled, *curves_of(found, replace(own[0], style=painted), names.next())]
+        made[places] = [*filled, *curves_of(found, replace(own[0], style=_as_fill(style)), names.next())]
         off = max(off, deviation + tolerance)
     return Combined(*replaced(document, made), len(chosen), off)
 
@@ -131,6 +127,11 @@ def strokes_as_shapes(
 def _corners(style: Style) -> StrokeJoin:
     """Return the corners of larger shapes: those of the line, or pointed ones where there is none."""
     return _JOINS[style.join] if style.has_stroke else StrokeJoin.MITER
+
+
+def _as_fill(style: Style) -> Style:
+    """Return the style of a shape that is painted as the line of this one."""
+    return Style(stroke=NO_PAINT, fill=style.stroke, fill_opacity=style.stroke_opacity, opacity=style.opacity)
 
 
 def _width(name: str, style: Style) -> float:
@@ -148,12 +149,4 @@ def _heard(report: Report, word: str) -> Callable[[float], object]:
 
 
 def _tolerance(views: Sequence[CurveView]) -> float:
-    points = np.concatenate([view.points for view in views])
-    return max(_FOLLOWED * float(np.ptp(points, axis=0).max()), 1e-300)
-
-
-def _computed(compute: partial[Region]) -> Region:
-    try:
-        return compute()
-    except CurveError as problem:
-        raise EditError(f"This could not be computed: {problem}.") from problem
+    return max(_FOLLOWED * size_of(views), 1e-300)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from itertools import chain, repeat
 
 from msgspec.structs import replace
@@ -10,6 +9,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 
 from ...document.edits import EditError
 from ...document.model import Document, Vector
+from ...document.transforms import clean_step_within
 from ...document.words import enumerated
 from ...exchange.errors import ExchangeError
 from ...qt import glyphs
@@ -70,7 +70,7 @@ class TextCommands:
         self._before = self._session.selected.choice
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
-        size = self._size or _round_size(self._view_height * _SHARE)
+        size = self._size or clean_step_within(self._view_height * _SHARE)
         self.field.open_beside(self._area, size, self._session.document.unit)
         self._show()
 
@@ -177,12 +177,6 @@ def _with_curves_of(document: Document, shown: Document) -> Document:
         document,
         curves=tuple(old if old == new else new for new, old in zip(document.curves, before, strict=False)),
     )
-
-
-def _round_size(size: float) -> float:
-    """Return the round number below a size: 1, 2 or 5 times a power of ten."""
-    decade = 10.0 ** math.floor(math.log10(size))
-    return float(f"{max(each for each in (1, 2, 5) if each * decade <= size) * decade:.1g}")
 
 
 COMMAND_SETS = (TextCommands,)
