@@ -8,31 +8,32 @@ style. Pieces that are not cut keep their handles.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 import msgspec
 import numpy as np
 from msgspec.structs import replace
 
 import curvecore
-from curvecore import CurveError, Region, WindingRule
+from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError
 from ..document.model import Curve, Document, Parametrization, ParametrizationKind
 from ..document.shapes import shape_of, shapes, tidy_shapes
-from ..document.style import FillRule
+from ..document.style import FillRule, Style
 from ..document.words import names_of
 from ..families import HERMITE
 from ..tasks.progress import Report, part, silent
 from .cubics import RELATIVE_TOLERANCE, points_of_cubics
 from .curve_view import CurveView
 
-_RULES = {FillRule.NONZERO: WindingRule.NONZERO, FillRule.EVENODD: WindingRule.EVEN_ODD}
+if TYPE_CHECKING:
+    from curvecore import Region, WindingRule
 
 Computed = TypeVar("Computed")
 
-Combine = Callable[[Sequence[Region], Callable[[float], object]], Sequence[Region]]
+Combine: TypeAlias = "Callable[[Sequence[Region], Callable[[float], object]], Sequence[Region]]"
 """Returns what becomes of regions, the hindmost first; tells a share that is done."""
 
 
@@ -233,13 +234,20 @@ def regions_of(
     document: Document, views: Sequence[CurveView], chosen: Sequence[range]
 ) -> tuple[list[Region], float]:
     """Return the insides of shapes, and how far they are from them at most."""
-    regions, deviation = list[Region](), 0.0
+    regions: list[Region] = []
+    deviation = 0.0
     size = size_of([views[place] for places in chosen for place in places])
     for places in chosen:
         contours, off = outlines_of([views[place] for place in places], size)
-        regions.append(Region(contours, _RULES[document.curves[places.start].style.fill_rule]))
+        rule = _winding_rule(document.curves[places.start].style)
+        regions.append(curvecore.Region(contours, rule))
         deviation = max(deviation, off)
     return regions, deviation
+
+
+def _winding_rule(style: Style) -> WindingRule:
+    rules = curvecore.WindingRule
+    return rules.EVEN_ODD if style.fill_rule is FillRule.EVENODD else rules.NONZERO
 
 
 def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[FloatArray], float]:

@@ -12,11 +12,10 @@ from functools import partial
 from msgspec.structs import replace
 
 import curvecore
-from curvecore import StrokeCap, StrokeJoin
 
 from ..document.edits import EditError
 from ..document.model import Curve, Document
-from ..document.style import NO_PAINT, LineCap, LineJoin, Style
+from ..document.style import NO_PAINT, LineJoin, Style
 from ..tasks.progress import Report, part, silent
 from .curve_view import CurveView
 from .regions import (
@@ -35,13 +34,6 @@ from .regions import (
 
 _FOLLOWED = 1e-4
 """Share of a shape's size within which its outline is followed."""
-
-_JOINS = {
-    LineJoin.MITER: StrokeJoin.MITER,
-    LineJoin.ROUND: StrokeJoin.ROUND,
-    LineJoin.BEVEL: StrokeJoin.BEVEL,
-}
-_CAPS = {LineCap.BUTT: StrokeCap.BUTT, LineCap.ROUND: StrokeCap.ROUND, LineCap.SQUARE: StrokeCap.SQUARE}
 
 
 def offset_by(
@@ -70,7 +62,7 @@ def offset_by(
                 region,
                 distance,
                 tolerance=tolerance,
-                join=_corners(model.style),
+                join=curvecore.StrokeJoin(_corners(model.style).value),
                 miter_limit=model.style.miter_limit,
                 progress=_heard(told, "Offset"),
             )
@@ -108,8 +100,8 @@ def strokes_as_shapes(
                 lines,
                 width,
                 tolerance=tolerance,
-                join=_JOINS[style.join],
-                cap=_CAPS[style.cap],
+                join=curvecore.StrokeJoin(style.join.value),
+                cap=curvecore.StrokeCap(style.cap.value),
                 miter_limit=style.miter_limit,
                 closed=[curve.is_closed for curve in own],
                 progress=_heard(told, "Stroke"),
@@ -124,9 +116,9 @@ def strokes_as_shapes(
     return Combined(*replaced(document, made), len(chosen), off)
 
 
-def _corners(style: Style) -> StrokeJoin:
+def _corners(style: Style) -> LineJoin:
     """Return the corners of larger shapes: those of the line, or pointed ones where there is none."""
-    return _JOINS[style.join] if style.has_stroke else StrokeJoin.MITER
+    return style.join if style.has_stroke else LineJoin.MITER
 
 
 def _as_fill(style: Style) -> Style:

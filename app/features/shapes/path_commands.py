@@ -127,9 +127,12 @@ class PathCommands:
         session = self._session
         document, views, curves = session.committed, session.views, meant(session)
         work = partial(make, document, views, curves)
-        until = time.monotonic() + _PATIENCE_S
+        until = 0.0
 
         def hurry(_share: float, _word: str) -> None:
+            nonlocal until
+            # From the first report on: what computes may have to be imported before.
+            until = until or time.monotonic() + _PATIENCE_S
             if time.monotonic() > until:
                 raise _TakesLong
 
