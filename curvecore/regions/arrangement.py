@@ -17,7 +17,7 @@ import numpy as np
 from curvecore.analysis.clusters import connected_labels, near_pairs
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import derivative, values, weights
-from curvecore.regions.meetings import Meetings, meetings
+from curvecore.regions.meetings import Meetings, meetings, nearer_places
 from curvecore.regions.outlines import Outlines, is_small, stretches
 from curvecore.regions.rays import Rays, crossed
 from curvecore.scaling import SMALLEST
@@ -172,15 +172,7 @@ def _nearest(controls: FloatArray, points: FloatArray) -> tuple[FloatArray, Floa
     tried = np.linspace(0.0, 1.0, _PLACES)
     every = np.hypot(*np.moveaxis(weights(tried, 3) @ offset, 2, 0))
     place, away = tried[every.argmin(axis=1)], every.min(axis=1)
-    slopes = derivative(offset)
-    for _ in range(_STEPS):
-        at, slope = values(offset, place), values(slopes, place)
-        step = (at * slope).sum(axis=1) / np.maximum(np.square(slope).sum(axis=1), SMALLEST)
-        moved = np.clip(place - step, 0.0, 1.0)
-        distance = np.hypot(*values(offset, moved).T)
-        better = distance < away
-        place, away = np.where(better, moved, place), np.where(better, distance, away)
-    return place, away
+    return nearer_places(offset, place, away, _STEPS)
 
 
 # What is beside them

@@ -152,15 +152,24 @@ def _feet(arcs: FloatArray, points: FloatArray) -> tuple[FloatArray, FloatArray]
     chord = arcs[:, -1] - arcs[:, 0]
     along = (offset * chord[:, None]).sum(axis=2)
     place = refined_roots(along, np.ones(len(arcs), dtype=bool), 2.0**-36)
-    away = np.hypot(*values(offset, place).T)
+    return nearer_places(offset, place, np.hypot(*values(offset, place).T), steps=3)
+
+
+def nearer_places(
+    offset: FloatArray, place: FloatArray, away: FloatArray, steps: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return places on pieces (k, 4, 2) nearer to the origin than those they are `away` at, and how far.
+
+    Steps of Gauss and Newton, each taken where it leads nearer.
+    """
     slopes = derivative(offset)
-    for _ in range(3):
+    for _ in range(steps):
         at, slope = values(offset, place), values(slopes, place)
         step = (at * slope).sum(axis=1) / np.maximum(np.square(slope).sum(axis=1), SMALLEST)
-        nearer = np.clip(place - step, 0.0, 1.0)
-        distance = np.hypot(*values(offset, nearer).T)
+        moved = np.clip(place - step, 0.0, 1.0)
+        distance = np.hypot(*values(offset, moved).T)
         better = distance < away
-        place, away = np.where(better, nearer, place), np.where(better, distance, away)
+        place, away = np.where(better, moved, place), np.where(better, distance, away)
     return place, away
 
 
