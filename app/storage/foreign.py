@@ -27,7 +27,7 @@ class Foreign(msgspec.Struct, frozen=True):
     def keep_what_would_be_lost(self) -> Path | None:
         """Copy the file beside itself, unless it is as it was written back last; return the copy.
 
-        What another program wrote may hold more than a document does: texts, gradients, other elements.
+        What another program wrote may hold more than a document does: texts, pictures, other elements.
 
         Raises
         ------

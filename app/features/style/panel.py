@@ -91,6 +91,20 @@ class StylePanel(FieldForm):
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
+        self._make_numbers()
+        self._dash = DashField()
+        self.opacities = {
+            "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
+            "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
+            "opacity": PercentField("styleOpacity", "Opacity", "How much is seen of line and fill together"),
+        }
+        self._shown: tuple[object, ...] = ()
+        self._values: dict[str, object] = {}
+        self._lay_out(buttons)
+        self._connect()
+        self.follow_theme()
+
+    def _make_numbers(self) -> None:
         self._width = NumberEdit(
             "strokeWidth",
             "Width of the line",
@@ -106,21 +120,10 @@ class StylePanel(FieldForm):
             _read_limit,
         )
         self._limit.setFixedWidth(_NARROW)
-        self._dash = DashField()
         self._offset = NumberEdit(
             "dashOffset", "Start of the dashes", "Where the dashes begin, in multiples of the width"
         )
         self._offset.setFixedWidth(_NARROW)
-        self.opacities = {
-            "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
-            "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
-            "opacity": PercentField("styleOpacity", "Opacity", "How much is seen of line and fill together"),
-        }
-        self._shown: tuple[object, ...] = ()
-        self._values: dict[str, object] = {}
-        self._lay_out(buttons)
-        self._connect()
-        self.follow_theme()
 
     def show_recent(self, colours: Sequence[str]) -> None:
         """Offer these colours for fill and stroke."""
