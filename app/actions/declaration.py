@@ -120,6 +120,16 @@ class Action(msgspec.Struct, frozen=True):
         """Return the first of its needs that is not met, those of its section before its own."""
         return next((each for each in (self.section.needs, self.needs) if not is_met(each)), None)
 
+    def is_on(self, now: Situation, is_met: Callable[[Need], bool] | None = None) -> bool:
+        """Whether what it switches is on: of nothing, nothing is.
+
+        `is_met` tells whether a need is met now, where that is remembered.
+        """
+        if self.checked is None:
+            return False
+        needs = self.section.needs
+        return (needs.is_met(now) if is_met is None else is_met(needs)) and self.checked(now)
+
     @property
     def interrupts(self) -> bool:
         """Whether a gesture in flight is taken back before it begins."""

@@ -32,13 +32,12 @@ class Need(msgspec.Struct, frozen=True):
         return self.why(now) if self.why is not None else ""
 
 
-def _is_curve_meant(now: Situation) -> bool:
-    # A blank document has nothing to choose from: its curve is the one that is about to be drawn.
-    return bool(now.session.selected.marked) or now.is_blank
-
-
 NOTHING = Need("", lambda _now: True)
-CHOSEN = Need("a curve that is chosen or edited", _is_curve_meant, why=lambda _now: NONE_CHOSEN)
+CHOSEN = Need(
+    "a curve that is chosen or edited",
+    lambda now: now.session.selected.means_curve,
+    why=lambda _now: NONE_CHOSEN,
+)
 
 HIGHLIGHTED = Need("a curve or a point", lambda now: now.has_highlight)
 HERMITE_CURVE = Need("a Hermite curve", lambda now: now.has_derivatives)

@@ -188,7 +188,7 @@ class Actions(QObject):
     def is_on(self, name: str) -> bool:
         """Whether what an action switches is on; False of what is no switch, or is there no more."""
         declared = self._declared.get(name)
-        return declared is not None and declared.checked is not None and declared.checked(self._now)
+        return declared is not None and declared.is_on(self._now)
 
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
@@ -200,7 +200,7 @@ class Actions(QObject):
             action.setEnabled(missing is None)
             say_reason(action, missing.reason(now) if missing is not None else "")
             if each.checked is not None:
-                is_on = each.checked(now)
+                is_on = each.is_on(now, is_met)
                 action.setChecked(is_on)
                 on |= {name} if is_on else set()
             if each.title is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..document.point_group import PointGroup
+from ..document.several_curves import is_blank
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
 from ..view_model.curve_view import CurveView
@@ -54,8 +55,7 @@ class Situation:
     @property
     def is_blank(self) -> bool:
         """Whether nothing has been drawn yet."""
-        curves = self.session.document.curves
-        return len(curves) == 1 and not curves[0].points
+        return is_blank(self.session.document)
 
     @property
     def chosen(self) -> frozenset[int]:

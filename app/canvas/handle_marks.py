@@ -27,6 +27,8 @@ from .point_ink import HandleInk, PointInk
 MOST_POINTS = 100
 """Points up to which handles are shown: those of more hide the curve, and each other."""
 
+LEFT_AWAY = f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
+
 _SIZES = (4.0, 5.5, 5.5)
 """Half the sizes of marks in pixels, by the order of their derivatives."""
 
@@ -113,7 +115,7 @@ class ShownHandles:
         """Return the sentence about handles that are left away; empty where all are shown."""
         if len(self._own.indices) <= 2 * MOST_POINTS or len(self.of_selected(shown)):
             return ""
-        return f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
+        return LEFT_AWAY
 
     def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk) -> None:
         """Draw them."""

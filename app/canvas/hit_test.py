@@ -87,8 +87,8 @@ def _nearest_handle(pixel: Vector, shown: PixelMap, handles: Handles) -> tuple[H
     return hit, float(distances[best])
 
 
-class PointFound(NamedTuple):
-    """A point under the pointer, and how many pixels away it is."""
+class PartFound(NamedTuple):
+    """A point or a handle under the pointer, and how many pixels away it is."""
 
     hit: Hit
     distance: float
@@ -110,7 +110,7 @@ class PixelPoints:
         self._curves = np.repeat([place for place, _ in views], counts)
         self._indices = np.concatenate([np.arange(count) for count in counts])
 
-    def nearest(self, pixel: Vector, preferred: PointGroup) -> PointFound | None:
+    def nearest(self, pixel: Vector, preferred: PointGroup) -> PartFound | None:
         """Return the point within reach that is nearest to `pixel`; of coincident ones a preferred one."""
         distances = np.hypot(*(self._pixels - pixel).T)
         least = float(distances.min(initial=math.inf))
@@ -121,11 +121,42 @@ class PixelPoints:
         nearest = list(zip(self._curves[rows].tolist(), self._indices[rows].tolist(), strict=True))
         curve, index = next((at for at in nearest if at[1] in preferred.of(at[0])), nearest[-1])
         position = self._views[curve].source.points[index].position
-        return PointFound(Hit(Part.OTHER_POINT, index, position, curve=curve), least)
+        return PartFound(Hit(Part.OTHER_POINT, index, position, curve=curve), least)
 
 
-def nearer(found: PointFound | None, hit: Hit | None, pixel: Vector, shown: PixelMap) -> Hit | None:
-    """Return a point of another curve, where it is nearer than the point or handle that is hit."""
+def handle_or_point(
+    pixel: Vector,
+    shown: PixelMap,
+    point: PartFound | None,
+    own: Sequence[tuple[int, Handles]],
+    facing: Sequence[tuple[int, Handles]],
+    selected: PointGroup,
+) -> PartFound | None:
+    """Return the nearest point of some curves, or one of their handles, where that comes first in `hit_test`.
+
+    The handles of the selected points, and those that face them, are those of each curve.
+    """
+    is_selected = point is not None and point.hit.index in selected.of(point.hit.curve)
+    handle = _nearest_of(pixel, shown, own)
+    if handle is not None and not (is_selected and point is not None and point.distance <= handle.distance):
+        is_over = point is not None and not is_selected and point.hit.curve == handle.hit.curve
+        over = point.hit.index if point is not None and is_over else -1
+        return PartFound(replace(handle.hit, over=over), handle.distance)
+    return point or _nearest_of(pixel, shown, facing)
+
+
+def _nearest_of(pixel: Vector, shown: PixelMap, handles: Sequence[tuple[int, Handles]]) -> PartFound | None:
+    """Return the nearest handle of some curves within reach."""
+    found = [
+        PartFound(replace(nearest[0], curve=curve), nearest[1])
+        for curve, each in handles
+        if (nearest := _nearest_handle(pixel, shown, each)) is not None
+    ]
+    return min(found, key=lambda each: each.distance, default=None)
+
+
+def nearer(found: PartFound | None, hit: Hit | None, pixel: Vector, shown: PixelMap) -> Hit | None:
+    """Return a point or handle of another curve, where it is nearer than the one that is hit."""
     if found is None:
         return hit
     is_part = hit is not None and hit.part is not Part.CURVE

@@ -1,8 +1,8 @@
-"""Points of the curves that are edited beside the active one: found, and marked where they are selected."""
+"""Points and handles of the curves that are edited beside the active one: found, shown where selected."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
@@ -15,11 +15,14 @@ from ..document.model import Vector
 from ..document.point_group import NO_POINTS, PointGroup
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import write_in_corner
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Stamps
 from ..view_model.curve_view import CurveView
 from ..view_model.point_kinds import POINT_KINDS, kinds_of
-from .hit_test import PixelPoints, PointFound
+from .handle_marks import LEFT_AWAY, MOST_POINTS, ShownHandles
+from .hit_test import PartFound, PixelPoints, handle_or_point
+from .point_ink import Inks
 from .point_marks import paint_mark
 
 _RADIUS, _RIM, _GAP, _RING = 4.5, 1.5, 3.0, 2.0
@@ -31,34 +34,60 @@ class OtherPointsLayer(Layer):
     """Layer of the selected points of the curves that are edited beside the active one.
 
     They have the colour of what is selected: those of points belong to the basis functions of the active
-    curve. It finds all points of these curves; those that are not selected are drawn with the curves.
+    curve. Their handles are as those of the active one. It finds all points of these curves; those that are
+    not selected are drawn with the curves.
+
+    Parameters
+    ----------
+    is_told
+        Whether it is said already that something is left away.
     """
 
     z = 9.0
 
-    def __init__(self, plot: PlotWidget) -> None:
+    def __init__(self, plot: PlotWidget, is_told: Callable[[], bool]) -> None:
         super().__init__(plot)
+        self._is_told = is_told
+        # As in the layer of the active curve.
+        self.over_picture = False
         self._views: list[tuple[int, CurveView]] = []
         self._group = NO_POINTS
         self._stamps = _SelectedStamps(self._stamp, _REACH)
         self._kinds: IntArray = np.arange(len(POINT_KINDS))
         self._places: PixelPoints | None = None
+        self._handles: dict[int, ShownHandles] = {}
+        self._inks = Inks()
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
         """Show and find the points of those of `views` at these places from the next paint on."""
         found = [(place, views[place]) for place in places]
         if found != self._views:
             self._views, self._places = found, None
+            self._find_handles()
             self.update()
 
     def set_group(self, group: PointGroup) -> None:
         """Show which points are selected, of whatever curves."""
         if group != self._group:
             self._group = group
+            self._find_handles()
             self.update()
 
+    def _find_handles(self) -> None:
+        before, self._handles = self._handles, {}
+        for place, view in self._views:
+            if indices := self._group.of(place):
+                self._handles[place] = before.get(place) or ShownHandles()
+                self._handles[place].find(view, indices, free=False)
+
+    def handles(self, shown: PixelMap) -> list[tuple[int, ShownHandles]]:
+        """Return the handles that are shown, by their curves; none where too many are in sight."""
+        count = sum(len(each.of_selected(shown).indices) for each in self._handles.values())
+        return list(self._handles.items()) if count <= 2 * MOST_POINTS else []
+
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the selected points in sight, all in one call."""
+        """Draw the selected points in sight, all in one call, and their handles."""
+        self._paint_handles(painter, shown)
         chosen = [(view, self._selected(place, view)) for place, view in self._views]
         parts = [(view, indices) for view, indices in chosen if indices]
         if not parts:
@@ -71,6 +100,18 @@ class OtherPointsLayer(Layer):
         self._stamps.draw(
             painter, pixels[near], kinds[near], len(POINT_KINDS), self.theme, radius, rim, self._kinds
         )
+
+    def _paint_handles(self, painter: QPainter, shown: PixelMap) -> None:
+        if not self._handles:
+            return
+        ink = self._inks.of(self.theme, self.scale, self.fonts, over_picture=self.over_picture)
+        handles = self.handles(shown)
+        for _, each in handles:
+            each.paint(painter, shown, ink)
+        notes = [each.note(shown) for each in self._handles.values()] if handles else [LEFT_AWAY]
+        if any(notes) and not self._is_told():
+            painter.setFont(self.fonts.times(0.9 * self.scale))
+            write_in_corner(painter, max(notes), self.theme.paper, self.theme.muted)
 
     def _selected(self, place: int, view: CurveView) -> list[int]:
         # What is selected may be told before the views of another document are.
@@ -86,13 +127,18 @@ class OtherPointsLayer(Layer):
         painter.drawEllipse(QPointF(0.0, 0.0), radius + _GAP * unit, radius + _GAP * unit)
         painter.restore()
 
-    def nearest(self, pixel: Vector, shown: PixelMap) -> PointFound | None:
-        """Return the point within reach that is nearest to `pixel`."""
+    def nearest(self, pixel: Vector, shown: PixelMap) -> PartFound | None:
+        """Return the point or the handle within reach that is nearest to `pixel`."""
         if not self._views:
             return None
         if self._places is None or self._places.shown != shown:
             self._places = PixelPoints(self._views, shown)
-        return self._places.nearest(pixel, self._group)
+        point, handles = self._places.nearest(pixel, self._group), self.handles(shown)
+        if not handles:
+            return point
+        own = [(place, each.of_selected(shown)) for place, each in handles]
+        facing = [(place, each.facing(shown)) for place, each in handles]
+        return handle_or_point(pixel, shown, point, own, facing, self._group)
 
 
 class _SelectedStamps(Stamps):

@@ -59,6 +59,21 @@ class Written(NamedTuple):
             painter.drawGlyphRun(centre + self.to_start - self.ascent, run)
 
 
+class Inks:
+    """The ink of a layer, which is made anew where what it is made for is another one."""
+
+    def __init__(self) -> None:
+        self._made_for: tuple[object, ...] = ()
+
+    def of(self, theme: Theme, scale: float, fonts: Sizes, *, over_picture: bool) -> PointInk:
+        """Return the ink for a theme, a scale and fonts."""
+        made_for = (theme, scale, fonts, over_picture)
+        if made_for != self._made_for:
+            self._made_for = made_for
+            self._ink = PointInk(theme, scale, fonts, over_picture=over_picture)
+        return self._ink
+
+
 class PointInk:
     """Pens and fonts of points under one theme, in one scale: they stay from frame to frame."""
 

@@ -28,7 +28,7 @@ from ..view_model.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
-from .point_ink import PointInk, Written
+from .point_ink import Inks, Written
 from .point_marks import REACH, paint_mark
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
@@ -101,7 +101,7 @@ class PointLayer(Layer):
         # Paints once more when a drag has ended, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
         self._soon.timeout.connect(self.refresh)
-        self._ink_of: tuple[object, ...] = ()
+        self._inks = Inks()
         self._roles_of: tuple[object, ...] = ()
         self._pixels_of: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._pixels: FloatArray = np.empty((0, 2))
@@ -131,7 +131,7 @@ class PointLayer(Layer):
             return
         colours = point_colours(len(view.points), self.theme)
         self._locate(view, shown)
-        self._have_ink()
+        self._ink = self._inks.of(self.theme, self.scale, self.fonts, over_picture=self.over_picture)
         self._have_kinds(view)
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
@@ -141,12 +141,6 @@ class PointLayer(Layer):
         self._paint_numbers(painter, pixels)
         if self.scrub is not None:
             self._paint_scrub_dot(painter, shown)
-
-    def _have_ink(self) -> None:
-        made_of = (self.theme, self.scale, self.fonts, self.over_picture)
-        if made_of != self._ink_of:
-            self._ink_of = made_of
-            self._ink = PointInk(*made_of[:3], over_picture=self.over_picture)
 
     def _have_kinds(self, view: CurveView) -> None:
         """Tell the kinds of the points; under a drag they stay, and so do these arrays."""
@@ -215,7 +209,9 @@ class PointLayer(Layer):
         # By identity: weights are other arrays when they change, and so are the points in sight.
         made_of = (self.selection, self.hovered, count, crowded, id(visible), id(self.weights))
         if made_of != self._roles_of:
-            self._roles_of, self._roles_for = made_of, (visible, self.weights)
+            self._roles_of = made_of
+            # Kept, so that no other array is given the numbers of these.
+            self._roles_for = (visible, self.weights)
             self._roles = self._told_apart(count, visible, crowded=crowded)
         return self._roles
 

@@ -94,8 +94,8 @@ class CanvasScene:
         self.polygon = ControlPolygonLayer(plot)
         self.annotations = Annotations(plot, self)
         self.guides = GuidesLayer(plot)
-        self.other_points = OtherPointsLayer(plot)
         self.points = PointLayer(plot)
+        self.other_points = OtherPointsLayer(plot, lambda: bool(self.points.note))
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
         self._motion: MotionLayer | None = None
@@ -144,7 +144,7 @@ class CanvasScene:
         """Show a picture behind the curves; without `pixels` the frame where it belongs."""
         self.image.render(image, pixels)
         self.curves.set_cased(pixels is not None)
-        self.points.over_picture = pixels is not None
+        self.points.over_picture = self.other_points.over_picture = pixels is not None
 
     # Ghost
 
@@ -263,7 +263,9 @@ class CanvasScene:
     def _surroundings_of(self, pixel: Vector) -> Surroundings:
         """Return what words beside a pixel should not cover: curve, handles, and numbers of points."""
         shown, layer = self._plot.pixel_map, self.points
-        segments = shown.points(layer.handles.lines.reshape(-1, 2)).reshape(-1, 4)
+        beside = [each.of_selected(shown) for _, each in self.other_points.handles(shown)]
+        lines = np.concatenate([each.lines for each in (layer.handles, *beside)])
+        segments = shown.points(lines.reshape(-1, 2)).reshape(-1, 4)
         polyline = self.curve.polyline(shown)
         if polyline is not None:
             segments = np.vstack([segments, segments_near(polyline.points, pixel, shown)])

@@ -23,7 +23,7 @@ from ..diagnostics.slow_frames import SlowFrames
 from ..document.model import Document
 from ..features.recovery.autosave import Autosave, snapshot_folder, state_folder
 from ..features.recovery.commands import RecoveryCommands
-from ..session import Session
+from ..session import Beginning, Session
 from ..window.main_window import MainWindow
 
 _log = logging.getLogger("curvebench.lifecycle")
@@ -73,10 +73,10 @@ class Lifecycle(QObject):
         # Who goes on working has called the end of the system off.
         window.session.history_changed.connect(window.ask_before_closing)
 
-    def _open_beside(self, document: Document, path: Path | None) -> Autosave:
+    def _open_beside(self, document: Document, path: Path | None, beginning: Beginning) -> Autosave:
         """Go on with unsaved work in another window, and return what keeps it."""
         session = Session()
-        session.files.restore(document, path)
+        session.files.restore(document, path, beginning)
         return self._autosaves[self._show(session)]
 
     def _open_window(self, path: Path) -> None:

@@ -18,6 +18,7 @@
 - ``style_edits``: how curves look, and what several have in common.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
+- ``places``: where in it something is, in words.
 - ``image_edits``, ``plane_edits``, ``guide_edits``: of the picture to trace; of unit and grid; of the guides.
 - ``expression``: numbers as people type them.
 """

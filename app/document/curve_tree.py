@@ -111,13 +111,6 @@ def _nodes(curves: Sequence[Curve], places: range, around: tuple[str, ...]) -> I
         place = end
 
 
-def _shape(curves: Sequence[Curve], places: range, groups: tuple[str, ...]) -> Node:
-    name = curves[places.start].shape
-    inside = Container(groups, name)
-    parts = (Node(NodeKind.CURVE, curves[place].name, range(place, place + 1), inside) for place in places)
-    return Node(NodeKind.SHAPE, name, places, Container(groups), tuple(parts))
-
-
 def _run_end(curves: Sequence[Curve], place: int, depth: int, stop: int) -> int:
     """Return where the group that a curve is in at a depth ends."""
     path, end = curves[place].groups[: depth + 1], place + 1

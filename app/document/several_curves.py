@@ -19,6 +19,7 @@ from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
 from .transforms import Affine, transform_points
+from .words import count_of
 
 
 class Added(NamedTuple):
@@ -168,6 +169,21 @@ def add_imported(document: Document, new: Document) -> tuple[Document, int]:
         return replace(document, curves=curves, image=image), len(begun)
     unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
     return replace(document, curves=curves, image=image, unit=unit, page=page, guides=guides), 0
+
+
+def left_behind(document: Document, new: Document) -> list[str]:
+    """Return what `add_imported` leaves behind of the other document beside its curves: "its page"."""
+    found = ["its picture to trace"] if new.image and document.image else []
+    if is_blank(document):
+        return found
+    if new.page not in (None, document.page):
+        found.append("its page")
+    if new.unit not in ("", document.unit):
+        found.append(f"its unit {new.unit}")
+    if new.grid_spacing not in (0.0, document.grid_spacing):
+        found.append("its grid")
+    guides = set(new.guides) - set(document.guides)
+    return [*found, *([count_of(len(guides), "guide")] if guides else [])]
 
 
 def is_blank(document: Document) -> bool:

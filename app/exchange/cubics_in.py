@@ -43,6 +43,8 @@ _MOST_NAMES = 24
 # A control point moves the curve by at most the largest value of its Bernstein polynomial.
 _INFLUENCE = 4.0 / 9.0
 
+_NO_PAGE = "The page stays behind: it is that of the whole drawing."
+
 
 @dataclass(frozen=True)
 class Imported:
@@ -83,7 +85,7 @@ class Imported:
     def called(self, names: Sequence[str]) -> Imported:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
 
-        Without the page of all.
+        Without the page of all, which is told.
 
         Raises
         ------
@@ -95,7 +97,10 @@ class Imported:
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
         found = self.only(taken)
-        return replace(found, document=msgspec.structs.replace(found.document, page=None))
+        if found.document.page is None:
+            return found
+        document = msgspec.structs.replace(found.document, page=None)
+        return replace(found, document=document, remarks=(*found.remarks, _NO_PAGE))
 
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from ..document.expression import ExpressionError, parse_number
+from ..document.expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
 from .units import MILLIMETRES, known_unit
 
 _UNIT = re.compile(r"""(?<=[\d.,)\s])([^\W\d_]+|["″′])""")
@@ -45,12 +45,17 @@ def typed_length(text: str, unit: str, now: float | None = None, locale_decimal:
     if alone is not None and known_unit(alone[2]) and not _UNIT.search(alone[1]):
         factor = _factor(alone[2], unit)
         return parse_number(alone[1], locale_decimal) * factor.numerator / factor.denominator
-    return parse_number(_UNIT.sub(lambda found: _converted(found.group(), unit), text), locale_decimal)
+    return parse_number(_UNIT.sub(lambda found: _converted(found, unit), text), locale_decimal)
 
 
-def _converted(word: str, unit: str) -> str:
+def _converted(found: re.Match[str], unit: str) -> str:
     """Return what stands in an expression for a word: a factor where it is a unit."""
+    word = found.group()
     if not known_unit(word):
+        is_after_number = found.string[: found.start()].rstrip()[-1:].isdigit()
+        if is_after_number and word not in {*FUNCTIONS, *CONSTANTS, "e", "E"}:
+            _refuse_without_length(word, unit)
+            raise ExpressionError(f"“{word}” is no unit of length known here, such as mm, cm, in, pt and px.")
         return word
     factor = _factor(word, unit)
     return f"*{factor.numerator}/{factor.denominator}"
@@ -58,14 +63,18 @@ def _converted(word: str, unit: str) -> str:
 
 def _factor(word: str, unit: str) -> Fraction:
     """Return how many of the document's unit one of another is."""
-    if not known_unit(unit):
-        why = (
-            f"“{unit}”, the unit of the document, has no length"
-            if unit
-            else "The document has no unit of length"
-        )
-        raise ExpressionError(f"{why}; type a number without “{word}”.")
+    _refuse_without_length(word, unit)
     return _exact(known_unit(word)) / _exact(known_unit(unit))
+
+
+def _refuse_without_length(word: str, unit: str) -> None:
+    """Raise ExpressionError where the unit of the document is none, so that a word has no place there."""
+    if known_unit(unit):
+        return
+    why = (
+        f"“{unit}”, the unit of the document, has no length" if unit else "The document has no unit of length"
+    )
+    raise ExpressionError(f"{why}; type a number without “{word}”.")
 
 
 def _exact(unit: str) -> Fraction:

@@ -16,6 +16,7 @@ from ..document.plain import plain
 from ..document.shapes import tidy_shapes
 from ..storage.examples import template_title
 from ..storage.files import load
+from ..storage.foreign import Foreign
 from ..storage.open_file import FileChange, OpenFile, Reading
 from ..storage.resources import is_resource
 from ..view_model.curve_view import CurveView
@@ -51,6 +52,7 @@ class Files:
         self.beginning = Beginning(gives_way=True)
         # By the beginnings of the documents that undo and redo go to.
         self._exports: dict[Beginning, Export] = {}
+        self._written_back: dict[Beginning, Foreign] = {}
         self._is_noted = False
         self.blank: Callable[[], Document] = empty_document
 
@@ -93,6 +95,15 @@ class Files:
         """Take up the note in a file that was read or written."""
         self._exports[self.beginning], self._is_noted = export, False
 
+    @property
+    def foreign(self) -> Foreign | None:
+        """The file of another format that the document was opened from."""
+        return self._written_back.get(self.beginning, self.beginning.foreign)
+
+    def note_written_back(self, beginning: Beginning, foreign: Foreign) -> None:
+        """Take note that the document that began so was written to the file that it was opened from."""
+        self._written_back[beginning] = foreign
+
     def close(self) -> None:
         """Go on without a file."""
         self._take(None, None)
@@ -113,11 +124,17 @@ class Files:
         self.replace(plain(document), None, beginning=Beginning(gives_way=True))
 
     def begin_imported(
-        self, document: Document, name: str, step: str = "", views: Sequence[CurveView] = ()
+        self,
+        document: Document,
+        name: str,
+        step: str = "",
+        views: Sequence[CurveView] = (),
+        foreign: Foreign | None = None,
     ) -> None:
         """Begin with the content of a file of another format; saving it suggests its `name`.
 
-        Undo goes back to the document before where it is a `step` of the history. Its views may be given.
+        Undo goes back to the document before where it is a `step` of the history. Its views may be given, and
+        the file where it can be written back to.
 
         Raises
         ------
@@ -127,7 +144,8 @@ class Files:
         document = tidy_shapes(plain(document))
         if reason := why_not_kept(self.blank(), document):
             raise EditError(reason)
-        session, beginning = self._session, Beginning(title=name, file_stem=name)
+        title = f"{name} (from {foreign.path.name})" if foreign is not None else name
+        session, beginning = self._session, Beginning(title=title, file_stem=name, foreign=foreign)
         if not step:
             self.replace(document, None, beginning=beginning, views=views)
             return
@@ -176,9 +194,9 @@ class Files:
         while self.beginning is here and here.before is not None and stack.canUndo():
             stack.undo()
 
-    def restore(self, document: Document, path: Path | None) -> None:
+    def restore(self, document: Document, path: Path | None, beginning: Beginning | None = None) -> None:
         """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
-        self.replace(plain(document), path)
+        self.replace(plain(document), path, beginning=beginning)
         self._session.undo_stack.resetClean()
 
     def replace(
@@ -196,6 +214,7 @@ class Files:
         self._take(None, file)
         beginning = beginning or Beginning()
         self._exports, self._is_noted = {beginning: document.export}, False
+        self._written_back = {}
         self._session.begin(State(document, 0, beginning), path, views)
 
     # The file of this one

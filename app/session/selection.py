@@ -15,6 +15,7 @@ from ..document.selection import (
     returned_curves,
     returned_points,
 )
+from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
 from ..view_model.pivot import Pivot
 from .highlight import Highlight
@@ -94,6 +95,12 @@ class Selection:
     def marked(self) -> frozenset[int]:
         """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
         return self.curves if self.is_editing else self._chosen
+
+    @property
+    def means_curve(self) -> bool:
+        """Whether there is a curve to act on: edited or chosen, or that of a blank document."""
+        # A blank document has nothing to choose from: its curve is the one that is about to be drawn.
+        return bool(self.marked) or is_blank(self._session.document)
 
     def highlight(self, *, whole_curves: bool = False) -> Highlight:
         """Return the selected points, or else the chosen curves, or the edited one, with all of their shapes.
@@ -259,7 +266,6 @@ class Selection:
         if wanted != session.active_index:
             session.interrupted.emit()
             session.cancel()
-            session.offered_at = None
             self.enter(wanted)
             self.keep_scrub()
             session.active_changed.emit(wanted)

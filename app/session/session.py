@@ -75,8 +75,6 @@ class Session(QObject):
         The curve that is edited.
     selected
         Selected points and curves, the point under the pointer, the scrub line.
-    offered_at
-        The parameter that the action offered last is about; None once that is out of date.
     """
 
     document_changed = Signal(object)
@@ -102,7 +100,6 @@ class Session(QObject):
         self.undo_stack.indexChanged.connect(self._report_index)
         self.files = Files(self)
         self.active_index = 0
-        self.offered_at: float | None = None
         self.selected = Selection(self)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
@@ -112,7 +109,6 @@ class Session(QObject):
         self.history.drop()
 
     def _report_index(self, _index: int) -> None:
-        self.offered_at = None
         self._follow_history()
         self.history_changed.emit()
 
@@ -184,8 +180,13 @@ class Session(QObject):
         return self.views[self.active_index]
 
     @property
+    def meant_view(self) -> CurveView | None:
+        """The view-model of the active curve; None while no curve is edited and none chosen."""
+        return self.active_view if self.selected.means_curve else None
+
+    @property
     def undo_stack(self) -> QUndoStack:
-        """The steps of the history, as Qt has them."""
+        """The steps of the history in Qt."""
         return self.history.stack
 
     @property
@@ -362,13 +363,8 @@ class Session(QObject):
         """Say that something was not done, and why: marked, so that it is not taken for a hint."""
         self.message.emit(Message(MessageKind.REFUSAL, text))
 
-    def offer(self, text: str, action: str, at: float | None = None) -> None:
-        """Show a sentence above the canvas, and beside it a button for the action of this name.
-
-        `at` is the parameter that the action is about; the next step of the history makes it void, and so
-        does another curve to edit.
-        """
-        self.offered_at = at
+    def offer(self, text: str, action: str) -> None:
+        """Show a sentence above the canvas, and beside it a button for the action of this name."""
         self.message.emit(Message(MessageKind.OFFER, text, action))
 
     # Files

@@ -142,7 +142,7 @@ def _look_once_more(path: str | os.PathLike[str], target: Path, seen: Stamp | No
             "Save under another name."
         )
     if version is not None and version < VERSION:
-        _keep_backup(target, found.data, version)
+        keep_backup(target, found.data, f"v{version}")
 
 
 def _changed(path: str | os.PathLike[str]) -> ChangedOnDiskError:
@@ -152,16 +152,23 @@ def _changed(path: str | os.PathLike[str]) -> ChangedOnDiskError:
     )
 
 
-def _keep_backup(target: Path, data: bytes, version: int) -> None:
-    """Keep the old content beside the file, under a name that no other backup has."""
+def keep_backup(target: Path, data: bytes, mark: str) -> Path:
+    """Keep the old content beside the file, under a name that no other backup has; return that.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
     temporary, _ = _write_temporary(target.parent, data, target)
     try:
         for number in range(1, 1000):
-            backup = target.with_name(f"{target.name}.v{version}{f'.{number}' if number > 1 else ''}.bak")
+            backup = target.with_name(f"{target.name}.{mark}{f'.{number}' if number > 1 else ''}.bak")
             if backup.exists() and backup.read_bytes() == data:
-                break
+                return backup
             if _placed(temporary, backup):
-                break
+                return backup
+        raise StorageError(f"There are {number} backups of {quoted(target)} already; remove some of them.")
     finally:
         temporary.unlink(missing_ok=True)
 

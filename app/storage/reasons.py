@@ -42,6 +42,14 @@ def reason_of(problem: Exception) -> str:
 
 
 def quoted(path: str | os.PathLike[str]) -> str:
-    """Return the path as it may stand in a sentence, whatever bytes it holds."""
-    text = os.fspath(path)
-    return f"“{text.encode('utf-8', 'replace').decode('utf-8')}”"
+    """Return the path in quotation marks, as it may stand in a sentence, whatever bytes it holds."""
+    return f"“{_decodable(path)}”"
+
+
+def shown(path: str | os.PathLike[str]) -> str:
+    """Return the path as it may stand in a line, whatever bytes it holds."""
+    return "".join(each if each.isprintable() else "\N{REPLACEMENT CHARACTER}" for each in _decodable(path))
+
+
+def _decodable(path: str | os.PathLike[str]) -> str:
+    return os.fspath(path).encode("utf-8", "replace").decode("utf-8")

@@ -22,6 +22,7 @@ from .files import Stamp, StorageError, load, read, read_content, write
 from .format import decode, encode
 from .format_error import FormatError
 from .lock import ProcessLock, acquire
+from .reasons import shown
 from .temporary import remove_stale
 
 _log = logging.getLogger("curvebench.storage")
@@ -35,19 +36,23 @@ class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The content of a snapshot's file; the document is text, so that its checksum is that of its bytes."""
 
     format: Literal["curvebench snapshot"]
-    version: Literal[1]
+    # Those of version 1 have no names.
+    version: Literal[1, 2]
     written: float
     path: bytes | None
     stamp: Stamp | None
     checksum: str
     document: str
+    title: str = ""
+    file_stem: str = ""
+    foreign: bytes | None = None
 
 
 _RECORDS = msgspec.json.Decoder(_Record)
 
 
 class Origin(msgspec.Struct, frozen=True):
-    """The file that a document came from.
+    """The file that a document came from, or what it is called without one.
 
     Attributes
     ----------
@@ -55,10 +60,17 @@ class Origin(msgspec.Struct, frozen=True):
         Where it is; None for a document that was never saved.
     stamp
         What it was when it was last read or written; None where that is not known.
+    title, file_stem
+        Its name until it is saved, and the one that its file would get; empty for none in particular.
+    foreign
+        The file of another format that it was opened from.
     """
 
     path: Path | None = None
     stamp: Stamp | None = None
+    title: str = ""
+    file_stem: str = ""
+    foreign: Path | None = None
 
     @property
     def is_unchanged(self) -> bool:
@@ -199,15 +211,26 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
     return msgspec.json.encode(
         _Record(
             format="curvebench snapshot",
-            version=1,
+            version=2,
             written=time.time(),
-            # Bytes, because a file's name need not be text.
-            path=os.fsencode(origin.path.absolute()) if origin.path is not None else None,
+            path=_bytes_of(origin.path),
             stamp=origin.stamp,
             checksum=_checksum(text),
             document=text.decode(),
+            title=shown(origin.title),
+            file_stem=shown(origin.file_stem),
+            foreign=_bytes_of(origin.foreign),
         )
     )
+
+
+def _bytes_of(path: Path | None) -> bytes | None:
+    """Return a path as bytes, for a file's name need not be text."""
+    return os.fsencode(path.absolute()) if path is not None else None
+
+
+def _path_of(name: bytes | None) -> Path | None:
+    return Path(os.fsdecode(name)) if name is not None else None
 
 
 def _checksum(text: bytes) -> str:
@@ -225,8 +248,10 @@ def _load(file: Path, lock: ProcessLock) -> Snapshot:
     text = record.document.encode()
     if _checksum(text) != record.checksum or not math.isfinite(record.written):
         raise ValueError("the checksum is another one")
-    path = Path(os.fsdecode(record.path)) if record.path is not None else None
-    return Snapshot(decode(text), Origin(path, record.stamp), record.written, file, lock)
+    origin = Origin(
+        _path_of(record.path), record.stamp, record.title, record.file_stem, _path_of(record.foreign)
+    )
+    return Snapshot(decode(text), origin, record.written, file, lock)
 
 
 def _is_saved(snapshot: Snapshot) -> bool:

@@ -25,12 +25,12 @@ class CurvePicker:
     def entered(self, context: ToolContext) -> ToolContext:
         """Return the context of a press on another curve that is edited: that is the active one from then on.
 
-        A point of any is pressed as one of its own; the line of one, where it is of the same shape.
+        A point or handle of any is pressed as one of its own; the line of one, where it is of the same shape.
         """
         host, hit, pointer = context.host, context.hit, context.pointer
-        if hit is not None and hit.part is Part.OTHER_POINT:
+        if hit is not None and hit.curve >= 0:
             host.selected.go_to(hit.curve)
-            context = context.at(replace(pointer, hit=replace(hit, part=Part.POINT)))
+            context = context.at(replace(pointer, hit=hit.as_own))
         elif hit is not None and _is_of_edited_shape(context, hit) and not pointer.shift:
             host.selected.activate(hit.index)
             context = context.with_hit()

@@ -146,9 +146,6 @@ class EditingHost(Protocol):
     def refuse(self, text: str) -> None:
         """Say that something was not done, and why."""
 
-    def offer(self, text: str, action: str, at: float | None = None) -> None:
-        """Show a sentence, and a button for an action about the parameter `at`."""
-
 
 class _Press(msgspec.Struct):
     pixel: Vector

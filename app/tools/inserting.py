@@ -1,4 +1,4 @@
-"""A point inserted on the curve that is edited, and what is said about its shape."""
+"""A point inserted on the curve that is edited."""
 
 from __future__ import annotations
 
@@ -19,12 +19,4 @@ def insert_at(host: EditingHost, t: float) -> None:
     index = inserted_index(view, t)
     if host.change(f"Insert point {index}", edit):
         host.selected.set_points([index])
-        say_inserted(host, made[0], t)
-
-
-def say_inserted(host: EditingHost, made: Reshaped, t: float) -> None:
-    """Say what a point inserted at `t` did to the shape; where a rule moved that, offer to keep it."""
-    if made.parameters_moved:
-        host.offer(made.sentence, "keepShape", t)
-    else:
-        host.say(made.sentence)
+        host.say(made[0].sentence)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from enum import Enum, auto
 
 import msgspec
+from msgspec.structs import replace
 
 from ..document.model import Vector
 from ..document.transforms import clean_step, decimal_product
@@ -41,7 +43,7 @@ class Hit(msgspec.Struct, frozen=True):
         The point it belongs to; for the curve, the point before which a new one would be inserted; for
         another curve and a guide, its place in the document.
     curve
-        For a point of another curve that is edited: that curve.
+        For a point or a handle of another curve that is edited: that curve.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead
@@ -69,6 +71,11 @@ class Hit(msgspec.Struct, frozen=True):
     knot: int = -1
     over: int = -1
     inside: bool = False
+
+    @property
+    def as_own(self) -> Hit:
+        """The same point or handle, once its curve is the active one."""
+        return replace(self, part=Part.POINT if self.part is Part.OTHER_POINT else self.part, curve=-1)
 
 
 class Pointer(msgspec.Struct, frozen=True):
@@ -102,10 +109,18 @@ class Pointer(msgspec.Struct, frozen=True):
     ripple: bool = False
     is_double: bool = False
 
+    @property
+    def is_there(self) -> bool:
+        """Whether it is anywhere: not once it has left."""
+        return math.isfinite(self.position[0])
+
     def way_from(self, place: Vector) -> Vector:
         """Return the way from a place of the plane."""
         return (self.position[0] - place[0], self.position[1] - place[1])
 
+
+ELSEWHERE = Pointer((math.inf, math.inf), (math.inf, math.inf))
+"""The pointer once it has left."""
 
 ORIGIN = Pointer((0.0, 0.0), (0.0, 0.0))
 """The pointer of what is done with no mouse: of keys."""

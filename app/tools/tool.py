@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 
 import msgspec
@@ -106,11 +105,12 @@ class ToolContext(msgspec.Struct, frozen=True):
 
     def with_hit(self) -> ToolContext:
         """Return the context with what lies under the pointer now."""
-        return self.at(replace(self.pointer, hit=self.hit_test(self.pointer)))
+        hit = self.hit_test(self.pointer) if self.pointer.is_there else None
+        return self.at(replace(self.pointer, hit=hit))
 
     def preview_snap(self, place: int) -> None:
         """Show where a press would put the point of index `place`, −1 for none in particular."""
-        if self.settings.snapping.is_active(self.pointer) and math.isfinite(self.pointer.position[0]):
+        if self.settings.snapping.is_active(self.pointer) and self.pointer.is_there:
             self.snappers.show_before_press(self.pointer, place)
 
     def step_of(self, stride: Stride) -> float:

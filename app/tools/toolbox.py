@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
@@ -11,7 +10,7 @@ from ..document.model import Vector
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
-from .pointer import Hint, Hit, Pointer, Stride
+from .pointer import ELSEWHERE, Hint, Hit, Pointer, Stride
 from .snappers import Snappers
 from .target import TransformTarget
 from .tool import Tool, ToolContext, ToolRecord, ToolSettings
@@ -182,7 +181,7 @@ class Toolbox:
         """Show nothing of what a press would do: the pointer has left."""
         self._host.selected.set_hovered(-1)
         self._snappers.reset()
-        self.tool.hover(self._at(Pointer((math.inf, math.inf), (math.inf, math.inf))))
+        self.tool.hover(self._at(ELSEWHERE))
 
     def key(self, key: str) -> bool:
         """Give the tool a key; return whether it meant something."""

@@ -42,7 +42,7 @@ class Reshaped(msgspec.Struct, frozen=True):
     residual
         The largest distance by which a point of the curve moved, measured on dense samples.
     parameters_moved
-        Whether the rule gave the points that were there other parameters, so that the shape is another.
+        Whether the rule gave the points that were there other parameters, and the shape is another for that.
     left_rule
         Whether the parameters had to become manual for the shape to stay.
     note
@@ -103,10 +103,10 @@ def _vector(values: FloatArray) -> Vector:
 def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     """Return the curve with one point more, on it at `t`.
 
-    Under manual parameters the curve stays what it was to rounding: the derivatives at `t` become explicit,
-    and so do those of other points whose estimates the new point would change. Under a rule the parameters
-    move, the derivatives are stretched along, and the shape changes by the residual. Of control points there
-    is one more, and others move so that the shape stays, under manual parameters where it has to be.
+    The curve stays what it was to rounding: the derivatives at `t` become explicit, and so do those of other
+    points whose estimates the new point would change. Where a rule would move the parameters, and the shape
+    with them, they become manual. Of control points there is one more, and others move. A family that has no
+    such curve keeps the rule, derivatives are stretched along, and the shape changes by the residual.
 
     Raises
     ------
@@ -122,8 +122,17 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
         left_rule = made.is_manual and not view.source.is_manual
         at = dense(longer.parameters)
         return Reshaped(made, largest_distance(view, at, view_of(made), at), left_rule=left_rule)
-    curve = view.source
-    point = _sampled(view, t)
+    made = _with_point_at(view, index, t)
+    if view.source.is_manual or made.is_kept:
+        return made
+    frozen = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
+    kept = _with_point_at(view_of(frozen), index, t)
+    return replace(kept, left_rule=True) if kept.is_kept else made
+
+
+def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
+    """Return the curve with a point on it put at a place, under the rule that its parameters have."""
+    curve, point = view.source, _sampled(view, t)
     if is_line(curve, index - 1):
         # Two straight segments: whichever end of one moves, it stays straight.
         point = point.as_corner()
@@ -137,9 +146,8 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
         return Reshaped(grown, change_of_shape(view, after, after.parameters))
     grown = _stretched_along(view, grown, index, t)
     after = view_of(grown)
-    return Reshaped(
-        grown, change_of_shape(view, after, np.insert(view.parameters, index, t)), parameters_moved=True
-    )
+    moved = change_of_shape(view, after, np.insert(view.parameters, index, t))
+    return Reshaped(grown, moved, parameters_moved=not is_kept(moved, (grown,)))
 
 
 def inserted_index(view: CurveView, t: float) -> int:

@@ -31,7 +31,7 @@ class ContextMenus:
 
     def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
         session = self._context.session
-        if hit is not None and hit.part is Part.OTHER_POINT:
+        if hit is not None and hit.curve >= 0:
             hit = self._as_own(hit)
         if hit is not None and hit.part is Part.OTHER_CURVE:
             # One of those that are selected leaves them selected: the menu is about all.
@@ -53,12 +53,12 @@ class ContextMenus:
             strip_menu(self._context, CANVAS_MENU).popup(place)
 
     def _as_own(self, hit: Hit) -> Hit:
-        """Make the curve of a point the active one; a curve that was chosen whole is meant whole."""
+        """Make the curve of a point or handle the active one; one that was chosen whole is meant whole."""
         selected = self._context.session.selected
         if hit.curve in selected.chosen and hit.index not in selected.group.of(hit.curve):
             return replace(hit, part=Part.OTHER_CURVE, index=hit.curve)
         selected.go_to(hit.curve)
-        return replace(hit, part=Part.POINT)
+        return hit.as_own
 
     def _open_on_edited(self, place: QPoint) -> None:
         """Open the menu for a place on the curve that the right button has made the one edited."""

@@ -23,6 +23,7 @@ from ..storage.examples import first_sketch
 from ..storage.files import StorageError, load
 from ..storage.format_error import FormatError
 from ..storage.open_file import Reading, is_large
+from ..storage.reasons import shown
 from ..storage.resources import is_resource
 from ..tasks.progress import Report, part
 from ..tasks.task import Work
@@ -203,13 +204,35 @@ class DocumentFiles:
         return True
 
     def save(self) -> bool:
-        """Save to the document's file, or ask for one; return whether it was saved."""
+        """Save to the document's file, or ask for one; return whether it was saved.
+
+        What was opened from a file of another format is saved beside that, if there is nothing yet.
+        """
         file = self._session.files.file
+        if (beside := self._place_beside_foreign()) is not None:
+            return self._save_beside_foreign(beside)
         if self._session.files.path is None or (
             self._session.files.is_read_only and file and not file.take_if_free()
         ):
             return self.ask_and_save()
         return self._save(self._session.files.path)
+
+    def _place_beside_foreign(self) -> Path | None:
+        files = self._session.files
+        if files.path is not None or files.foreign is None:
+            return None
+        place = files.foreign.path.with_name(f"{file_stem(self._session)}{SUFFIX}")
+        return None if place.exists() else place
+
+    def _save_beside_foreign(self, place: Path) -> bool:
+        """Save as a document of ours, and offer to write the file back that it was opened from."""
+        session, foreign = self._session, self._session.files.foreign
+        assert foreign is not None
+        if not self._save(place):
+            return False
+        name = shown(foreign.path.name)
+        session.offer(f"Saved as {shown(place.name)}; {name} is as it was.", "overwriteForeign")
+        return True
 
     def overwrite(self) -> bool:
         """Save to the document's file although it was changed meanwhile; return whether it was saved."""
@@ -298,7 +321,8 @@ def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
 
 def _question_about(session: Session) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why."""
-    name = _short(title_of(session)) if session.files.path is not None else "the sketch"
+    is_named = session.files.path is not None or session.files.beginning.title
+    name = _short(title_of(session)) if is_named else "the sketch"
     file = session.files.file
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if session.files.has_changes:

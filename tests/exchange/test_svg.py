@@ -49,10 +49,10 @@ def upright(pieces):
 
 
 def stated(text):
-    """The deviation in the comment, which is also in the description, and the tolerance."""
+    """The deviation in the comment, which is also in the metadata, and the tolerance."""
     pattern = r"Largest deviation from the true curves: (\S+) \(tolerance ([^,)]+)"
-    comment, description = re.findall(pattern, text)
-    assert comment == description
+    comment, metadata = re.findall(pattern, text)
+    assert comment == metadata
     return tuple(map(float, comment))
 
 
@@ -175,8 +175,10 @@ def test_names_are_labels_and_harmless():
 def test_curves_that_cannot_be_drawn_are_mentioned(half_drawn):
     text = svg_of(half_drawn).text
     assert len(paths(text)) == 1
-    description = ET.fromstring(text.encode()).find(f"{SVG}desc").text
-    assert "“begun <&>”: A curve needs at least two points." in description
+    root = ET.fromstring(text.encode())
+    assert "“begun <&>”: A curve needs at least two points." in root.find(f"{SVG}metadata").text
+    # Inkscape made that the description of the layer.
+    assert root.find(f"{SVG}desc") is None
 
 
 def test_the_colours_are_those_of_the_window():

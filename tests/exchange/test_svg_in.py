@@ -379,6 +379,15 @@ def test_nothing_that_a_doctype_points_to_is_fetched(tmp_path):
             server.accept()
 
 
+@pytest.mark.parametrize("note", ["metadata", "desc"])
+def test_a_picture_of_ours_is_known_by_its_metadata_or_as_before_by_its_description(note):
+    document = Document((make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE),))
+    text = svg_of(document).text.replace("metadata>", f"{note}>")
+    found = read_svg(text.encode()).document
+    # The size and the line of a picture that nobody asked for are no part of the document.
+    assert (found.unit, found.page, found.curves[0].style) == ("", None, document.curves[0].style)
+
+
 def test_what_matplotlib_writes_is_read():
     """20 of the 24 SVG files in a scientific Python environment begin with a DOCTYPE."""
     figure = pytest.importorskip("matplotlib.figure").Figure()

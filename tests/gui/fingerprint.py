@@ -49,7 +49,7 @@ PASSING = {
         "PlotLayer._strokes_of",
         "CurveLayer._error_of",
         "PointLayer._discs_now",
-        "PointLayer._ink_of",
+        "ShownHandles._in_sight",
         "PointLayer._roles",
         "PointLayer._roles_for",
         "PointLayer._roles_of",

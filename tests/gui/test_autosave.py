@@ -17,16 +17,18 @@ from app.appearance.theme import ThemeMode
 from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.features.recovery.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
+from app.features.recovery.autosave import DELAY_MS, Autosave, origin_of, snapshot_folder, state_folder
 from app.features.recovery.bar import RecoveryBar
 from app.features.recovery.commands import RecoveryCommands
 from app.features.recovery.offers import age_in_words
 from app.session import MessageKind, Session
 from app.settings.preferences import Preferences
 from app.storage.files import load, save
+from app.storage.foreign import Foreign
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
+from app.workbench.document_files import file_stem, title_of
 
 SKETCH = Document((make_curve([(0, 0), (1, 2), (3, 1 / 3)], name="Left over"),))
 WAIT_MS = 20_000
@@ -39,9 +41,9 @@ def kept(editor, qtbot):
     autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
     opened = []
 
-    def open_beside(document, path):
+    def open_beside(document, path, beginning):
         session = Session()
-        session.files.restore(document, path)
+        session.files.restore(document, path, beginning)
         other = Editor(qtbot, session, size=(800, 600))
         opened.append(other)
         other.autosave = Autosave(session, snapshot_folder())
@@ -362,6 +364,23 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
     assert kept.session.document == SKETCH
     assert kept.session.files.path is None
     assert fate in kept.status
+    assert (title_of(kept.session), file_stem(kept.session)) == ("mine", "mine")
+
+
+def test_what_never_had_a_file_keeps_its_name(kept):
+    """A drawing that had been imported was called “Untitled” after a crash."""
+    opened_from = Foreign(Path("/nowhere/icon.svg"))
+    kept.session.files.begin_imported(SKETCH, "icon", foreign=opened_from)
+    move_point(kept, (2.0, 3.0))
+    assert kept.autosave.write_now()
+    leave_behind(origin=origin_of(kept.session))
+    kept.session.files.begin(SKETCH)
+    kept.window.commands[RecoveryCommands].offer_unsaved_work()
+    assert "icon (from icon.svg)" in [each.text() for each in bar(kept).findChildren(QLabel)]
+    press(kept, "restoreWork0")
+    assert kept.window.windowTitle() == "icon (from icon.svg)[*] – Curvebench"
+    assert kept.session.files.foreign == opened_from
+    assert (kept.session.files.path, file_stem(kept.session)) == (None, "icon")
 
 
 def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDockWidget, QToolButton
+from PySide6.QtWidgets import QDockWidget, QToolButton, QWidget
 
 from app.document.edits import set_position
 from app.families import HERMITE
@@ -61,7 +61,7 @@ def test_the_dot_is_the_velocity_at_the_scrub_line(editor, hodograph):
     t, value = hodograph.scrub
     assert t == editor.session.selected.scrub
     assert value == pytest.approx(tuple(editor.session.active_view.curve.evaluate(t, 1)))
-    assert panel(editor).value_text.startswith(f"c′({t:.3g}) = (")
+    assert panel(editor).findChild(QWidget, "hodographValue").text().startswith(f"c′({t:.3g}) = (")
 
 
 def test_a_drag_along_it_scrubs_and_escape_goes_back(editor, hodograph):
@@ -84,7 +84,7 @@ def test_the_acceleration_can_be_drawn_instead(editor, qtbot, hodograph):
     qtbot.mouseClick(editor.window.findChild(QToolButton, "hodographAcceleration"), Qt.MouseButton.LeftButton)
     assert hodograph.hodograph.order == 2
     editor.scrub(0.5)
-    assert "c″" in panel(editor).value_text
+    assert "c″" in panel(editor).findChild(QWidget, "hodographValue").text()
 
 
 def test_a_zoom_stays_until_fit_is_pressed(editor, qtbot, hodograph):

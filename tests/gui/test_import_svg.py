@@ -8,11 +8,14 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
 
+from app.document.edits import set_position
 from app.document.model import Document, Page, make_curve
 from app.document.style import Style
+from app.exchange.svg.reader import read_svg
 from app.features.import_export.commands import ExchangeCommands
+from app.storage.files import load
 from app.testing import spin
 from app.workbench.document_files import DocumentFiles, title_of
 
@@ -128,6 +131,45 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
     assert (document.curves[0].name, document.unit, document.page) == ("Sketch", "", None)
 
 
+GUIDED = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="48mm" height="48mm" viewBox="0 0 48 48" '
+    'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><sodipodi:namedview>'
+    '<sodipodi:guide position="3,0" orientation="1,0"/><sodipodi:guide position="0,5" orientation="0,1"/>'
+    '</sodipodi:namedview><path d="M0 0L4 0" stroke="#ff0000"/></svg>'
+)
+
+
+@pytest.mark.parametrize(
+    ("unit", "said"),
+    [
+        ("", "Its page, its unit mm and 2 guides stay behind."),
+        ("in", "Lengths are converted from mm to in. Its page and 2 guides stay behind."),
+    ],
+)
+def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_path, unit, said):
+    """Page, unit and guides were dropped without a word."""
+    blank(editor)
+    path = tmp_path / "guided.svg"
+    path.write_text(GUIDED, encoding="utf-8")
+    dialog = opened(editor, path)
+    # To a document without curves all of it comes along.
+    assert dialog.rest.isHidden()
+    dialog.close()
+    curve = make_curve(((0, 0), (1, 1), (2, 0)))
+    editor.session.commit(Document((curve,), unit=unit), "Begin")
+    dialog = opened(editor, path)
+    assert (dialog.rest.isVisible(), dialog.rest.text()) == (True, said)
+    QTest.keyClick(dialog.into, Qt.Key.Key_Down)
+    assert dialog.rest.isHidden()
+    QTest.keyClick(dialog.into, Qt.Key.Key_Up)
+    assert dialog.rest.isVisible()
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.status == f"Imported guided.svg: 1 curve, 2 points, exact. {said}"
+    document = editor.session.document
+    assert (document.unit, document.page, document.guides) == (unit, None, ())
+
+
 def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeypatch):
     editor.session.files.begin(editor.session.document)
     editor.drag_point(0, to=(0.0, 0.0))
@@ -149,8 +191,44 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     assert ("*.svg" in asked[0], "*.curve.json" in asked[0]) == (True, True)
     assert ([curve.name for curve in session.document.curves], session.document.unit) == (["a"], "in")
     assert (session.files.is_modified, session.undo_stack.canUndo()) == (False, False)
+    title = editor.window.windowTitle
+    assert title() == "badge (from badge.svg)[*] – Curvebench"
+    # Saved beside it without a question, and written back in one click more.
+    move_first_point(editor, 7.0)
     editor.trigger("saveDocument")
-    assert Path(saved[0]).name == "badge.curve.json"
+    document = session.document
+    assert load(tmp_path / "badge.curve.json") == document
+    assert (saved, title()) == ([], "badge.curve.json[*] – Curvebench")
+    assert (path.read_text(encoding="utf-8"), session.files.is_modified) == (INCH, False)
+    assert editor.message == "Saved as badge.curve.json; badge.svg is as it was."
+    button = editor.window.message_bar.findChild(QToolButton, "offeredAction")
+    assert button.text() == "Overwrite “badge.svg”"
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    editor.wait_for_work()
+    assert editor.status == "Wrote badge.svg, exact. What it was is kept as badge.svg.before.bak."
+    assert (tmp_path / "badge.svg.before.bak").read_text(encoding="utf-8") == INCH
+    back = read_svg(path.read_bytes()).document
+    assert [each.position for each in back.curves[0].points] == [(7, 0), (1, 0), (1, -1)]
+    assert (back.curves[0].style, back.unit, back.page) == (document.curves[0].style, "in", document.page)
+    # Another time nothing of it is lost; where another program has written it, that is kept.
+    move_first_point(editor, 8.0)
+    editor.trigger("overwriteForeign")
+    editor.wait_for_work()
+    assert editor.status == "Wrote badge.svg, exact."
+    path.write_text(INCH + "\n", encoding="utf-8")
+    editor.trigger("overwriteForeign")
+    editor.wait_for_work()
+    assert editor.status.endswith("kept as badge.svg.before.2.bak.")
+    # What was there already is not replaced unasked.
+    editor.session.files.begin_imported(document, "badge", foreign=session.files.foreign)
+    editor.trigger("saveDocument")
+    assert [Path(each).name for each in saved] == ["badge.curve.json"]
+    editor.new()
+    assert not editor.action("overwriteForeign").isEnabled()
+
+
+def move_first_point(editor, x):
+    editor.session.change("Move", lambda document: set_position(document, 0, 0, (x, 0.0)))
 
 
 def test_very_many_shapes_without_a_group_come_together(editor, tmp_path):

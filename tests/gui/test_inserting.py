@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.document.model import Document, ParametrizationKind, make_curve
-from app.families import FAMILIES, HERMITE
+from app.families import FAMILIES, HERMITE, LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
@@ -97,4 +97,37 @@ def test_the_segment_that_closes_is_halved_and_none_is_told(editor):
     editor.key(Qt.Key.Key_Insert)
     assert len(editor.curve.points) == 6
     assert editor.session.selected.points == {0, 4, 5}
-    assert "The parameters moved" in editor.status
+    assert "The parameters are manual now." in editor.status
+
+
+@pytest.mark.parametrize("act", ["double click", "key", "pen"])
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
+def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor, act, kind):
+    """The shape changed, which was only said, or kept by one click more."""
+    begin(editor, make_curve(BOW, family=HERMITE), kind=kind)
+    before, document = drawn(editor), editor.session.document
+    place = on_line(editor, 1)
+    if act == "key":
+        editor.select([1, 2, 3])
+        editor.key(Qt.Key.Key_Insert)
+    elif act == "pen":
+        editor.add_point(*place)
+    else:
+        editor.double_click(place)
+    assert len(editor.curve.points) == (7 if act == "key" else 6)
+    assert drawn(editor) == pytest.approx(before, abs=1e-9)
+    assert editor.curve.is_manual
+    assert "shape kept" in editor.status.lower()
+    assert editor.status.endswith("The parameters are manual now.")
+    editor.trigger("undo")
+    assert editor.session.document == document
+
+
+def test_where_the_rule_gives_the_same_shape_it_stays_in_force(editor):
+    flat = make_curve([(0, 0), (2, 0), (6, 0)], family=LAGRANGE)
+    begin(editor, flat, kind=ParametrizationKind.CHORD_LENGTH)
+    editor.select([1, 2])
+    editor.key(Qt.Key.Key_Insert)
+    assert [point.position for point in editor.curve.points] == [(0, 0), (2, 0), (4, 0), (6, 0)]
+    assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
+    assert editor.status.startswith("Inserted 1 point. Shape kept")

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit
 
 from app.actions.sections import ANALYSIS, CURVE, EDIT
+from app.widgets.live_slider import LiveSlider
 from app.window.connect import all_actions
 
 NO_CURVE = "No curve is chosen; click one, or press Ctrl+A for all."
@@ -74,6 +77,42 @@ def test_the_menu_of_curves_offers_nothing_and_says_why(none):
     assert NO_CURVE not in none.action("deleteCurve").toolTip()
     none.trigger("deleteCurve")
     assert [curve.name for curve in none.session.document.curves] == ["B", "C"]
+
+
+def test_the_bar_and_the_form_show_that_there_is_no_curve_and_take_nothing(none):
+    find, session = none.window.findChild, none.session
+    box, slider = find(QComboBox, "parametrizationBox"), find(LiveSlider, "alphaSlider")
+    name, start = find(QLineEdit, "curveName"), find(QLineEdit, "intervalStart")
+    rule, facts = find(QComboBox, "velocityRule"), find(QLabel, "curveFacts")
+    none.show_dock("curveDock")
+    before = session.document
+    for each in (box, slider, name, start, rule):
+        QTest.mouseClick(each, Qt.MouseButton.LeftButton)
+        QTest.keyClicks(each, "7")
+        QTest.keyClick(each, Qt.Key.Key_Down)
+        QTest.keyClick(each, Qt.Key.Key_Return)
+        assert not each.isEnabled()
+    assert session.document is before
+    assert (box.currentIndex(), name.text(), start.text(), rule.currentIndex()) == (-1, "", "", -1)
+    assert facts.text() == box.toolTip() == NO_CURVE
+    assert not none.action("familyHermite").isChecked()
+    session.selected.choose((1,))
+    assert (box.currentText(), name.text(), start.text()) == ("Chord length", "B", "0")
+    assert none.action("familyHermite").isChecked()
+    name.selectAll()
+    none.type_text(name, "Leaf\r")
+    assert session.document.curves[1].name == "Leaf"
+
+
+def test_enter_edits_what_was_chosen_also_when_the_pointer_has_left(none):
+    """It sought a point below a pointer at infinity, and warned of numbers that are none."""
+    none.hover(none.point(1))
+    QApplication.sendEvent(none.window.canvas, QEvent(QEvent.Type.Leave))
+    none.session.selected.choose((1,))
+    none.window.canvas.setFocus()
+    none.key(Qt.Key.Key_Return)
+    assert (none.session.selected.edited, none.session.selection) == ({1}, frozenset())
+    assert none.status == "Editing “B” now."
 
 
 def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(editor):

@@ -572,3 +572,22 @@ def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_sta
     using.choose_family("other")
     using.trigger("undo")
     assert using.curve.family.name == NAME
+
+
+def test_a_file_asked_for_while_another_is_tried_leaves_that_one_asked_for_too(
+    editor, path, save, ask, qtbot, tried_here
+):
+    """The first one was said to be “run again”, and its family was not offered."""
+    other = path.with_name("my_second.py")
+    save(template(path))
+    other.write_text(template(other), encoding="utf-8")
+    said = []
+    family_files().brought.connect(lambda *_: said.append(text_of(editor)))
+    for each in (path, other):
+        ask(each)
+        editor.trigger("useFamilyFile")
+    qtbot.waitUntil(lambda: len(said) == 2, timeout=WAIT_MS)
+    assert [words.partition(" brings ")[0] for words in said] == [f"“{NAME}.py”", "“my_second.py”"]
+    assert editor.status == ""
+    editor.trigger("useOwnFamily")
+    assert editor.curve.family.name == "my_second"

@@ -9,7 +9,7 @@ import pytest
 from pixels import is_colour
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSlider, QToolButton
+from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSlider, QToolButton, QWidget
 
 from app.features.plots.pane import PlotPane
 from app.view_model.analysis.figures import Figure, Shape
@@ -212,7 +212,7 @@ def test_a_plot_is_drawn_chosen_and_read_at_the_scrub_line(editor, qtbot):
     assert line.values == pytest.approx(np.linalg.norm(curve.evaluate(line.t), axis=1))
     editor.scrub(0.5)
     distance = np.linalg.norm(curve.evaluate(editor.session.selected.scrub))
-    assert f"|c| {distance:.4g}" in pane.values_text
+    assert f"|c| {distance:.4g}" in pane.findChild(QWidget, "plotValues").text()
     before = line.values
     editor.drag_point(3, (3.0, 3.0))
     assert not np.array_equal(pane.canvas.plots[1].lines[0].values, before)

@@ -157,6 +157,12 @@ def test_a_page_keeps_its_corner_and_takes_units(drawn):
     problem = drawn.window.findChild(QLabel, "documentProblem").text()
     assert problem == "⚠ The width of the page must be greater than 0."
     assert size(drawn) == (25.4, 4.0)
+    # And not that the page is out of sight.
+    assert drawn.status == "The width of the page must be greater than 0."
+    drawn.trigger("pageSize")
+    type_into_focus(drawn, "5 apples", Qt.Key.Key_Return)
+    problem = drawn.window.findChild(QLabel, "documentProblem").text()
+    assert problem == "⚠ “apples” is no unit of length known here, such as mm, cm, in, pt and px."
 
 
 def test_usual_sizes_are_chosen_and_turned(drawn):

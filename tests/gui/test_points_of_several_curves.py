@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
+from pixels import pixels_of
 from PySide6.QtCore import Qt
 
 from app.document.model import Document, make_curve
@@ -277,3 +278,45 @@ def test_the_menu_of_another_contours_point_is_about_what_is_selected(letter):
     assert (selected(letter), letter.curve.name) == ({0: {2}, 1: {2}}, "Inner")
     letter.open_menu((0.0, 3.0)).close()
     assert (selected(letter), letter.curve.name) == ({0: {1}}, "Outer")
+
+
+def test_handles_of_both_contours_are_seen_and_each_is_dragged(letter):
+    """Of the contour that is not the active one there were none."""
+    letter.drag((-4.0, 0.7), (-1.0, -0.7))
+    assert letter.curve.name == "Outer"
+    before = letter.session.document
+    # The handles of the circle's point beside it, and the one that faces it; where they lie is plain.
+    own, facing = (-1.5, -0.75), (-0.75, -1.5)
+    shown = ink_around(letter, own), ink_around(letter, facing)
+    letter.hover(own)
+    assert letter.window.status_line.hint.startswith("Drag to set the velocity of point 2")
+    letter.press(own)
+    letter.move((-2.0, -1.5))
+    assert letter.session.document.curves[1] != before.curves[1]
+    letter.key(Key.Key_Escape)
+    letter.release((-2.0, -1.5))
+    assert letter.session.document is before
+    # Now it is the one of the outer contour that belongs to another curve.
+    assert (selected(letter), letter.curve.name) == ({0: {2}, 1: {2}}, "Inner")
+    letter.drag((-3.0, -1.5), (-3.5, -2.0))
+    after = letter.session.document.curves
+    assert (after[1], letter.curve.name) == (before.curves[1], "Outer")
+    assert after[0].points[2].velocity == pytest.approx((-6.0, -24.0), abs=0.3)
+    assert step_name(letter) == "Set velocity of point 2"
+    letter.drag(facing, (-1.0, -2.0))
+    assert letter.session.document.curves[1].points[3].velocity is not None
+    letter.trigger("undo")
+    letter.trigger("undo")
+    assert letter.session.document == before
+    letter.click((-3.0, 0.0))
+    assert selected(letter) == {0: {2}}
+    gone = ink_around(letter, own), ink_around(letter, facing)
+    assert all(few < many for few, many in zip(gone, shown, strict=True))
+
+
+def ink_around(editor, place):
+    """How many pixels of the mark of a handle have another colour than most there."""
+    at = editor.window.canvas.to_pixel(*place)
+    image = editor.window.canvas.grab().toImage().copy(at.x() - 6, at.y() - 6, 13, 13)
+    _, counts = np.unique(pixels_of(image), return_counts=True)
+    return image.width() * image.height() - counts.max()

@@ -536,33 +536,6 @@ def test_a_click_on_the_curve_keeps_its_shape_under_manual_parameters(three):
     assert three.curve.points[2].velocity is not None
 
 
-def test_under_a_rule_the_change_is_told_and_freezing_is_offered(three):
-    before = three.session.active_view
-    three.add_point(*before.curve.evaluate(0.41))
-    assert three.message.startswith("The parameters moved: largest change 0.0")
-    button = three.window.message_bar.findChild(object, "offeredAction")
-    assert button.isVisible()
-    assert button.text() == "Freeze and Keep the Shape"
-    QTest.mouseClick(button, LEFT)
-    three.settle()
-    assert three.curve.is_manual
-    assert three.status.startswith("Shape kept, largest change ")
-    t = np.linspace(0, 1, 200)
-    assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
-    assert three.session.undo_stack.undoText() == "Freeze and insert point 2"
-    assert not three.action("keepShape").isEnabled()
-    assert not button.isVisible()
-    three.trigger("undo")
-    assert three.session.active_view.source == before.source
-
-
-def test_the_offer_is_void_after_another_step(three):
-    three.add_point(*three.session.active_view.curve.evaluate(0.41))
-    assert three.action("keepShape").isEnabled()
-    three.drag_point(0, to=(0.2, 3.2))
-    assert not three.action("keepShape").isEnabled()
-
-
 def test_a_point_dragged_off_the_curve_goes_where_it_is_dragged(three):
     three.trigger("freezeParameters")
     at = tuple(three.session.active_view.curve.evaluate(0.41))

@@ -174,6 +174,7 @@ def test_a_remembered_key_is_kept_from_an_action_that_comes_with_it_since(qtbot,
         ("Count", "E", "“Count” cannot come with its key: E held, takes the ticks of the t-rail along;"),
     ],
 )
+@pytest.mark.usefixtures("qapp")
 def test_a_key_that_an_action_cannot_come_with_is_an_error_of_the_start(text, key, reason):
     class CountingCommands:
         @action("count", text, CURVE_SHAPE, key)

@@ -79,7 +79,8 @@ def dialogs(window):
     yield MotionDialog(window)
     yield CrashDialog(window, "Traceback\n" * 40, is_safe=False)
     many = tuple(f"Element {number} holds text, which has no curves to take." for number in range(30))
-    yield ImportDrawingDialog("drawing.svg", Imported(LINE, 0.0, many), window)
+    rest = "Its page, its unit mm and 2 guides stay behind."
+    yield ImportDrawingDialog("drawing.svg", Imported(LINE, 0.0, many), lambda _anew: rest, window)
     data = b"t,x,y,vx,vy,ax,ay\n" + b"0,1,2,3,4,5,6\n1,2,4,5,6,7,8\n" * 20
     yield ImportTableDialog("a.csv", "a", TableSource(data), preview_table(data), window)
     yield PreferencesDialog(window.preferences, window.actions_by_name.keymap, window)

@@ -25,9 +25,9 @@ def pair(waves):
     return waves("AB")
 
 
-def insert(editor):
-    editor.add_point(*editor.session.active_view.curve.evaluate(0.41))
-    assert editor.message.startswith("The parameters moved")
+def offer(editor):
+    editor.session.offer("A rule gives the parameters.", "freezeParameters")
+    assert editor.message == "A rule gives the parameters."
 
 
 def enter(widget):
@@ -49,17 +49,16 @@ def offer_button(editor):
 
 def test_the_offer_stays_under_the_pointer(pair):
     before = pair.session.active_view
-    insert(pair)
+    offer(pair)
     button = offer_button(pair)
     enter(button)
     pair.settle()
     assert button.isVisible()
-    assert pair.status == pair.action("keepShape").statusTip()
+    assert pair.status == pair.action("freezeParameters").statusTip()
     QTest.mouseClick(button, LEFT)
     pair.settle()
     assert pair.curve.is_manual
     assert pair.message == ""
-    assert pair.status.startswith("Shape kept")
     pair.trigger("undo")
     assert pair.session.active_view.source == before.source
 
@@ -76,11 +75,12 @@ def test_the_offer_stays_under_the_pointer(pair):
     ],
 )
 def test_the_offer_goes_with_what_it_was_about(pair, act):
-    insert(pair)
+    pair.drag_point(1, to=(1.2, 4.2))
+    offer(pair)
     act(pair)
     pair.settle()
     assert not offer_button(pair).isVisible()
-    assert "The parameters moved" not in pair.message + pair.status
+    assert "A rule gives" not in pair.message + pair.status
 
 
 def test_a_tip_goes_in_front_of_what_was_said_and_gives_it_back(pair):

@@ -44,6 +44,20 @@ def test_what_was_written_comes_back_bit_for_bit(tmp_path):
     assert snapshot.origin == Origin()
 
 
+def test_names_come_back_and_a_snapshot_of_before_has_none(tmp_path):
+    svg = tmp_path / os.fsdecode(b"no\xfftext.svg")
+    named = Origin(title=os.fsdecode(b"no\xfftext"), file_stem="icon", foreign=svg)
+    file = left_behind(tmp_path, origin=named)
+    (snapshot,) = list_snapshots(tmp_path).snapshots
+    assert snapshot.origin == Origin(title="no?text", file_stem="icon", foreign=svg)
+    snapshot.leave()
+    record = json.loads(file.read_bytes())
+    del record["title"], record["file_stem"], record["foreign"]
+    file.write_text(json.dumps(record | {"version": 1}), encoding="utf-8")
+    (snapshot,) = list_snapshots(tmp_path).snapshots
+    assert (snapshot.document, snapshot.origin) == (THIRDS, Origin())
+
+
 @pytest.mark.parametrize("name", ["a b, ü.curve.json", os.fsdecode(b"no\xfftext.curve.json")])
 def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
     path = tmp_path / name
@@ -145,7 +159,7 @@ def damage(content, kind):
     elif kind == "checksum":
         record["checksum"] = "0" * 64
     elif kind == "newer":
-        record["version"] = 2
+        record["version"] = 3
     elif kind == "surrogate":
         return json.dumps(record | {"document": "\ud800"}).encode()
     elif kind == "path":

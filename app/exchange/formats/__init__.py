@@ -18,7 +18,7 @@ from pathlib import Path
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ...document.words import enumerated
+from ...document.words import enumerated, number
 from ..errors import ExchangeError
 
 if TYPE_CHECKING:
@@ -59,6 +59,14 @@ class Written:
     def data(self) -> bytes:
         """The content as it stands in the file."""
         return self.content.encode() if isinstance(self.content, str) else self.content
+
+    @property
+    def words(self) -> str:
+        """How near it is to the document."""
+        if self.pixels is not None:
+            # Pixels are not exact, whatever they were painted from.
+            return f"{self.pixels[0]} × {self.pixels[1]} pixels"
+        return f"at most {number(self.deviation, 2)} from the true curve" if self.deviation else "exact"
 
 
 class ContentKind(Enum):
@@ -266,6 +274,13 @@ def file_filters() -> str:
     everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
     kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
     return ";;".join([everything, *kinds, "All files (*)"])
+
+
+def can_write_back(path: Path) -> bool:
+    """Whether a file that a drawing was read from is of a format that is written, too."""
+    name = path.name.lower()
+    drawings = [each for each in FORMATS.read if each.kind is ContentKind.DRAWING]
+    return name.endswith(endings_of(drawings)) and name.endswith(endings_of(FORMATS.written))
 
 
 def can_import(path: Path) -> bool:

@@ -13,7 +13,10 @@ from .matrices import box_of
 from .xml_tree import tag_of
 
 MARK = "Largest deviation from the true curves"
-"""Words in the description of every picture."""
+"""Words in the metadata of every picture."""
+
+_NOTES = ("metadata", "desc")
+"""Where these stand: in pictures of before in the description, which Inkscape gives to a layer."""
 
 NO_CURVES = ("paper", "points", "grid", "handles", "basis")
 """Ids of what is drawn beside the curves."""
@@ -37,8 +40,8 @@ class OurOwn:
     """
 
     def __init__(self, root: ET.Element) -> None:
-        description = next((child.text or "" for child in root if tag_of(child) == "desc"), "")
-        self._is_so = MARK in description
+        notes = ("".join(child.itertext()) for child in root if tag_of(child) in _NOTES)
+        self._is_so = any(MARK in note for note in notes)
         self.has_nominal_size = self._is_so and root.get("width", "")[-1:].isdigit()
         self.has_page = not self._is_so or root.get("id") == PAGE
         box = box_of(root.get("viewBox", ""))

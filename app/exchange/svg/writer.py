@@ -31,7 +31,7 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     Coordinates are the document's own with y negated, in full precision but for noise (see `number`): a
     piece of a cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves
     become as many cubics as the tolerance takes; the largest deviation stands in a comment and in the
-    description. The curves of a shape are one path, in their groups and with its style; hidden ones are
+    metadata. The curves of a shape are one path, in their groups and with its style; hidden ones are
     there, and not displayed. Points are discs in a group of their own. Without a width and a unit the longer
     side is `NOMINAL_SIDE`.
     All curves may lie `in_group`, one without a name.
@@ -96,7 +96,8 @@ def svg_text(
         f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
         f'<svg{name} xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
         f'width="{wide}" height="{high}" viewBox="{box}">',
-        f"  <desc>{escaped(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
+        # No <desc>: Inkscape takes that for the description of a layer.
+        f"  <metadata>{escaped(' '.join([accuracy_of(drawing), *drawing.remarks]))}</metadata>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
         *(["  <g>"] if in_group else []),

@@ -176,11 +176,6 @@ class BasisPane(FollowsTheme, CentralPane):
         self._extent.setText(_reach_text(self._reach, brief=self._brevity > 1))
         self._extent.setToolTip(_reach_text(self._reach))
 
-    @property
-    def extent_text(self) -> str:
-        """The note that functions leave the range; empty when they do not."""
-        return _reach_text(self._reach)
-
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self._panel.set_theme(theme)

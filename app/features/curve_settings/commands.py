@@ -82,7 +82,8 @@ class CurveSettingsCommands:
     @Panel("curveDock", "Curve")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
-        self.panel = CurveSettings(self._session.active_view, parent)
+        self._shown = self._session.meant_view
+        self.panel = CurveSettings(self._shown, parent)
         self._edits = FormEdits(self._session, self.panel)
         self.panel.settings.rebuilt.connect(self._follow_sliders)
         self._follow_sliders()
@@ -110,10 +111,10 @@ class CurveSettingsCommands:
         self.panel.settings.focus(each[1])
 
     def render(self, view: CurveView) -> None:
-        """Show `view`; where only the selection has changed, the form stays as it is."""
-        if view is not self._shown:
-            self._shown = view
-            self.panel.render_view(view)
+        """Show the curve to act on; where only points are selected besides, the form stays as it is."""
+        if (meant := self._session.meant_view) is not self._shown:
+            self._shown = meant
+            self.panel.render_view(meant)
 
 
 COMMAND_SETS = (CurveSettingsCommands,)

@@ -13,6 +13,8 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document import edits
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
+from ...document.model import Document
+from ...document.selection import NONE_CHOSEN
 from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
@@ -31,7 +33,7 @@ _SETTINGS_ROW = 2
 
 
 class CurveSettings(FieldForm):
-    """A form that shows a view, and asks for changes of its curve.
+    """A form that shows a view, or that there is none to act on, and asks for changes of its curve.
 
     Attributes
     ----------
@@ -39,9 +41,10 @@ class CurveSettings(FieldForm):
         The fields of the family's settings.
     """
 
-    def __init__(self, view: CurveView, parent: QWidget | None = None) -> None:
+    def __init__(self, view: CurveView | None, parent: QWidget | None = None) -> None:
         super().__init__("curveSettings", "curveProblem", parent)
         self._view = view
+        self._fields = QWidget()
         self.name_edit = FieldEdit("curveName", "Name of the curve", "Name of the curve (Enter to set)")
         self.start_edit = _interval_edit("intervalStart", "Start of the interval", "t of the first point")
         self.end_edit = _interval_edit(
@@ -69,18 +72,20 @@ class CurveSettings(FieldForm):
             ("Name", self.name_edit),
             ("Interval of t", interval),
             *((each.plural.capitalize(), box) for each, box in self.rule_boxes.items()),
+            margins=0,
+            parent=self._fields,
         )
         self.settings = SettingFields(self._form, _SETTINGS_ROW, self)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         reset = (self.reset_button, Qt.AlignmentFlag.AlignLeft)
-        column_of(self._form, reset, self.problem, self._facts, 1, margins=12, spacing=10, parent=self)
+        column_of(self._fields, reset, self.problem, self._facts, 1, margins=12, spacing=10, parent=self)
 
     def _connect(self) -> None:
         self.watch(self.name_edit, self.start_edit, self.end_edit)
         self.name_edit.committed.connect(self._rename)
-        self.start_edit.entered.connect(lambda start: self._set_interval(start, self._interval[1]))
-        self.end_edit.entered.connect(lambda end: self._set_interval(self._interval[0], end))
+        self.start_edit.entered.connect(lambda start: self._set_interval(start, None))
+        self.end_edit.entered.connect(lambda end: self._set_interval(None, end))
         for each, box in self.rule_boxes.items():
             box.activated.connect(partial(self._set_rule, each))
         self.reset_button.clicked.connect(self._reset_all)
@@ -93,9 +98,9 @@ class CurveSettings(FieldForm):
 
     # Rendering: nothing here writes back
 
-    def render_view(self, view: CurveView) -> None:
-        """Show `view`; hidden, when shown again."""
-        if view.source != self._view.source:
+    def render_view(self, view: CurveView | None) -> None:
+        """Show `view`, or that no curve is edited and none chosen (None); hidden, when shown again."""
+        if view is None or self._view is None or view.source != self._view.source:
             self.clear_refusal()
         self._view = view
         if self.isVisible():
@@ -105,26 +110,40 @@ class CurveSettings(FieldForm):
         super().showEvent(event)
         self._render()
 
-    @property
-    def _interval(self) -> tuple[float, float]:
-        return edits.interval(self._view.source)
-
     def _render(self) -> None:
-        curve = self._view.source
+        self._fields.setEnabled(self._view is not None)
+        if self._view is None:
+            self._render_none()
+        else:
+            self._render_curve(self._view)
+
+    def _render_none(self) -> None:
+        for edit in (self.name_edit, self.start_edit, self.end_edit):
+            edit.show_text("")
+        for box in self.rule_boxes.values():
+            box.setCurrentIndex(-1)
+        self.settings.render_none()
+        self.reset_button.setVisible(False)
+        self._facts.setText(NONE_CHOSEN)
+        self.show_problem("")
+
+    def _render_curve(self, view: CurveView) -> None:
+        curve = view.source
+        interval = edits.interval(curve)
         self.name_edit.show_text(curve.name)
-        for edit, value in zip((self.start_edit, self.end_edit), self._interval, strict=True):
-            edit.show_number(value, _digits_of(self._interval))
-        self.settings.render_view(self._view)
+        for edit, value in zip((self.start_edit, self.end_edit), interval, strict=True):
+            edit.show_number(value, _digits_of(interval))
+        self.settings.render_view(view)
         for each, box in self.rule_boxes.items():
             rule = getattr(curve, each.rule_field)
             box.setCurrentIndex(list(each.rules).index(rule))
             if (tip := f"{_rule_tip(each)}\n{rule.label}: {rule.tip}") != box.toolTip():
                 box.setToolTip(tip)
             self._form.setRowVisible(box, each.order <= curve.family.derivatives)
-        self.reset_button.setVisible(bool(orders_set(self._view)))
-        self._facts.setText(_facts(self._view))
+        self.reset_button.setVisible(bool(orders_set(view)))
+        self._facts.setText(_facts(view))
         # Nothing is wrong with a curve that is yet to be begun.
-        self.show_problem(self._view.problem if curve.points else "")
+        self.show_problem(view.problem if curve.points else "")
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -138,10 +157,14 @@ class CurveSettings(FieldForm):
         self.edited.emit("Rename curve", lambda document, curve: edits.rename_curve(document, curve, name))
         self._render()
 
-    def _set_interval(self, start: float, end: float) -> None:
-        self.edited.emit(
-            "Set interval", lambda document, curve: edits.set_interval(document, curve, start, end)
-        )
+    def _set_interval(self, start: float | None, end: float | None) -> None:
+        def edit(document: Document, curve: int) -> Document:
+            before = edits.interval(document.curves[curve])
+            return edits.set_interval(
+                document, curve, before[0] if start is None else start, before[1] if end is None else end
+            )
+
+        self.edited.emit("Set interval", edit)
         self._render()
 
     def _set_rule(self, of: Derivative, place: int) -> None:
@@ -156,11 +179,12 @@ class CurveSettings(FieldForm):
         self._render()
 
     def _reset_all(self) -> None:
-        everyone, orders = range(len(self._view.source.points)), orders_set(self._view)
-        self.edited.emit(
-            "Reset all to estimated",
-            lambda document, curve: edits.estimate_derivatives(document, curve, everyone, orders),
-        )
+        def edit(document: Document, curve: int) -> Document:
+            given = document.curves[curve]
+            everyone, orders = range(len(given.points)), range(1, given.family.derivatives + 1)
+            return edits.estimate_derivatives(document, curve, everyone, orders)
+
+        self.edited.emit("Reset all to estimated", edit)
 
 
 def orders_set(view: CurveView) -> set[int]:

@@ -46,18 +46,18 @@ class NumberField:
         self.slider = named(slider, f"{name}Slider", f"{label}, slider", tip)
         self.slider.setRange(*limits)
         self.slider.setPageStep(1)
-        self._value: SettingValue = setting.default
+        self._value: SettingValue | None = setting.default
         self.slider.drag_ended.connect(self._show)
         self.row: QLayout = row_of(self.edit, (self.slider, 1), spacing=8)
         self.entry: QWidget = self.edit
 
-    def render_value(self, value: SettingValue) -> None:
-        """Show `value`; the handle of a slider that is being dragged stays where it is."""
+    def render_value(self, value: SettingValue | None) -> None:
+        """Show `value`, or none; the handle of a slider that is being dragged stays where it is."""
         self._value = value
         self._show()
 
     def _show(self) -> None:
-        self.edit.show_text(str(self._value))
+        self.edit.show_text("" if self._value is None else str(self._value))
         if not self.slider.isSliderDown() and isinstance(self._value, int):
             self.slider.setValue(self._value)
 
@@ -77,8 +77,8 @@ class ChoiceField:
         self.box = choice_box(_widget_name(setting), setting.label, setting.tip, labels)
         self.row = self.entry = self.box
 
-    def render_value(self, value: SettingValue) -> None:
-        """Show `value`; none of a document whose family has become another one."""
+    def render_value(self, value: SettingValue | None) -> None:
+        """Show `value`; none also of a document whose family has become another one."""
         self.box.setCurrentIndex(self._values.index(str(value)) if value in self._values else -1)
 
     def value_at(self, place: int) -> SettingValue:
@@ -123,6 +123,11 @@ class SettingFields(QObject):
         for setting, value in settings.values(view.source.settings_in_effect).items():
             self._fields[setting].render_value(value)
             self._fields[setting].row.setEnabled(not (closed and setting.when_closed is not None))
+
+    def render_none(self) -> None:
+        """Show no value: there is no curve to act on."""
+        for field in self._fields.values():
+            field.render_value(None)
 
     def focus(self, setting: FamilySetting) -> None:
         """Lead the person to the field of a setting."""

@@ -9,7 +9,7 @@ from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
-from ...document import curve_edits, edits
+from ...document import curve_edits
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
@@ -18,9 +18,8 @@ from ...document.shapes import shape_of
 from ...document.words import count_of, number
 from ...tools.inserting import insert_at
 from ...view_model.appending import with_closed
-from ...view_model.curve_view import view_of
 from ...view_model.midpoints import Halved, with_midpoints
-from ...view_model.reshape import Reshaped, inserted_index, reversed_curve, with_point_inserted
+from ...view_model.reshape import Reshaped, reversed_curve
 from ...view_model.splitting import Split, split
 from ...view_model.straight import segments_between
 from ...workbench.context import WindowContext
@@ -148,7 +147,7 @@ class CurveCommands:
         keywords="knot insertion, elevate degree elevation, refine, add control point",
     )
     def _insert(self) -> None:
-        """Insert a point on the curve; under manual parameters, and of control points, its shape stays."""
+        """Insert a point on the curve; the shape stays, with manual parameters where a rule would move it."""
         self._at_scrub(self.insert_at)
 
     @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
@@ -167,7 +166,7 @@ class CurveCommands:
     )
     @also(POINT_MENU(17))
     def _insert_between(self) -> None:
-        """Insert a point in the middle of each segment between neighbouring selected points."""
+        """Insert a point in the middle of each segment between selected neighbours; the shape stays."""
         session, views, made = self._session, self._session.views, dict[int, Halved]()
         segments = {
             curve: segments_between(views[curve].source, indices)
@@ -189,29 +188,6 @@ class CurveCommands:
             kept = {curve: each.old | each.new for curve, each in made.items()}
             session.selected.set_group(some_points(kept.items()))
             session.say(" ".join(("Inserted", f"{new}.", *(each.made.sentence for each in made.values()))))
-
-    @action(
-        "keepShape",
-        "Freeze and Keep the Shape",
-        CURVE_POINTS,
-        icon="lock",
-        needs=Need(
-            "an insertion that has just moved the parameters", lambda now: now.session.offered_at is not None
-        ),
-    )
-    def _keep_shape(self) -> None:
-        """Take the insertion back, freeze the parameters and insert the point again: the shape stays."""
-        session, t = self._session, self._session.offered_at
-        if t is None:
-            return
-        session.undo_stack.undo()
-        view, index = session.active_view, inserted_index(session.active_view, t)
-        frozen = edits.freeze_parameters(session.document, session.active_index, view.parameters.tolist())
-        fixed = view_of(frozen.curves[session.active_index])
-        if self._reshape(f"Freeze and insert point {index}", lambda: with_point_inserted(fixed, t)):
-            session.selected.set_points([index])
-        else:
-            session.undo_stack.redo()
 
     @PlaceAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:

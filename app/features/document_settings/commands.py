@@ -38,7 +38,7 @@ class DocumentSettingsCommands:
         self._panel = document_settings.panel.DocumentPanel(parent)
         self._edits = FormEdits(self._session, self._panel)
         self._panel.made_usual.connect(self._make_usual)
-        self._panel.page_asked.connect(self._tell_page_out_of_sight)
+        self._panel.page_made.connect(self._tell_page_out_of_sight)
         self._render_panel()
         return self._panel
 

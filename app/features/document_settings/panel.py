@@ -50,12 +50,12 @@ class DocumentPanel(FieldForm):
     -------
     made_usual
         New documents shall begin as this one is.
-    page_asked
-        Another page was asked for, and made if that was possible.
+    page_made
+        Another page was asked for, and made.
     """
 
     made_usual = Signal()
-    page_asked = Signal()
+    page_made = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("documentPanel", "documentProblem", parent)
@@ -82,8 +82,10 @@ class DocumentPanel(FieldForm):
         self.edited.emit(f"Set the {what}", lambda document, _curve: edit(document, value))
 
     def _ask_page(self, text: str, edit: Callable[[Document], Document]) -> None:
+        self.clear_refusal()
         self.edited.emit(text, lambda document, _curve: edit(document))
-        self.page_asked.emit()
+        if not self.has_refusal:
+            self.page_made.emit()
 
     def render_document(self, document: Document, unit: str, spacing: float, style: Style) -> None:
         """Show `document`, and the unit, the grid and the style that new ones begin with."""

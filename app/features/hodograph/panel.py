@@ -220,11 +220,6 @@ class HodographPanel(FollowsTheme, QWidget):
         self.plot.is_fitted = True
         self.changed.emit()
 
-    @property
-    def value_text(self) -> str:
-        """Text about the scrub line."""
-        return self._value.text()
-
     def show_value(self, t: float | None, value: tuple[float, float] | None) -> None:
         """Write and draw the derivative at the scrub line; None without one."""
         if t is None or value is None:

@@ -2,7 +2,7 @@
 
 - ``commands``: the actions.  ``import_series``: several files, one after the other.
   ``intake``: curves of one in the document.
-- ``copy_commands``: pictures on the clipboard.
+- ``copy_commands``: pictures on the clipboard.  ``overwrite_commands``: back to the file that was opened.
 - ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,
   ``import_foot``, ``import_picture``, ``missed_list``: what a file holds, before it comes in.

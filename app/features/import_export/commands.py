@@ -21,6 +21,7 @@ from ...exchange.formats import (
     FORMATS,
     ContentKind,
     Written,
+    can_write_back,
     ending_in,
     file_filters,
     format_of,
@@ -31,12 +32,14 @@ from ...exchange.options import Options
 from ...exchange.reading import import_file
 from ...exchange.writing import export
 from ...storage.files import StorageError, read
+from ...storage.foreign import Foreign
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from ...workbench.document_files import file_stem
 from .. import import_export
 from .copy_commands import CopyCommands
 from .import_series import ImportSeries
+from .overwrite_commands import OverwriteCommands
 
 if TYPE_CHECKING:
     from ...exchange.choice import ExportChoice
@@ -172,7 +175,9 @@ class ExchangeCommands:
                 path.name, path.stem, found.source, found.preview, parent
             )
         else:
-            dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(path.name, found, parent)
+            dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(
+                path.name, found, partial(self._words_about_rest, found.document), parent
+            )
         dialog.chosen.connect(partial(self._take_in, path))
         if path == self._opened:
             dialog.into.setCurrentText(dialogs.form_parts.A_NEW_DOCUMENT)
@@ -186,7 +191,7 @@ class ExchangeCommands:
             self._end_turn()
             return
         new, begins = taken.document, anew or session.files.is_untouched
-        target = session.files.blank() if begins else session.committed
+        target, rest = self._target(anew), self._words_about_rest(new, anew)
 
         def work(report: Report) -> Arrival:
             return intake.intake(target, new, lambda share: report(share, "Computing curves"))
@@ -200,7 +205,7 @@ class ExchangeCommands:
                     arrival = intake.intake(session.committed, new)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
                 if self._put(path, arrival, begins=begins, anew=anew):
-                    self._show_added(path, arrival, taken.deviation * factor)
+                    self._show_added(path, arrival, taken.deviation * factor, rest)
             finally:
                 self._end_turn()
 
@@ -210,6 +215,14 @@ class ExchangeCommands:
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
+    def _target(self, anew: bool) -> Document:
+        """Return the document that curves go to."""
+        files = self._session.files
+        return files.blank() if anew or files.is_untouched else self._session.committed
+
+    def _words_about_rest(self, new: Document, anew: bool) -> str:
+        return import_export.intake.words_about_rest(self._target(anew), new)
+
     def _end_turn(self) -> None:
         # What comes next of the series goes where this one went.
         self._meant_for = self._documents
@@ -217,18 +230,24 @@ class ExchangeCommands:
 
     def _put(self, path: Path, arrival: Arrival, *, begins: bool, anew: bool) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
-        session, step = self._session, f"Import {path.name}"
+        session, step, is_opened = self._session, f"Import {path.name}", anew or path == self._opened
         if not begins:
             session.expect(arrival.views)
             return bool(session.change(step, lambda _: arrival.document, active=arrival.places.start))
         try:
-            session.files.begin_imported(arrival.document, path.stem, "" if anew else step, arrival.views)
+            session.files.begin_imported(
+                arrival.document,
+                path.stem,
+                "" if anew else step,
+                arrival.views,
+                Foreign(path.absolute()) if is_opened and can_write_back(path) else None,
+            )
         except EditError as reason:
             session.refuse(str(reason))
             return False
         return True
 
-    def _show_added(self, path: Path, arrival: Arrival, deviation: float) -> None:
+    def _show_added(self, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
         """Show and choose what has come in, and say what it is."""
         added, curves = arrival.places, arrival.document.curves[arrival.places.start :]
         if added.start > 0 or len(curves) > 1:
@@ -241,7 +260,7 @@ class ExchangeCommands:
         count = sum(len(curve.points) for curve in curves)
         what = f"{count_of(len(curves), 'curve')}, {count_of(count, 'point')}"
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
-        self._session.say(f"Imported {path.name}: {what}, {exact}.")
+        self._session.say(f"Imported {path.name}: {what}, {exact}. {rest}".rstrip())
 
     # Out
 
@@ -317,12 +336,7 @@ class ExchangeCommands:
 
     def _say_written(self, path: Path, written: Written) -> None:
         self._preferences.last_folder = path.parent
-        away = written.deviation
-        what = f"at most {number(away, 2)} from the true curve" if away else "exact"
-        if written.pixels is not None:
-            # Pixels are not exact, whatever they were painted from.
-            what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
-        self._session.say(f"Wrote {path.name}, {what}.")
+        self._session.say(f"Wrote {path.name}, {written.words}.")
         self._work.warn_of(written.remarks)
 
 
@@ -334,4 +348,4 @@ class _OpenTable:
     preview: Preview
 
 
-COMMAND_SETS = (ExchangeCommands, CopyCommands)
+COMMAND_SETS = (ExchangeCommands, CopyCommands, OverwriteCommands)

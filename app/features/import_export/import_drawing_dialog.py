@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
@@ -23,6 +25,11 @@ _MOST_REMARKS = 8
 class ImportDrawingDialog(WorkDialog):
     """Shows what was found, says what of it comes in otherwise, and asks where it goes.
 
+    Parameters
+    ----------
+    rest
+        Returns what is said of all that stays behind where the curves go: to a new document, or this one.
+
     Signals
     -------
     chosen
@@ -31,9 +38,11 @@ class ImportDrawingDialog(WorkDialog):
 
     chosen = Signal(object, bool)
 
-    def __init__(self, title: str, found: Imported, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, title: str, found: Imported, rest: Callable[[bool], str], parent: QWidget | None = None
+    ) -> None:
         super().__init__("importDrawingDialog", f"Import {title}", "importProblem", parent)
-        self._found = found
+        self._found, self._rest = found, rest
         count = sum(1 for _ in shapes(found.document.curves))
         self.groups = GroupTree(found.document) if count > 1 else None
         self.picture = ImportPicture(self.jobs)
@@ -41,7 +50,10 @@ class ImportDrawingDialog(WorkDialog):
         self.missed = MissedList(found.missed) if found.missed else None
         self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))
+        self.rest = Label(name="importRest", wordWrap=True)
         self.into = into_box()
+        self.into.currentTextChanged.connect(self._show_rest)
+        self._show_rest()
         self.foot = ImportFoot(self, "importDrawing", "Take the curves in")
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
@@ -64,7 +76,17 @@ class ImportDrawingDialog(WorkDialog):
             layout.addWidget(self.missed)
         layout.addWidget(self.remarks)
         layout.addLayout(row_of("Into", self.into, 1))
+        layout.addWidget(self.rest)
         self.hold(self.foot, wished=QSize(660, 0))
+
+    @property
+    def _is_anew(self) -> bool:
+        return self.into.currentText() == A_NEW_DOCUMENT
+
+    def _show_rest(self) -> None:
+        text = self._rest(self._is_anew)
+        self.rest.setText(text)
+        self.rest.setVisible(bool(text))
 
     def _taken(self) -> list[bool]:
         return self.groups.taken if self.groups is not None else [True] * len(self._found.document.curves)
@@ -83,7 +105,7 @@ class ImportDrawingDialog(WorkDialog):
     def _import(self) -> None:
         # First, for a new document closes the dialogs of the one before.
         self.accept()
-        self.chosen.emit(self._found.only(self._taken()), self.into.currentText() == A_NEW_DOCUMENT)
+        self.chosen.emit(self._found.only(self._taken()), self._is_anew)
 
 
 def _summary(found: Imported, taken: int = 1, of: int = 1) -> str:

@@ -7,8 +7,9 @@ from collections.abc import Callable
 from ... import exchange
 from ...document.model import Document
 from ...document.plain import plain
-from ...document.several_curves import add_imported, is_blank
+from ...document.several_curves import add_imported, is_blank, left_behind
 from ...document.shapes import tidy_shapes
+from ...document.words import names_of
 from ...view_model.arrivals import Arrival
 from ...view_model.views_ahead import views_ahead
 
@@ -26,10 +27,27 @@ def intake(document: Document, new: Document, told: Callable[[float], object] | 
 
     What is an inch there is an inch here; to an empty document they bring their unit, page and guides.
     """
-    if not is_blank(document):
-        new = exchange.rescaled.in_unit(new, document.unit)
+    new = _sized_for(document, new)
     filled, first = add_imported(document, new)
     # As the door of the session leaves it, whose curves the views are to be of.
     filled = tidy_shapes(plain(filled, document), document)
     views = views_ahead(filled.curves[first:], told) if told is not None else ()
     return Arrival(filled, range(first, len(filled.curves)), tuple(views))
+
+
+def words_about_rest(document: Document, new: Document) -> str:
+    """Return what is said of all that does not come to a document with the curves of another."""
+    said = []
+    sized = _sized_for(document, new)
+    if sized.unit != new.unit:
+        said.append(f"Lengths are converted from {new.unit} to {sized.unit}.")
+    if rest := left_behind(document, sized):
+        verb = "stays" if len(rest) == 1 and not rest[0].endswith("guides") else "stay"
+        words = names_of(rest)
+        said.append(f"{words[0].upper()}{words[1:]} {verb} behind.")
+    return " ".join(said)
+
+
+def _sized_for(document: Document, new: Document) -> Document:
+    """Return what comes to a document, in its unit; one without curves takes the unit of what comes."""
+    return new if is_blank(document) else exchange.rescaled.in_unit(new, document.unit)

@@ -36,7 +36,8 @@ class OwnFamilyCommands(QObject):
         self._answered: set[Family] = set()
         self._shows_late = False
         self._bar: FamilyBar | None = None
-        self._asked: Path | None = None
+        # What was asked for here and has not come yet: one is tried after the other.
+        self._asked = set[Path]()
         self._news = ""
         self._dismissed = ""
         self._show()
@@ -106,7 +107,8 @@ class OwnFamilyCommands(QObject):
         self._files.stop()
 
     def _use(self, path: Path) -> None:
-        self._asked, self._news, self._dismissed = path.absolute(), "", ""
+        self._asked.add(path.absolute())
+        self._news = self._dismissed = ""
         self._files.use(path)
 
     # What became of it
@@ -116,8 +118,8 @@ class OwnFamilyCommands(QObject):
         self._context.actions.declare_again()
         self._session.renew(families)
         offered = [each for each in FAMILIES.files[path] if each in FAMILIES]
-        if path == self._asked:
-            self._asked = None
+        if path in self._asked:
+            self._asked.remove(path)
             self._files.offered = offered[0]
             names = enumerated([f"“{each.label}”" for each in offered])
             self._tell(f"“{path.name}” brings {names}. It is run again whenever it is saved.")

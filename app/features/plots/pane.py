@@ -53,11 +53,6 @@ class PlotPane(FollowsTheme, QWidget):
         column_of(header, (canvas, 1), margins=0, spacing=0, parent=self)
         self.follow_theme()
 
-    @property
-    def values_text(self) -> str:
-        """Text about the scrub line."""
-        return self._values.text()
-
     def show_values(self, t: float | None, values: Mapping[str, float]) -> None:
         """Write the values at the scrub line, by their symbols; nothing without one (None)."""
         if t is None:

@@ -9,9 +9,12 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from ...document.model import Document
-from ...session import Session
+from ...session import Beginning, Session
+from ...storage.foreign import Foreign
+from ...storage.reasons import shown
 from ...storage.recovery import Origin, SnapshotFile
 from ...tasks.task import Task
+from ...workbench.document_files import SUFFIX
 
 _log = logging.getLogger("curvebench.autosave")
 
@@ -97,9 +100,7 @@ class Autosave(QObject):
         self._soon.stop()
         self._kept, self._has_written = session.document, True
         file, document, committed = self._file, session.document, session.committed
-        origin = Origin(
-            session.files.path, session.files.file.stamp if session.files.file is not None else None
-        )
+        origin = origin_of(session)
         return self._do(lambda: _written(file, document, origin, committed), self._report)
 
     def _do(self, work: Callable[[], object], then: Callable[[Task], object] | None = None) -> Task:
@@ -162,6 +163,26 @@ def state_folder() -> Path:
 def snapshot_folder() -> Path:
     """Return where snapshots are kept."""
     return state_folder() / "unsaved"
+
+
+def origin_of(session: Session) -> Origin:
+    """Return where the document of a session came from, and what it is called."""
+    files, beginning = session.files, session.files.beginning
+    stamp = files.file.stamp if files.file is not None else None
+    foreign = files.foreign.path if files.foreign is not None else None
+    return Origin(files.path, stamp, beginning.title, beginning.file_stem, foreign)
+
+
+def beginning_of(origin: Origin, path: Path | None) -> Beginning:
+    """Return the beginning of work that was recovered and has its file at `path`, if any.
+
+    Where that is not to be written to any more, it keeps the name.
+    """
+    if path is None and origin.path is not None:
+        stem = shown(origin.path.name).removesuffix(SUFFIX)
+        return Beginning(title=stem, file_stem=stem)
+    foreign = Foreign(origin.foreign) if origin.foreign is not None else None
+    return Beginning(title=origin.title, file_stem=origin.file_stem, foreign=foreign)
 
 
 def _written(file: SnapshotFile, document: Document, origin: Origin, committed: Document) -> str:

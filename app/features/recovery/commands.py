@@ -8,13 +8,14 @@ from pathlib import Path
 from ...actions.declaration import action
 from ...actions.sections import FILE_RECOVERY
 from ...document.model import Document
+from ...session import Beginning
 from ...storage.recovery import Found, Snapshot, list_snapshots
 from ...workbench.context import WindowContext
 from .. import recovery
-from .autosave import Autosave, snapshot_folder
+from .autosave import Autosave, beginning_of, snapshot_folder
 from .set_aside import SetAside
 
-OpenBeside = Callable[[Document, Path | None], Autosave]
+OpenBeside = Callable[[Document, Path | None, Beginning], Autosave]
 """Opens another window on a document with changes that are not in its file."""
 
 
@@ -91,10 +92,11 @@ class RecoveryCommands:
         snapshot = self._take(index)
         origin, autosave = snapshot.origin, self._autosave
         path = origin.path if origin.is_unchanged else None
+        beginning = beginning_of(origin, path)
         if open_beside is not None:
-            autosave = open_beside(snapshot.document, path)
+            autosave = open_beside(snapshot.document, path, beginning)
         else:
-            session.files.restore(snapshot.document, path)
+            session.files.restore(snapshot.document, path, beginning)
         if autosave is not None and autosave.write_now():
             snapshot.discard()
         else:

@@ -13,6 +13,7 @@ from PySide6.QtCore import QDateTime, QLocale
 
 from ...document.model import Document
 from ...document.words import count_of
+from ...storage.reasons import shown
 from ...storage.recovery import Snapshot
 from ...workbench.document_files import NEW_NAME
 
@@ -81,9 +82,9 @@ def _offer(snapshot: Snapshot) -> Offer:
     elif not snapshot.origin.is_unchanged:
         words.append("file changed since")
     first = document.curves[0].name
-    untitled = "Untitled sketch" if first == NEW_NAME else first
-    name = _text(path.name) if path is not None else untitled
-    return Offer(name, " · ".join(words), _text(path) if path is not None else "", document)
+    untitled = snapshot.origin.title or ("Untitled sketch" if first == NEW_NAME else first)
+    name = shown(path.name) if path is not None else untitled
+    return Offer(name, " · ".join(words), shown(path) if path is not None else "", document)
 
 
 def note_about(damaged: tuple[Path, ...]) -> str:
@@ -91,8 +92,8 @@ def note_about(damaged: tuple[Path, ...]) -> str:
     if not damaged:
         return ""
     if len(damaged) == 1:
-        return f"⚠ A damaged backup cannot be read; it was set aside as {_text(damaged[0].name)}."
-    folder = _text(damaged[0].parent)
+        return f"⚠ A damaged backup cannot be read; it was set aside as {shown(damaged[0].name)}."
+    folder = shown(damaged[0].parent)
     return f"⚠ {len(damaged)} damaged backups cannot be read; they were set aside in {folder}."
 
 
@@ -101,10 +102,10 @@ def told_after(path: Path | None, *, is_unchanged: bool) -> str:
     if path is None:
         return "Restored; it has no file yet."
     if is_unchanged:
-        return f"Restored; {_text(path.name)} does not hold these changes until you save."
+        return f"Restored; {shown(path.name)} does not hold these changes until you save."
     if not path.exists():
-        return f"{_text(path.name)} is gone; your work was restored as a new document."
-    return f"{_text(path.name)} has changed since; your work was restored as a new document."
+        return f"{shown(path.name)} is gone; your work was restored as a new document."
+    return f"{shown(path.name)} has changed since; your work was restored as a new document."
 
 
 def age_in_words(seconds: float) -> str:
@@ -123,9 +124,3 @@ def age_in_words(seconds: float) -> str:
             number = max(round(seconds / unit), 1)
             return f"{one} ago" if number == 1 else f"{number} {name}s ago"
     return "a moment ago"
-
-
-def _text(path: Path | str) -> str:
-    """Return a path as it may stand in a sentence, whatever bytes it holds."""
-    text = str(path).encode("utf-8", "replace").decode()
-    return "".join(character if character.isprintable() else "�" for character in text)

@@ -9,7 +9,8 @@ from PySide6.QtCore import QObject
 from ...document.model import Document
 from ...session import Session
 from ...storage.format_error import FormatError
-from ...storage.recovery import Origin, SnapshotFile
+from ...storage.recovery import SnapshotFile
+from .autosave import origin_of
 
 
 class SetAside(QObject):
@@ -36,7 +37,7 @@ class SetAside(QObject):
     def _keep(self, document: Document) -> None:
         file = SnapshotFile(self._folder)
         try:
-            file.write(document, Origin())
+            file.write(document, origin_of(self._session))
         except (OSError, FormatError) as problem:
             file.discard()
             self._session.refuse(f"What you leave cannot be backed up ({problem}); Undo goes back to it.")

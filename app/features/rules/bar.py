@@ -5,7 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QSizePolicy
 
-from ...document.model import ParametrizationKind
+from ...document.model import Parametrization, ParametrizationKind
+from ...document.selection import NONE_CHOSEN
 from ...qt.labels import Label
 from ...view_model.curve_view import CurveView
 from ...widgets.boxes import row_of
@@ -17,6 +18,7 @@ STEPS = 100
 """Positions of the slider from α 0 to 1."""
 
 _TIP = "The rule that gives the parameters t"
+_SLIDER_TIP = "Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length"
 _SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 56
 
 
@@ -42,7 +44,7 @@ class ParametrizationBar(ToolbarWidget):
     def __init__(self) -> None:
         super().__init__()
         self._view: CurveView | None = None
-        self._is_compact = False
+        self._is_compact, self._has_alpha = False, True
         kinds = (each.label for each in ParametrizationKind)
         self.box = choice_box("parametrizationBox", "Parametrization", _TIP, kinds)
         for place, kind in enumerate(ParametrizationKind):
@@ -63,8 +65,7 @@ class ParametrizationBar(ToolbarWidget):
     @staticmethod
     def _make_slider() -> LiveSlider:
         slider = LiveSlider()
-        tip = "Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length"
-        named(slider, "alphaSlider", "Exponent α of the power rule", tip)
+        named(slider, "alphaSlider", "Exponent α of the power rule", _SLIDER_TIP)
         slider.setRange(0, STEPS)
         slider.setFixedWidth(_SLIDER_WIDTH)
         return slider
@@ -76,7 +77,7 @@ class ParametrizationBar(ToolbarWidget):
 
     def _share_room(self) -> None:
         """Give the long names, which are those of rules without an α, room of the slider."""
-        has_alpha, width = self.slider.isEnabled(), self.box.sizeHint().width()
+        has_alpha, width = self._has_alpha, self.box.sizeHint().width()
         self.box.setFixedWidth(width - self._excess if has_alpha else width)
         slider = _COMPACT_SLIDER_WIDTH if self._is_compact else _SLIDER_WIDTH
         self.slider.setFixedWidth(slider if has_alpha else max(slider - self._excess, 1))
@@ -93,10 +94,25 @@ class ParametrizationBar(ToolbarWidget):
         )
         return long - short_enough
 
-    def render_view(self, view: CurveView) -> None:
-        """Show the rule of `view`."""
+    def render_view(self, view: CurveView | None) -> None:
+        """Show the rule of `view`; None while there is no curve to act on."""
         self._view = view
-        rule = view.source.parametrization
+        self.box.setEnabled(view is not None)
+        if view is None:
+            self._render_none()
+        else:
+            self._render_rule(view.source.parametrization)
+        self._share_room()
+
+    def _render_none(self) -> None:
+        self._has_alpha = True
+        self.box.setCurrentIndex(-1)
+        for part in (self.box, self.slider):
+            part.setToolTip(NONE_CHOSEN)
+        self.slider.setEnabled(False)
+        self._alpha.setText("")
+
+    def _render_rule(self, rule: Parametrization) -> None:
         self.box.setCurrentIndex(list(ParametrizationKind).index(rule.kind))
         self.box.setToolTip(
             f"{_TIP}: {rule.kind.phrase}" + (f", {rule.kind.spaced}" if rule.kind.spaced else "")
@@ -105,16 +121,15 @@ class ParametrizationBar(ToolbarWidget):
         alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
         if not self.slider.isSliderDown():
             self.slider.setValue(round(alpha * STEPS))
-        has_alpha = _has_alpha(rule.kind)
-        self.slider.setEnabled(has_alpha)
-        self._alpha.setEnabled(has_alpha)
-        self._share_room()
+        self._has_alpha = _has_alpha(rule.kind)
+        self.slider.setEnabled(self._has_alpha)
+        self.slider.setToolTip(_SLIDER_TIP)
+        self._alpha.setEnabled(self._has_alpha)
         self._alpha.setText(f"α {alpha:.2f}")
 
     def _render_again(self) -> None:
         """Show what is: the person may have chosen what was refused."""
-        if self._view is not None:
-            self.render_view(self._view)
+        self.render_view(self._view)
 
     def _choose_kind(self, index: int) -> None:
         self.kind_chosen.emit(list(ParametrizationKind)[index])

@@ -94,8 +94,8 @@ class RuleCommands:
         return [(each, self._actions.words_of(each, short=True)) for each in further]
 
     def render(self, view: CurveView) -> None:
-        """Show the rule of `view` in the bar."""
-        self._bar.render_view(view)
+        """Show the rule of the curve that is edited or chosen in the bar."""
+        self._bar.render_view(self._session.meant_view)
 
     @action_for_each(
         FAMILIES,

@@ -16,7 +16,6 @@ from ...view_model.reshape import inserted_index
 from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
 from ..drag_machine import EditingHost
-from ..inserting import say_inserted
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
@@ -214,7 +213,7 @@ def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
     made = insert.on_curve
     # Dragged off the curve: the change is what was wanted.
     if host.active_view.source == made.curve:
-        say_inserted(host, made, insert.hit.t)
+        host.say(made.sentence)
 
 
 ADD = ToolRecord(

@@ -193,8 +193,8 @@ class SelectTool(Tool):
         if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
         view, dragged = context.view, dragged_with(context, hit) if hit is not None else ""
-        if hit is not None and hit.part is Part.OTHER_POINT:
-            view, hit = context.host.views[hit.curve], replace(hit, part=Part.POINT)
+        if hit is not None and hit.curve >= 0:
+            view, hit = context.host.views[hit.curve], hit.as_own
         return hints.to_select(hit, view, dragged, context.pointer, snaps=snaps)
 
     def _idle_hint(self, context: ToolContext) -> Hint | None:

@@ -1,0 +1,67 @@
+"""What was opened from a file of another format, written back to it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from msgspec.structs import replace
+
+from ...actions.declaration import action
+from ...actions.needs import Need
+from ...actions.sections import FILE_SAVE
+from ...actions.situation import Situation
+from ...exchange.formats import Written
+from ...exchange.options import DEFAULT
+from ...exchange.writing import export
+from ...storage.foreign import Foreign
+from ...storage.reasons import shown
+from ...tasks.progress import Report
+from ...workbench.context import WindowContext
+
+
+def _has_file(now: Situation) -> bool:
+    return now.session.files.foreign is not None
+
+
+def _title(now: Situation) -> str:
+    foreign = now.session.files.foreign
+    return f"Overwrite “{shown(foreign.path.name)}”" if foreign is not None else "Overwrite the Opened File"
+
+
+class OverwriteCommands:
+    """Writes a drawing back to the file that it was opened from."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session, self._work = context.session, context.work
+
+    @action(
+        "overwriteForeign",
+        "Overwrite the Opened File",
+        FILE_SAVE,
+        "Ctrl+Alt+S",
+        "export",
+        keywords="save SVG DXF again export back",
+        needs=Need("a drawing that was opened from an SVG or DXF file", _has_file),
+        title=_title,
+    )
+    def _overwrite(self) -> None:
+        """Write the drawing back to the SVG or DXF file that it was opened from."""
+        session, foreign = self._session, self._session.files.foreign
+        assert foreign is not None
+        document, beginning = session.committed, session.files.beginning
+        options = replace(DEFAULT, unit=document.unit)
+
+        def work(report: Report) -> tuple[Path | None, Written, Foreign]:
+            kept = foreign.keep_what_would_be_lost()
+            written = export(document, foreign.path, options.reporting(report))
+            return kept, written, foreign.as_it_is()
+
+        def done(found: tuple[Path | None, Written, Foreign]) -> None:
+            kept, written, now = found
+            session.files.note_written_back(beginning, now)
+            copy = f" What it was is kept as {shown(kept.name)}." if kept is not None else ""
+            session.say(f"Wrote {shown(foreign.path.name)}, {written.words}.{copy}")
+            self._work.warn_of(written.remarks)
+
+        name = shown(foreign.path.name)
+        self._work.start(f"Writing {name}", work, done, foreign.path, "written")
