@@ -347,6 +347,8 @@ class Document(Value, frozen=True):
         Lines to draw along.
     page
         What pictures of it show; None for what its curves take.
+    layers
+        Names of those of its groups that are layers: a press means what is in them.
     export
         Its last export.
     """
@@ -357,6 +359,7 @@ class Document(Value, frozen=True):
     grid_spacing: Annotated[float, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
+    layers: tuple[str, ...] = ()
     export: Export = NEVER_EXPORTED
 
     def with_curve(self, index: int, curve: Curve) -> Document:

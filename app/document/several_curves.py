@@ -131,7 +131,7 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
     it.
     """
     copied = dict[Container, tuple[int, list[int]]]()
-    for node in whole_nodes(document.curves, curves):
+    for node in whole_nodes(document.curves, curves, document.layers):
         around, at = node.around, node.places.stop
         if around.shape:
             around, at = around.around, shape_of(document, node.places.start).stop
@@ -140,7 +140,9 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
     new, places = document, dict[int, int]()
     for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
         at = place + len(places)
-        new = add_curves(new, list(contained(document.curves, originals, around).values()), at, around)
+        new = add_curves(
+            new, list(contained(document.curves, originals, around, document.layers).values()), at, around
+        )
         places |= zip(originals, range(at, at + len(originals)), strict=True)
     return Added(new, tuple(places[curve] for curve in sorted(places)))
 
@@ -168,7 +170,8 @@ def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     if begun:
         return replace(document, curves=curves, image=image), len(begun)
     unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
-    return replace(document, curves=curves, image=image, unit=unit, page=page, guides=guides), 0
+    document = replace(document, curves=curves, image=image, unit=unit, page=page, guides=guides)
+    return replace(document, layers=new.layers), 0
 
 
 def left_behind(document: Document, new: Document) -> list[str]:

@@ -13,7 +13,9 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
 from app.document.edits import set_position
 from app.document.model import Document, Page, make_curve
 from app.document.style import Style
+from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
 from app.features.import_export.commands import ExchangeCommands
 from app.storage.files import load
 from app.testing import spin
@@ -276,3 +278,59 @@ def test_an_icon_goes_out_as_large_as_it_came_in(editor, tmp_path):
     assert 'viewBox="0 0 24 24"' in text
     assert text.count('stroke="#ff0000" stroke-width="2" stroke-linecap="round"') == 4
     assert "rect" not in text
+
+
+LAYERS = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm" viewBox="0 0 60 40"'
+    ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+    ' xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><sodipodi:namedview>'
+    '<sodipodi:guide position="15,0" orientation="1,0"/><sodipodi:guide position="0,10" orientation="0,-1"/>'
+    '</sodipodi:namedview><g inkscape:groupmode="layer" inkscape:label="Back" id="a"'
+    ' sodipodi:insensitive="true" style="display:none"><path id="ground" d="M0 0H60V40H0Z" fill="#eeeeee"/></g>'
+    '<g inkscape:groupmode="layer" inkscape:label="Art work" id="b"><path id="left" d="M5 5H20V20H5Z"'
+    ' fill="#00aa00"/><path id="right" d="M40 5H55V20H40Z" fill="#aa0000"/><g id="pair"><path id="one"'
+    ' d="M5 30H20V35H5Z" fill="#0000aa"/><path id="two" d="M40 30H55V35H40Z" fill="#0000aa"/></g></g></svg>'
+)
+
+
+def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path):
+    """A press took a whole layer, and layers went out as groups, open and shown, without the guides."""
+    blank(editor)
+    path = tmp_path / "layers.svg"
+    path.write_text(LAYERS)
+    document, selected = imported(editor, path), editor.session.selected
+    assert document.layers == ("Back", "Art work")
+
+    def press(x, y):
+        for _ in range(3):
+            editor.escape()
+        place = document.page.y + document.page.height - y
+        editor.click((x, place))
+        return {
+            editor.session.document.curves[i].name for i in selected.choice.chosen or {selected.choice.active}
+        }
+
+    assert press(12, 12) == {"left"}
+    assert press(47, 12) == {"right"}
+    assert press(12, 32) == {"one", "two"}
+    # No layer is taken apart or taken whole by what concerns groups.
+    editor.trigger("ungroupCurves")
+    press(12, 12)
+    assert not editor.action("ungroupCurves").isEnabled()
+    selected.choose((1, 3))
+    editor.trigger("groupCurves")
+    document = editor.session.document
+    assert [curve.groups for curve in document.curves if "Group 1" in curve.groups] == [
+        ("Art work", "Group 1")
+    ] * 2
+    text = svg_of(document, Options(unit="mm")).text
+    assert (
+        '<g id="Back" inkscape:groupmode="layer" inkscape:label="Back" sodipodi:insensitive="true"'
+        ' style="display:none">' in text
+    )
+    assert '<g id="Art_work" inkscape:groupmode="layer" inkscape:label="Art work">' in text
+    assert text.count("insensitive") == text.count("display") == 1
+    again = read_svg(text.encode()).document
+    assert again.layers == document.layers
+    assert set(again.guides) == set(document.guides) and len(again.guides) == 2
+    assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4
