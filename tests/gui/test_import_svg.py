@@ -286,7 +286,7 @@ LAYERS = (
     ' xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><sodipodi:namedview>'
     '<sodipodi:guide position="15,0" orientation="1,0"/><sodipodi:guide position="0,10" orientation="0,-1"/>'
     '</sodipodi:namedview><g inkscape:groupmode="layer" inkscape:label="Back" id="a"'
-    ' sodipodi:insensitive="true" style="display:none"><path id="ground" d="M0 0H60V40H0Z" fill="#eeeeee"/></g>'
+    ' sodipodi:insensitive="true" style="display:none"><path id="ground" d="M0 0H60V40H0Z" fill="#eee"/></g>'
     '<g inkscape:groupmode="layer" inkscape:label="Art work" id="b"><path id="left" d="M5 5H20V20H5Z"'
     ' fill="#00aa00"/><path id="right" d="M40 5H55V20H40Z" fill="#aa0000"/><g id="pair"><path id="one"'
     ' d="M5 30H20V35H5Z" fill="#0000aa"/><path id="two" d="M40 30H55V35H40Z" fill="#0000aa"/></g></g></svg>'
@@ -332,5 +332,6 @@ def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path
     assert text.count("insensitive") == text.count("display") == 1
     again = read_svg(text.encode()).document
     assert again.layers == document.layers
-    assert set(again.guides) == set(document.guides) and len(again.guides) == 2
+    assert len(again.guides) == 2
+    assert set(again.guides) == set(document.guides)
     assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4
