@@ -149,3 +149,17 @@ def test_a_circle_of_four_arcs_is_four_points():
     assert [point.position for point in curve.points] == [(55, -10), (43, -22), (55, -34), (67, -22)]
     assert not any(point.corner for point in curve.points)
     assert curve.closed
+
+
+def test_sides_of_rounded_rectangles_come_back_as_lines():
+    """A long side took the direction of the short handle beside it, 3e-14 off, and went out as a cubic."""
+    for box in (
+        (122.878, 92.171, 6.567, 46.691, 0.77),
+        (51.804, 168.507, 134.95, 17.564, 0.92),
+        (10, 10, 90, 122, 8),
+    ):
+        x, y, width, height, radius = box
+        text = f'<rect x="{x}" y="{y}" width="{width}" height="{height}" rx="{radius}"/>'
+        drawn = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 210 297">{text}</svg>'
+        data = svg_of(read_svg(drawn.encode()).document).text
+        assert (data.count(" L "), data.count(" C ")) == (4, 4)

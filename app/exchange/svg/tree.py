@@ -141,11 +141,15 @@ def _data_lines(outline: Outline, has_lines: bool) -> Iterator[str]:
 
 
 def _are_lines(pieces: FloatArray) -> list[bool]:
-    """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding."""
+    """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding.
+
+    A handle is as long as velocity times parameters, and these are rounded as parts of the whole length.
+    """
     start, end = pieces[:, 0], pieces[:, 3]
     third = (end - start) / 3
     off = np.abs(pieces[:, 1:3] - np.stack([start + third, end - third], axis=1)).max(axis=(1, 2))
-    return list(off <= _ROUNDING * np.abs(pieces).max(axis=(1, 2)))
+    length = np.hypot(*(end - start).T).sum()
+    return list(off <= _ROUNDING * (np.abs(pieces).max(axis=(1, 2)) + length))
 
 
 def pair(point: list[float]) -> str:
