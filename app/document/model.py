@@ -251,6 +251,11 @@ class Curve(Value, frozen=True, dict=True):
         return replace(self, **{each.rule_field: getattr(other, each.rule_field) for each in DERIVATIVES})
 
     @property
+    def is_free(self) -> bool:
+        """Whether it is seen and not locked."""
+        return self.visible and not self.locked
+
+    @property
     def is_manual(self) -> bool:
         """Whether the person, not a rule, gives the parameters."""
         return self.parametrization.kind is ParametrizationKind.MANUAL

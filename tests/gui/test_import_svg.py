@@ -125,7 +125,7 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
         assert (document.unit, document.page) == ("mm", Page(0.0, -50.0, 70.0, 50.0))
         assert "Sketch" not in {curve.name for curve in document.curves}
         assert (title_of(session), session.files.is_modified) == ("inkscape_logo", True)
-        assert session.selected.curves == frozenset(range(len(document.curves)))
+        assert not session.selected.marked
         editor.trigger("undo")
         assert (session.document, title_of(session)) == (sketch, "Untitled")
     editor.drag_point(0, to=(0.0, 0.0))
@@ -278,6 +278,20 @@ def test_an_icon_goes_out_as_large_as_it_came_in(editor, tmp_path):
     assert 'viewBox="0 0 24 24"' in text
     assert text.count('stroke="#ff0000" stroke-width="2" stroke-linecap="round"') == 4
     assert "rect" not in text
+
+
+def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_path):
+    """All that was opened was chosen, with a hidden ellipse in its ghost: nobody could move anything."""
+    blank(editor)
+    path = tmp_path / "layers.svg"
+    path.write_text(LAYERS)
+    imported(editor, path)
+    selected = editor.session.selected
+    assert not selected.marked
+    assert editor.session.active_curve.is_free
+    document = imported(editor, path)
+    assert selected.chosen == {place for place in range(5, 10) if document.curves[place].is_free}
+    assert len(selected.chosen) == 4
 
 
 LAYERS = (
