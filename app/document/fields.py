@@ -67,6 +67,16 @@ def matching(pattern: str, words: str) -> Requirement:
     return Requirement(lambda text: re.fullmatch(pattern, text) is not None, words)
 
 
+class Dimension(NamedTuple):
+    """Dimension of the numbers in a field."""
+
+    name: str
+
+
+LENGTH = Dimension("length")
+"""That of what is twice as much in a drawing twice as large."""
+
+
 class Field(NamedTuple):
     """A field of a value.
 
@@ -82,6 +92,8 @@ class Field(NamedTuple):
         Of each of them, or of all.
     words
         What people call it; its name where that is not said.
+    is_length
+        Whether its numbers are lengths in the plane.
     """
 
     name: str
@@ -90,6 +102,7 @@ class Field(NamedTuple):
     is_optional: bool
     requirements: tuple[Requirement, ...]
     words: str
+    is_length: bool
 
     @property
     def holds_values(self) -> bool:
@@ -112,4 +125,4 @@ def _field(name: str, hint: object) -> Field:
     first = next(choice for choice in choices if choice is not NoneType)
     is_many = get_origin(first) is tuple
     kind = get_args(first)[0] if is_many else first
-    return Field(name, kind, is_many, NoneType in choices, requirements, words)
+    return Field(name, kind, is_many, NoneType in choices, requirements, words, LENGTH in notes)

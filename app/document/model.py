@@ -12,12 +12,18 @@ from msgspec.structs import replace
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .export import NEVER_EXPORTED, Export
-from .fields import Requirement, above, at_least, between, printed
+from .fields import LENGTH, Requirement, above, at_least, between, printed
 from .style import PLAIN_STYLE, Style
 from .value import Value
 from .words import NamedEnum
 
 Vector = tuple[float, float]
+
+Length = Annotated[float, LENGTH]
+"""A number that is twice as large in a drawing twice as large."""
+
+Lengths = Annotated[Vector | None, LENGTH]
+"""A vector of such, or none."""
 
 LONGEST_UNIT = 12
 """Characters of a unit's name."""
@@ -101,16 +107,16 @@ class Point(Value, frozen=True, gc=False):
         curve is smooth there, and its handles have lengths of their own.
     """
 
-    x: float
-    y: float
+    x: Length
+    y: Length
     t: float | None = None
-    velocity: Vector | None = None
-    acceleration: Vector | None = None
+    velocity: Lengths = None
+    acceleration: Lengths = None
     corner: bool = False
-    velocity_after: Vector | None = None
-    acceleration_after: Vector | None = None
-    jerk: Vector | None = None
-    jerk_after: Vector | None = None
+    velocity_after: Lengths = None
+    acceleration_after: Lengths = None
+    jerk: Lengths = None
+    jerk_after: Lengths = None
     tied: bool = False
 
     @property
@@ -288,10 +294,10 @@ class ReferenceImage(Value, frozen=True, omit_defaults=False):
     """
 
     path: Annotated[str, _PATH, _OF_THIS_COMPUTER]
-    x: float
-    y: float
-    width: Annotated[float, above(0)]
-    height: Annotated[float, above(0)]
+    x: Length
+    y: Length
+    width: Annotated[Length, above(0)]
+    height: Annotated[Length, above(0)]
     opacity: Annotated[float, between(0, 1)] = 0.5
     locked: bool = False
 
@@ -315,7 +321,7 @@ class Guide(Value, frozen=True):
     """
 
     axis: Axis
-    position: float
+    position: Length
 
 
 class Page(Value, frozen=True, omit_defaults=False):
@@ -329,10 +335,10 @@ class Page(Value, frozen=True, omit_defaults=False):
         Its size.
     """
 
-    x: float
-    y: float
-    width: Annotated[float, above(0)]
-    height: Annotated[float, above(0)]
+    x: Length
+    y: Length
+    width: Annotated[Length, above(0)]
+    height: Annotated[Length, above(0)]
 
 
 class Document(Value, frozen=True):
@@ -361,7 +367,7 @@ class Document(Value, frozen=True):
     curves: tuple[Curve, ...]
     image: ReferenceImage | None = None
     unit: Annotated[str, printed(LONGEST_UNIT, f"be a name of at most {LONGEST_UNIT} characters")] = ""
-    grid_spacing: Annotated[float, at_least(0)] = 0.0
+    grid_spacing: Annotated[Length, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
     layers: tuple[str, ...] = ()

@@ -27,8 +27,9 @@ def _words(document: Document, place: str) -> str:
     value: object = document
     parts: list[str] = []
     for name, index in _STEP.findall(place):
-        field = next((each for each in fields_of(type(value)) if each.name == name), None)
-        if not isinstance(value, Value) or field is None:
+        fields = fields_of(type(value)) if isinstance(value, Value) else ()
+        field = next((each for each in fields if each.name == name), None)
+        if field is None:
             return ""
         value = getattr(value, name)
         called = field.words.replace("_", " ")

@@ -6,7 +6,7 @@ from typing import Annotated, Final
 
 from msgspec.structs import replace
 
-from .fields import Requirement, at_least, between, few, matching
+from .fields import LENGTH, Requirement, at_least, between, few, matching
 from .value import Value
 from .words import NamedEnum
 
@@ -68,7 +68,7 @@ class Style(Value, frozen=True):
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
-    width: Annotated[float | None, at_least(0), "Stroke width"] = None
+    width: Annotated[float | None, at_least(0), LENGTH, "Stroke width"] = None
     cap: Annotated[LineCap, "Line ends"] = LineCap.ROUND
     join: Annotated[LineJoin, "Line corners"] = LineJoin.ROUND
     miter_limit: Annotated[float, at_least(1), "Miter limit"] = 4.0

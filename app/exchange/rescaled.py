@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from functools import cache, partial
+from typing import TypeVar
+
 from msgspec.structs import replace
 
-from ..document.derivatives import VECTORS
-from ..document.model import Curve, Document, Page, Point
+from ..document.fields import Field, fields_of
+from ..document.model import Document
+from ..document.value import Value
 from .units import MILLIMETRES, known_unit
+
+_Value = TypeVar("_Value", bound=Value)
 
 
 def factor_between(unit: str, other: str) -> float:
@@ -16,38 +22,29 @@ def factor_between(unit: str, other: str) -> float:
 
 
 def in_unit(document: Document, unit: str) -> Document:
-    """Return the document in a unit, its picture to trace aside; as it is where either is no length."""
+    """Return the document in a unit; as it is where either is no length."""
     factor = factor_between(document.unit, unit)
     if factor == 1.0:
         return document
     return replace(enlarged(document, factor), unit=unit)
 
 
-def enlarged(document: Document, factor: float) -> Document:
-    """Return the document so many times as large, its picture to trace aside."""
-    curves = tuple(_scaled_curve(curve, factor) for curve in document.curves)
-    page = document.page and Page(*(value * factor for value in _sides(document.page)))
-    guides = tuple(replace(guide, position=guide.position * factor) for guide in document.guides)
-    spacing = document.grid_spacing * factor
-    return replace(document, curves=curves, page=page, guides=guides, grid_spacing=spacing)
+def enlarged(value: _Value, factor: float) -> _Value:
+    """Return a document, or a part of one, so many times as large: all that its fields call lengths."""
+    changed: dict[str, object] = {}
+    for field in _sized_fields(type(value)):
+        content = getattr(value, field.name)
+        if content is not None:
+            one = partial(_times if field.is_length else enlarged, factor=factor)
+            changed[field.name] = tuple(map(one, content)) if field.is_many else one(content)
+    return replace(value, **changed) if changed else value
 
 
-def _sides(page: Page) -> tuple[float, float, float, float]:
-    return page.x, page.y, page.width, page.height
+def _times(value: float, factor: float) -> float:
+    return value * factor
 
 
-def _scaled_curve(curve: Curve, factor: float) -> Curve:
-    points = tuple(_scaled_point(point, factor) for point in curve.points)
-    style = curve.style
-    if style.width is not None:
-        style = replace(style, width=style.width * factor)
-    return replace(curve, points=points, style=style)
-
-
-def _scaled_point(point: Point, factor: float) -> Point:
-    vectors = {
-        name: (vector[0] * factor, vector[1] * factor)
-        for _, name in VECTORS
-        if (vector := getattr(point, name)) is not None
-    }
-    return replace(point, x=point.x * factor, y=point.y * factor, **vectors)
+@cache
+def _sized_fields(kind: type[Value]) -> tuple[Field, ...]:
+    """Return the fields that hold lengths, or values that may."""
+    return tuple(each for each in fields_of(kind) if each.is_length or each.holds_values)

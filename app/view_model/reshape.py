@@ -122,12 +122,12 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
         left_rule = made.is_manual and not view.source.is_manual
         at = dense(longer.parameters)
         return Reshaped(made, largest_distance(view, at, view_of(made), at), left_rule=left_rule)
-    made = _with_point_at(view, index, t)
-    if view.source.is_manual or made.is_kept:
-        return made
+    by_rule = _with_point_at(view, index, t)
+    if view.source.is_manual or by_rule.is_kept:
+        return by_rule
     frozen = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
     kept = _with_point_at(view_of(frozen), index, t)
-    return replace(kept, left_rule=True) if kept.is_kept else made
+    return replace(kept, left_rule=True) if kept.is_kept else by_rule
 
 
 def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:

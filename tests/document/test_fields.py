@@ -113,7 +113,7 @@ def test_every_length_goes_with_the_unit():
     of_styles = {"miter_limit", "dash", "stroke_opacity", "fill_opacity", "opacity"}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {f"style.{name}" for name in of_styles}
-    of_pictures = {"image.width", "image.height", "image.opacity"}
+    of_pictures = {"image.opacity"}
     assert stays == {f"curves.{name}" for name in of_curves} | of_pictures
 
 

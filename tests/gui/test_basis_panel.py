@@ -287,7 +287,7 @@ def test_kinds_can_be_switched(editor, panel):
 
 def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, panel):
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
-    note = editor.window.central["basisPane"].extent_text
+    note = editor.window.central["basisPane"].findChild(QWidget, "basisExtent").toolTip()
     assert "The functions reach" in note
     assert editor.window.width() == 1200
     fit = editor.window.findChild(QToolButton, "fitBasis")
@@ -298,7 +298,7 @@ def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, 
     _, y_min, _, y_max = panel.pixel_map.box
     assert y_min < low
     assert high < y_max
-    assert editor.window.central["basisPane"].extent_text == ""
+    assert editor.window.central["basisPane"].findChild(QWidget, "basisExtent").toolTip() == ""
     # With nothing to fit any more, and the usual range shown, the button goes (it stayed, and did nothing).
     editor.trigger("undo")
     editor.fit()
@@ -328,7 +328,7 @@ def test_functions_of_derivatives_never_leave_the_usual_range(editor, panel):
     low, high = panel.drawing.basis.extent((1, 2))
     assert -0.5 <= low < -0.4
     assert 0.4 < high <= 0.5
-    assert editor.window.central["basisPane"].extent_text == ""
+    assert editor.window.central["basisPane"].findChild(QWidget, "basisExtent").toolTip() == ""
 
 
 def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
@@ -368,4 +368,4 @@ def check_header(editor, family):
     functions = editor.session.active_view.curve.basis(np.linspace(0.0, 1.0, 4001))[:, :, 0]
     leaves = bool(functions.min() < -0.5 or functions.max() > 1.2)
     assert leaves or family is not LAGRANGE
-    assert bool(pane.extent_text) is leaves, family
+    assert bool(pane.findChild(QWidget, "basisExtent").toolTip()) is leaves, family

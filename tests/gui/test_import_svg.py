@@ -11,7 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
 
 from app.document.edits import set_position
-from app.document.model import Document, Page, make_curve
+from app.document.guide_edits import add_guide
+from app.document.model import Axis, Document, Page, make_curve
 from app.document.style import Style
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
@@ -218,14 +219,22 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     editor.wait_for_work()
     assert editor.status == "Wrote badge.svg, exact."
     path.write_text(INCH + "\n", encoding="utf-8")
+    editor.session.change("Guide", lambda document: add_guide(document, Axis.X, 1.0))
     editor.trigger("overwriteForeign")
     editor.wait_for_work()
+    assert editor.status.startswith("Wrote badge.svg, exact. Guides are not written.")
     assert editor.status.endswith("kept as badge.svg.before.2.bak.")
     # What was there already is not replaced unasked.
     editor.session.files.begin_imported(document, "badge", foreign=session.files.foreign)
     editor.trigger("saveDocument")
     assert [Path(each).name for each in saved] == ["badge.curve.json"]
-    editor.new()
+
+
+def test_what_was_not_opened_from_a_file_has_none_to_overwrite(editor, tmp_path):
+    blank(editor)
+    path = tmp_path / "inch.svg"
+    path.write_text(INCH, encoding="utf-8")
+    imported(editor, path)
     assert not editor.action("overwriteForeign").isEnabled()
 
 

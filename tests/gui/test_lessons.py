@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QSlider,
     QTextBrowser,
     QToolButton,
+    QWidget,
 )
 
 from app.features.basis.layers import rail_height
@@ -125,7 +126,7 @@ def test_the_functions_that_a_step_speaks_of_are_all_in_sight(editor, qtbot):
         shown = editor.window.basis_panel.pixel_map
         assert shown.y(lowest) < shown.height - rail_height(1.0)
         assert shown.y(highest) > 0
-        assert editor.window.central["basisPane"].extent_text == ""
+        assert editor.window.central["basisPane"].findChild(QWidget, "basisExtent").toolTip() == ""
     open_step(editor, qtbot, "01_basis_functions", 0)
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert shown == editor.window.basis_panel.pixel_map

@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QSlider
+from PySide6.QtWidgets import QApplication, QMenu, QSlider, QWidget
 
 from app.document.edits import set_closed, set_parameter
 from app.document.model import ParametrizationKind
@@ -415,7 +415,7 @@ def test_other_digits_of_a_note_lay_nothing_out(qtbot, width):
         editor.wait_for_rest()
         if not notes:
             layouts = Layouts(editor.window)
-        notes.append(pane.extent_text)
+        notes.append(pane.findChild(QWidget, "basisExtent").toolTip())
     assert len(set(notes)) == 3
     assert layouts.count == 0
     editor.session.cancel()

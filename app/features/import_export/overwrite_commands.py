@@ -60,7 +60,8 @@ class OverwriteCommands:
             kept, written, now = found
             session.files.note_written_back(beginning, now)
             copy = f" What it was is kept as {shown(kept.name)}." if kept is not None else ""
-            session.say(f"Wrote {shown(foreign.path.name)}, {written.words}.{copy}")
+            guides = " Guides are not written." if document.guides else ""
+            session.say(f"Wrote {shown(foreign.path.name)}, {written.words}.{guides}{copy}")
             self._work.warn_of(written.remarks)
 
         name = shown(foreign.path.name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...actions.declaration import action, also
+from ...actions.declaration import also, switch
 from ...actions.sections import VIEW_DRAWING
 from ...actions.strips import CANVAS_MENU, TOOLBAR
 from ...state.window_state import WindowState
@@ -24,17 +24,17 @@ class SnapCommands:
         snapping = Snapping(state.snap_on, state.snap_kinds - hidden)
         self._context.central.canvas.change_tool_settings(snapping=snapping)
 
-    @action("toggleSnap", "Snap", VIEW_DRAWING, "%", "magnet", checked=lambda now: now.state.snap_on)
+    @switch("snap_on", "toggleSnap", "Snap", VIEW_DRAWING, "%", "magnet")
     @also(TOOLBAR(62), CANVAS_MENU(32))
     def _toggle(self) -> None:
         """Snap to grid, guides, page, points and curves; Ctrl while dragging turns it round."""
         store = self._context.store
-        # Another window may have remembered other ones meanwhile.
+        # Another window may have remembered other kinds meanwhile.
         store.read_preferences()
-        store.change(snap_on=not store.state.snap_on)
-        on = store.state.snap_on
         self._context.session.say(
-            "Points snap; hold Ctrl not to." if on else "Points move freely; hold Ctrl to snap."
+            "Points snap; hold Ctrl not to."
+            if store.state.snap_on
+            else "Points move freely; hold Ctrl to snap."
         )
 
 
