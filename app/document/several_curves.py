@@ -18,7 +18,7 @@ from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
-from .transforms import Affine, transform_points
+from .transforms import Affine, step_points, transform_points
 from .words import count_of
 
 
@@ -45,6 +45,11 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
 def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
     return group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
+
+
+def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
+    """Move the points of a group by decimal steps; see `step_points`."""
+    return group.changed(document, lambda each, curve, indices: step_points(each, curve, indices, by))
 
 
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:

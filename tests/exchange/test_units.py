@@ -249,7 +249,7 @@ def test_a_level_line_has_room_beside_it():
 
 def test_a_page_is_shown_as_it_is():
     paged = replace(SEVENTY, page=Page(0.0, 0.0, 200.0, 100.0))
-    assert picture_box(paged) == [0.0, -100.0, 200.0, 100.0]
+    assert picture_box(paged) == [0.0, 0.0, 200.0, 100.0]
 
 
 @pytest.mark.parametrize("shown", ["points", "handles", "grid"])

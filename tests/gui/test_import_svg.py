@@ -14,7 +14,9 @@ from app.document.edits import set_position
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Page, make_curve
 from app.document.style import Style
+from app.exchange.corner import from_lower_left
 from app.exchange.options import Options
+from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.features.import_export.commands import ExchangeCommands
@@ -105,7 +107,7 @@ def test_what_comes_in_otherwise_is_listed_before(editor):
 def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
     blank(editor)
     document = imported(editor, SVG / "inkscape_logo.svg")
-    assert (document.unit, document.page) == ("mm", Page(0.0, -50.0, 70.0, 50.0))
+    assert (document.unit, document.page) == ("mm", Page(0.0, 0.0, 70.0, 50.0))
     shown = {curve.name: curve for curve in document.curves}
     assert [curve.groups for curve in document.curves if curve.name == "Leaf"] == [
         ("Leaves", "Left pair"),
@@ -123,7 +125,7 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
     session.files.begin(sketch)
     for _ in range(2):
         document = imported(editor, SVG / "inkscape_logo.svg")
-        assert (document.unit, document.page) == ("mm", Page(0.0, -50.0, 70.0, 50.0))
+        assert (document.unit, document.page) == ("mm", Page(0.0, 0.0, 70.0, 50.0))
         assert "Sketch" not in {curve.name for curve in document.curves}
         assert (title_of(session), session.files.is_modified) == ("inkscape_logo", True)
         assert not session.selected.marked
@@ -210,8 +212,8 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     editor.wait_for_work()
     assert editor.status == "Wrote badge.svg, exact. What it was is kept as badge.svg.before.bak."
     assert (tmp_path / "badge.svg.before.bak").read_text(encoding="utf-8") == INCH
-    back = read_svg(path.read_bytes()).document
-    assert [each.position for each in back.curves[0].points] == [(7, 0), (1, 0), (1, -1)]
+    back = import_file(path).document
+    assert [each.position for each in back.curves[0].points] == [(7, 0), (1, 1), (1, 0)]
     assert (back.curves[0].style, back.unit, back.page) == (document.curves[0].style, "in", document.page)
     # Another time nothing of it is lost; where another program has written it, that is kept.
     move_first_point(editor, 8.0)
@@ -222,7 +224,7 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     editor.session.change("Guide", lambda document: add_guide(document, Axis.X, 1.0))
     editor.trigger("overwriteForeign")
     editor.wait_for_work()
-    assert editor.status.startswith("Wrote badge.svg, exact. Guides are not written.")
+    assert import_file(path).document.guides == editor.session.document.guides
     assert editor.status.endswith("kept as badge.svg.before.2.bak.")
     # What was there already is not replaced unasked.
     editor.session.files.begin_imported(document, "badge", foreign=session.files.foreign)
@@ -301,6 +303,8 @@ def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_pat
     document = imported(editor, path)
     assert selected.chosen == {place for place in range(5, 10) if document.curves[place].is_free}
     assert len(selected.chosen) == 4
+    # Page upon page.
+    assert [curve.points for curve in document.curves[5:]] == [curve.points for curve in document.curves[:5]]
 
 
 LAYERS = (
@@ -353,7 +357,10 @@ def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path
     )
     assert '<g id="Art_work" inkscape:groupmode="layer" inkscape:label="Art work">' in text
     assert text.count("insensitive") == text.count("display") == 1
-    again = read_svg(text.encode()).document
+    # What stands above the origin here hangs below it there.
+    assert (document.page.y, min(point.y for curve in document.curves for point in curve.points)) == (0, 0)
+    assert '<path id="left" d="M 5 5' in text
+    again = from_lower_left(read_svg(text.encode()).document)
     assert again.layers == document.layers
     assert len(again.guides) == 2
     assert set(again.guides) == set(document.guides)

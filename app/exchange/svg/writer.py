@@ -6,6 +6,7 @@ from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
+from ..corner import from_upper_left
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, drawing_of
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
@@ -30,12 +31,13 @@ _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = False) -> Written:
     """Return a document as SVG.
 
-    Coordinates are the document's own with y negated, in full precision but for noise (see `number`): a
-    piece of a cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves
-    become as many cubics as the tolerance takes; the largest deviation stands in a comment and in the
-    metadata. The curves of a shape are one path, in their groups and with its style; hidden ones are
-    there, and not displayed. Layers and guides are Inkscape's. Points are discs in a group of their own.
-    Without a width and a unit the longer side is `NOMINAL_SIDE`.
+    Coordinates are the document's own with y negated, in full precision but for noise (see `number`); where
+    its page stands on the origin they are those from its upper left corner, as usual in SVG. A piece of a
+    cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many
+    cubics as the tolerance takes; the largest deviation stands in a comment and in the metadata. The curves
+    of a shape are one path, in their groups and with its style; hidden ones are there, and not displayed.
+    Layers and guides are Inkscape's. Points are discs in a group of their own. Without a width and a unit
+    the longer side is `NOMINAL_SIDE`.
     All curves may lie `in_group`, one without a name.
 
     Raises
@@ -43,6 +45,7 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     ExchangeError
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
+    document = from_upper_left(document)
     style, report = options.vector_style, part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
     text = svg_text(
