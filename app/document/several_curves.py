@@ -18,6 +18,7 @@ from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
+from .style import USUAL_WIDTH
 from .transforms import Affine, step_points, transform_points
 from .words import count_of
 
@@ -107,9 +108,19 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
 
 
 def alone(document: Document, curves: Collection[int]) -> Document:
-    """Return some curves of a document in a document of their own, which has no page."""
+    """Return some curves of a document in a document of their own, which has no page.
+
+    Lines whose styles say no width are as wide as on the page.
+    """
     chosen = tuple(document.curves[place] for place in sorted(curves))
+    if (page := document.page) is not None:
+        chosen = tuple(_with_width(curve, USUAL_WIDTH * max(page.width, page.height)) for curve in chosen)
     return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
+
+
+def _with_width(curve: Curve, usual: float) -> Curve:
+    style = curve.style
+    return curve if style.width is not None else replace(curve, style=replace(style, width=usual))
 
 
 def in_order(document: Document, order: Sequence[int]) -> Document:

@@ -19,6 +19,9 @@ NO_PAINT: Final = "none"
 LARGEST_DASHES: Final = 64
 """Dashes and gaps that a style may have."""
 
+USUAL_WIDTH: Final = 0.003
+"""Of a line whose style does not say it, against the longer side of the page or of the drawing."""
+
 _PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
 _SHARE = between(0, 1)
 _DASHES = few(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")

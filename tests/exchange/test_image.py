@@ -7,7 +7,8 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 
 from app.document.model import Document, make_curve
-from app.exchange.drawing.drawing import POINT_RADIUS, USUAL_WIDTH, drawing_of
+from app.document.style import USUAL_WIDTH
+from app.exchange.drawing.drawing import POINT_RADIUS, drawing_of
 from app.exchange.drawing.styles import DARK, INK
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of

@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
 from ...document.model import Curve, Document, Guide
-from ...document.style import Style
+from ...document.style import USUAL_WIDTH, Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve_view import ParametricCurve, view_of
@@ -31,9 +31,6 @@ MARGIN = 0.06
 
 SLIMMEST = 0.2
 """Least ratio of a frame's shorter to its longer side."""
-
-USUAL_WIDTH = 0.003
-"""Of a line whose style does not say it, against the drawing's longer side."""
 
 POINT_RADIUS = 0.006
 """Of the discs at the points, likewise."""
